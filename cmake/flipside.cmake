@@ -1,0 +1,44 @@
+# What every target shares: the language, the warnings and the floating-point rules.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+find_program(FLIPSIDE_CCACHE ccache)
+if(FLIPSIDE_CCACHE)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${FLIPSIDE_CCACHE})
+endif()
+
+add_library(flipside_options INTERFACE)
+# Contraction off: a fused multiply-add rounds once where the source rounds twice, and would make the
+# bits of a run depend on compiler and machine.
+target_compile_options(flipside_options INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Werror -ffp-contract=off)
+if(FLIPSIDE_SANITIZE)
+    target_compile_options(flipside_options INTERFACE
+        -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(flipside_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+# flipside_library(NAME [LINKS ...]): the sources of the current folder as target flipside_NAME.
+# Headers are included as "NAME/file.hpp".
+function(flipside_library name)
+    cmake_parse_arguments(ARG "" "" "LINKS;PRIVATE_LINKS" ${ARGN})
+    file(GLOB sources CONFIGURE_DEPENDS *.cpp *.hpp)
+    add_library(flipside_${name} STATIC ${sources})
+    target_include_directories(flipside_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+    target_link_libraries(flipside_${name} PUBLIC ${ARG_LINKS} PRIVATE flipside_options ${ARG_PRIVATE_LINKS})
+endfunction()
+
+# flipside_tests(NAME [LINKS ...]): the sources of the current folder as test program test_NAME.
+function(flipside_tests name)
+    cmake_parse_arguments(ARG "" "" "LINKS" ${ARGN})
+    file(GLOB sources CONFIGURE_DEPENDS *.cpp *.hpp)
+    add_executable(test_${name} ${sources})
+    target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+    target_compile_definitions(test_${name} PRIVATE FLIPSIDE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    target_link_libraries(test_${name} PRIVATE ${ARG_LINKS} GTest::gtest_main flipside_options)
+    gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
+                         PROPERTIES TIMEOUT 600 LABELS ${name})
+endfunction()

@@ -1,0 +1,28 @@
+#pragma once
+/// A picture of a scene at a moment, drawn as the window draws it. Needs an X server.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/play.hpp"
+
+namespace flipside::app {
+
+struct RenderOptions {
+    std::string scene;
+    std::string engine = "custom";
+    double at = 0;  ///< s
+    double dt = 1.0 / 60;
+    std::filesystem::path out;
+    View view = View::single;
+    std::vector<std::string> show;      ///< overlays: boxes, cells, …
+    std::vector<std::string> settings;  ///< "ENGINE.NAME=VALUE", or "NAME=VALUE" for `engine`
+    std::optional<std::filesystem::path> script;
+    unsigned width = 1280, height = 800;  ///< px
+};
+
+int render(const RenderOptions& options);
+
+}  // namespace flipside::app

@@ -1,0 +1,18 @@
+#pragma once
+/// Where scenes and other files that come with the program are.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace flipside::lab {
+
+/// $FLIPSIDE_ASSETS, else the assets folder of an installation or of the source tree.
+[[nodiscard]] std::filesystem::path assets_folder();
+/// The file of a scene given by its name in assets/scenes or by a path. Throws InputError that lists the
+/// known names.
+[[nodiscard]] std::filesystem::path scene_file(const std::string& name_or_path);
+/// The names of all scenes in assets/scenes, sorted.
+[[nodiscard]] std::vector<std::string> scene_names();
+
+}  // namespace flipside::lab

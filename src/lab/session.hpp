@@ -1,0 +1,61 @@
+#pragma once
+/// A run of one scene on one engine: the world, the game on it, and the recording of what was done to it.
+/// The command line, the window and the tests all run worlds through this, so they mean the same by it.
+
+#include <memory>
+
+#include "lab/game.hpp"
+#include "world/engine.hpp"
+
+namespace flipside::lab {
+
+class Session {
+  public:
+    Session(std::shared_ptr<const Scene> scene, const Engine& engine, Settings settings);
+
+    /// Applies a control now and records it.
+    void apply(const Control& control);
+    /// The same if the rules of the game permit it; false if they do not.
+    bool press(const Control& control);
+    /// One step of the world, then the rules' answer to what happened in it.
+    void step(double dt);
+    /// Advances by dt, split so that every control of the script that falls into it is applied at its
+    /// own time (one within 1e-9·dt of either end, at that end). `next` is the script's next control and
+    /// is moved on. Events of all parts of the step are in events().
+    void step(double dt, const Script& script, std::size_t& next);
+    /// Continues on another engine, with other settings, or on a changed scene (same parts) from the
+    /// state as it is. The game goes on.
+    void change(std::shared_ptr<const Scene> scene, const Engine& engine, Settings settings);
+    void restore(const State& state) { world_->restore(state); }
+
+    [[nodiscard]] World& world() { return *world_; }
+    [[nodiscard]] const World& world() const { return *world_; }
+    [[nodiscard]] const Scene& scene() const { return *scene_; }
+    [[nodiscard]] std::shared_ptr<const Scene> shared_scene() const { return scene_; }
+    [[nodiscard]] const Engine& engine() const { return *engine_; }
+    [[nodiscard]] const Settings& settings() const { return settings_; }
+    [[nodiscard]] const Game& game() const { return game_; }
+    /// What was applied from outside (not by the rules) since the start.
+    [[nodiscard]] const Script& recording() const { return recording_; }
+    /// Everything that happened during the last step(dt), over all its parts.
+    [[nodiscard]] std::span<const Event> events() const { return events_; }
+    /// CPU seconds that the world spent in step() alone, all steps together.
+    [[nodiscard]] double step_seconds() const { return step_seconds_; }
+    [[nodiscard]] std::uint64_t steps() const { return steps_; }
+
+  private:
+    std::shared_ptr<const Scene> scene_;
+    const Engine* engine_;
+    Settings settings_;
+    std::unique_ptr<World> world_;
+    Game game_;
+    Script recording_;
+    std::vector<Event> events_;
+    double step_seconds_ = 0;
+    std::uint64_t steps_ = 0;
+};
+
+/// ½mv² + ½Iω² − m·g·p over all balls, J (gravity's potential is 0 at the origin).
+[[nodiscard]] double energy(const World& world, const Scene& scene);
+
+}  // namespace flipside::lab

@@ -1,0 +1,34 @@
+#pragma once
+/// A ball: the only dynamic body. A disc with moment of inertia ½·m·r².
+
+#include <cstdint>
+
+#include "world/vec2.hpp"
+
+namespace flipside {
+
+/// Names a ball for the whole life of a world; never used again after the ball is gone. The balls of a
+/// scene are numbered from 0 in the order of the file, later ones follow.
+using BallNumber = std::uint32_t;
+
+struct Ball {
+    BallNumber number = 0;
+    Vec2 position;                      ///< m
+    Vec2 velocity;                      ///< m/s
+    double angle = 0;                   ///< rad
+    double spin = 0;                    ///< rad/s, anticlockwise
+    double radius = 0;                  ///< m, > 0
+    double mass = 0;                    ///< kg, > 0
+    std::uint32_t material = 0;         ///< index into Scene::materials
+    std::uint32_t layer = 1;            ///< one bit
+    std::uint32_t collides_with = ~0U;  ///< mask of layers
+    bool asleep = false;
+
+    friend bool operator==(const Ball&, const Ball&) = default;
+};
+
+inline double inertia(const Ball& ball) {
+    return 0.5 * ball.mass * ball.radius * ball.radius;
+}
+
+}  // namespace flipside

@@ -1,0 +1,22 @@
+#pragma once
+/// How an engine offers itself. Each engine's folder defines one of these; lab/engines.hpp lists them.
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "world/scene.hpp"
+#include "world/settings.hpp"
+#include "world/world.hpp"
+
+namespace flipside {
+
+struct Engine {
+    std::string_view name;   ///< as on the command line
+    std::string_view about;  ///< one line
+    std::span<const SettingSpec> settings;
+    /// Makes a world at time 0 with the scene's balls. Throws InputError for a scene it cannot run.
+    std::unique_ptr<World> (*make)(std::shared_ptr<const Scene> scene, const Settings& settings);
+};
+
+}  // namespace flipside

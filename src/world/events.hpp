@@ -1,0 +1,55 @@
+#pragma once
+/// What happened during the last step, read after it; nothing calls back in mid-step.
+
+#include <string_view>
+#include <variant>
+
+#include "world/scene.hpp"
+
+namespace flipside {
+
+/// What a ball met: a part of the table or another ball.
+struct Other {
+    bool is_ball = false;
+    std::uint32_t index = 0;  ///< PartIndex or BallNumber
+
+    static constexpr Other part(PartIndex i) { return {false, i}; }
+    static constexpr Other ball(BallNumber n) { return {true, n}; }
+    friend constexpr auto operator<=>(const Other&, const Other&) = default;
+};
+
+enum class EventKind {
+    impact,  ///< met faster than rest_speed (at any speed above 0 where rest_speed is 0)
+    begin,   ///< a touch that lasts beyond this step began
+    end,     ///< such a touch ended
+    sensor_begin,
+    sensor_end,
+    lost  ///< left the bounds; `other` means nothing
+};
+
+constexpr std::string_view name_of(EventKind kind) {
+    constexpr std::string_view names[] = {"impact", "begin", "end", "sensor-begin", "sensor-end", "lost"};
+    return names[static_cast<int>(kind)];
+}
+
+struct Event {
+    double time = 0;  ///< s; engines that only know contacts per step give the end of the step
+    EventKind kind = EventKind::impact;
+    BallNumber ball = 0;  ///< between two balls, the lower number
+    Other other;
+    Vec2 point;          ///< m, on the surface of `other`
+    Vec2 normal;         ///< unit, from other to ball
+    double speed = 0;    ///< m/s, approach along the normal before the hit, ≥ 0
+    double impulse = 0;  ///< N·s along the normal, ≥ 0
+};
+
+/// Two surfaces in touch at this instant: what cross-validation compares.
+struct Contact {
+    BallNumber ball = 0;
+    Other other;
+    Vec2 point;             ///< m, on the surface of `other`
+    Vec2 normal;            ///< unit, from other to ball
+    double separation = 0;  ///< m, negative when they overlap
+};
+
+}  // namespace flipside

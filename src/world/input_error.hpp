@@ -1,0 +1,18 @@
+#pragma once
+/// What the user gave is wrong. what() is one line for stderr: where, what is wrong, what is allowed.
+/// The program ends with exit code 2.
+
+#include <stdexcept>
+#include <string>
+
+namespace flipside {
+
+class InputError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+    /// "FILE: /json/pointer: problem"; an empty pointer names the whole file.
+    InputError(const std::string& file, const std::string& pointer, const std::string& problem)
+        : std::runtime_error(file + ": " + (pointer.empty() ? "" : pointer + ": ") + problem) {}
+};
+
+}  // namespace flipside

@@ -1,0 +1,21 @@
+#pragma once
+/// Reads scenes: JSON whose form is checked against assets/scene.schema.json (compiled in), and whose
+/// meaning is checked after it. What passes may be relied on by every engine (scene.hpp).
+
+#include <filesystem>
+#include <string_view>
+
+#include "world/scene.hpp"
+
+namespace flipside {
+
+/// Throws InputError with file, JSON pointer, what is wrong and what is allowed.
+[[nodiscard]] Scene load_scene(const std::filesystem::path& file);
+/// The same from text; `file` is only named in errors.
+[[nodiscard]] Scene parse_scene(std::string_view text, const std::string& file);
+
+/// The same scene with its generated field (see "generate" in the schema) made for `count` balls.
+/// Throws InputError where the scene generates no field.
+[[nodiscard]] Scene load_scene(const std::filesystem::path& file, int count);
+
+}  // namespace flipside

@@ -1,0 +1,37 @@
+#pragma once
+/// What the last step cost and what it found.
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace flipside {
+
+struct StageTime {
+    std::string_view name;  ///< as the engine calls this stage of its step
+    double seconds = 0;
+};
+
+/// How the broad phase stands; zero where it has no such thing.
+struct BroadPhaseFacts {
+    std::string_view name;  ///< empty: the engine does not say
+    int levels = 0;
+    int nodes = 0;
+    int leaves = 0;
+    double leaf_width = 0, leaf_height = 0;  ///< m
+    int most_in_leaf = 0;
+};
+
+struct Statistics {
+    std::uint64_t pair_tests = 0;    ///< tests of one box against another, insertion included
+    std::uint64_t narrow_tests = 0;  ///< tests of one shape against another
+    std::uint64_t contacts = 0;      ///< pairs found in touch, counted once per collision iteration
+    std::uint64_t impacts = 0;       ///< impact events
+    std::uint64_t substeps = 0;
+    std::uint64_t asleep = 0;           ///< balls asleep at the end of the step
+    double max_penetration = 0;         ///< m, deepest overlap among contacts() at the end of the step
+    std::array<StageTime, 8> stages{};  ///< in order; unused ones have an empty name
+    BroadPhaseFacts broad_phase;
+};
+
+}  // namespace flipside

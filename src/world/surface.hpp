@@ -1,0 +1,65 @@
+#pragma once
+/// The surface of a scene, taken apart into pieces that each have one simple distance function. All
+/// engines start from these, so they agree on what is an edge, an end and a joint.
+///
+/// Faces and ends are told apart: a segment or arc piece is the open curve between its ends, and where
+/// an end can be hit there is a point piece for it. Where two curves meet with a common tangent (a smooth
+/// joint) there is none, so nothing can catch on it; where they meet in a corner there is one.
+
+#include <variant>
+#include <vector>
+
+#include "world/scene.hpp"
+
+namespace flipside {
+
+namespace piece {
+
+struct Point {
+    Vec2 at;
+};
+/// Two-sided.
+struct Segment {
+    Vec2 a, b;
+};
+/// Two-sided, anticlockwise from `from` to `to` (rad).
+struct Arc {
+    Vec2 center;
+    double radius, from, to;
+};
+/// Solid.
+struct Circle {
+    Vec2 center;
+    double radius;
+};
+/// Solid, convex, anticlockwise.
+struct Polygon {
+    std::vector<Vec2> points;
+};
+/// Solid: the convex hull of two circles, neither inside the other. Capsules (equal radii) and flippers.
+struct Taper {
+    Vec2 a, b;
+    double radius_a, radius_b;
+};
+
+}  // namespace piece
+
+struct Piece {
+    std::variant<piece::Point, piece::Segment, piece::Arc, piece::Circle, piece::Polygon, piece::Taper> is;
+    PartIndex part = 0;
+};
+
+/// Ends nearer than this are one joint, m.
+inline constexpr double joint_distance = 1e-6;
+/// Tangents that differ by less than this at a joint make it smooth, rad.
+inline constexpr double joint_angle = 1e-3;
+
+/// Every piece of every part, in the pose of the scene file, by part. Joints are sought within a part,
+/// and between still solid parts that share layers and cannot vanish (no sensors, targets or gates).
+/// Gates are one segment piece without ends. Cost: O(n log n) in the number of pieces.
+[[nodiscard]] std::vector<Piece> surface_of(const Scene& scene);
+
+/// The gate of a part, or null.
+[[nodiscard]] const shape::Gate* gate_of(const Part& part);
+
+}  // namespace flipside

@@ -1,0 +1,125 @@
+#include "world/table.hpp"
+
+#include <algorithm>
+
+namespace flipside {
+
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+const shape::Flipper& flipper_of(const Part& part) {
+    return std::get<shape::Flipper>(part.shape.is);
+}
+
+Vec2 pivot_of(const Part& part) {
+    if (const auto* turn = std::get_if<motion::Turn>(&part.motion)) return turn->pivot;
+    if (std::holds_alternative<motion::Flip>(part.motion)) return flipper_of(part).pivot;
+    return {};
+}
+
+}  // namespace
+
+Table::Table(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {
+    state_.next_number = static_cast<BallNumber>(scene_->balls.size());
+    state_.parts.resize(scene_->parts.size());
+}
+
+void Table::apply(const Control& control) {
+    struct Apply {
+        State& state;
+        const Scene& scene;
+        void operator()(const control::Flip& c) const { state.raised[static_cast<int>(c.side)] = c.up; }
+        void operator()(const control::Launch& c) const {
+            if (scene.launcher && c.count > 0) state.launches.push_back(c);
+        }
+        void operator()(const control::Nudge&) const {}
+        void operator()(const control::Rotate& c) const { state.rotating = c.on; }
+        void operator()(const control::RaiseTargets& c) const {
+            if (c.parts.empty())
+                for (PartState& part : state.parts) part.down = false;
+            for (const PartIndex part : c.parts) state.parts[part].down = false;
+        }
+    };
+    std::visit(Apply{state_, *scene_}, control);
+}
+
+Table::Turning Table::turning(PartIndex index, double ahead) const {
+    const Part& part = scene_->parts[index];
+    const double angle = state_.parts[index].angle;
+    if (const auto* turn = std::get_if<motion::Turn>(&part.motion)) {
+        const double rate = turn->always || state_.rotating ? turn->rate : 0;
+        return {angle + rate * ahead, rate, never};
+    }
+    if (const auto* flip = std::get_if<motion::Flip>(&part.motion)) {
+        const bool up = state_.raised[static_cast<int>(flip->side)];
+        const double full = flip->raised - flipper_of(part).rest;
+        const double goal = up ? full : 0;
+        const double speed = up ? flip->up_rate : flip->down_rate;
+        const double until_stop = std::abs(goal - angle) / speed;
+        if (ahead >= until_stop) return {goal, 0, never};
+        const double rate = goal > angle ? speed : -speed;
+        return {angle + rate * ahead, rate, until_stop - ahead};
+    }
+    return {angle, 0, never};
+}
+
+Pose Table::pose(PartIndex part, double ahead) const {
+    return {pivot_of(scene_->parts[part]), turning(part, ahead).angle};
+}
+
+double Table::rate(PartIndex part, double ahead) const {
+    return turning(part, ahead).rate;
+}
+
+double Table::until_stop(PartIndex part) const {
+    return turning(part, 0).until_stop;
+}
+
+void Table::advance(double dt) {
+    for (PartIndex i = 0; i < state_.parts.size(); ++i)
+        if (moves(scene_->parts[i])) state_.parts[i].angle = turning(i, dt).angle;
+    state_.clock.advance(dt);
+}
+
+std::optional<Table::Launched> Table::launch(std::span<const Ball> balls) {
+    if (state_.launches.empty()) return std::nullopt;
+    control::Launch& next = state_.launches.front();
+    const Launcher& launcher = *scene_->launcher;
+    Launched launched{launcher.ball, false};
+    Ball& ball = launched.ball;
+    ball.radius *= next.size;
+    ball.mass *= next.size * next.size * next.size;
+    ball.position = launcher.position;
+    const double speed = launcher.slowest + next.strength * (launcher.fastest - launcher.slowest);
+    ball.velocity = speed * launcher.direction;
+
+    for (const Ball& other : balls) {
+        const double distance = length(other.position - launcher.position);
+        const bool lies_there =
+            distance < ball.radius && dot(other.velocity, launcher.direction) < 0.5 * speed;
+        if (launcher.plunger && lies_there) {
+            launched = {other, true};
+            launched.ball.velocity = speed * launcher.direction;
+            launched.ball.asleep = false;
+            break;
+        }
+        // Balls launched one after another keep a gap of one radius.
+        if (distance < other.radius + 2 * ball.radius) return std::nullopt;
+    }
+    if (--next.count <= 0) state_.launches.erase(state_.launches.begin());
+    return launched;
+}
+
+State Table::save(std::span<const Ball> balls) const {
+    State state = state_;
+    state.balls.assign(balls.begin(), balls.end());
+    return state;
+}
+
+void Table::restore(const State& state) {
+    state_ = state;
+    state_.balls.clear();
+}
+
+}  // namespace flipside

@@ -1,0 +1,78 @@
+#pragma once
+/// The part of a world that is the same in every engine: the clock, the controls, where the moving parts
+/// are, which gates are open and targets down, and the balls waiting to be launched. Every engine owns
+/// one, so engines can only differ in what they do with balls.
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "world/state.hpp"
+
+namespace flipside {
+
+/// A turn about a point, from the pose in the scene file.
+struct Pose {
+    Vec2 pivot;
+    double angle = 0;
+
+    [[nodiscard]] Vec2 apply(Vec2 p) const { return angle == 0 ? p : pivot + rotated(p - pivot, angle); }
+    [[nodiscard]] Vec2 undo(Vec2 p) const { return angle == 0 ? p : pivot + rotated(p - pivot, -angle); }
+};
+
+class Table {
+  public:
+    explicit Table(std::shared_ptr<const Scene> scene);
+
+    [[nodiscard]] const Scene& scene() const { return *scene_; }
+    [[nodiscard]] double time() const { return state_.clock.time; }
+    [[nodiscard]] std::span<const PartState> parts() const { return state_.parts; }
+
+    /// Everything but nudges, which move balls and so are the engine's. Launches are queued.
+    void apply(const Control& control);
+
+    /// Pose and rate (rad/s) of a part `ahead` seconds from now if no control changes until then. At the
+    /// instant a flipper meets its stop its rate is 0.
+    [[nodiscard]] Pose pose(PartIndex part, double ahead = 0) const;
+    [[nodiscard]] double rate(PartIndex part, double ahead = 0) const;
+    /// Seconds until the rate of a part changes by itself (a flipper meets its stop); infinity if never.
+    [[nodiscard]] double until_stop(PartIndex part) const;
+    [[nodiscard]] static bool moves(const Part& part) {
+        return !std::holds_alternative<motion::Still>(part.motion);
+    }
+    /// Moves the clock and the parts.
+    void advance(double dt);
+
+    void set_open(PartIndex gate, bool open) { state_.parts[gate].open = open; }
+    void set_down(PartIndex target, bool down) { state_.parts[target].down = down; }
+
+    BallNumber new_number() { return state_.next_number++; }
+    [[nodiscard]] std::vector<BallNumber>& reported_lost() { return state_.reported_lost; }
+
+    /// The next launch if one is waiting and its place is free, given the balls in the world. Either a
+    /// new ball to add (number not set yet) or, on a plunger, one that lies there already, with its new
+    /// velocity. Call it at the start of a step until it returns nothing.
+    struct Launched {
+        Ball ball;
+        bool existing;
+    };
+    std::optional<Launched> launch(std::span<const Ball> balls);
+    [[nodiscard]] bool launch_waiting() const { return !state_.launches.empty(); }
+
+    [[nodiscard]] State save(std::span<const Ball> balls) const;
+    /// All of the state but its balls.
+    void restore(const State& state);
+
+  private:
+    /// Angle and rate of a part `ahead` seconds from now.
+    struct Turning {
+        double angle, rate, until_stop;
+    };
+    [[nodiscard]] Turning turning(PartIndex part, double ahead) const;
+
+    std::shared_ptr<const Scene> scene_;
+    State state_;  ///< without balls
+};
+
+}  // namespace flipside

@@ -1,0 +1,48 @@
+#pragma once
+/// The one interface behind which every engine runs. Data is handed over in bulk, never by one virtual
+/// call per ball.
+///
+/// A world is made from a scene and settings (engine.hpp) and both stay as they are for its life: to
+/// change a setting, gravity or the engine, make another world and restore this one's state into it.
+
+#include <span>
+
+#include "world/controls.hpp"
+#include "world/events.hpp"
+#include "world/inspector.hpp"
+#include "world/state.hpp"
+#include "world/statistics.hpp"
+
+namespace flipside {
+
+class World {
+  public:
+    virtual ~World() = default;
+
+    /// Advances by exactly dt seconds (finite, > 0). Sub-steps are the engine's own business.
+    virtual void step(double dt) = 0;
+    /// Takes effect now, at time().
+    virtual void apply(const Control& control) = 0;
+    /// Adds a ball (its number is ignored) and returns its number.
+    virtual BallNumber add(const Ball& ball) = 0;
+    /// False when there is no such ball.
+    virtual bool remove(BallNumber number) = 0;
+
+    [[nodiscard]] virtual double time() const = 0;
+    /// By rising number. Valid until the next call that changes the world.
+    [[nodiscard]] virtual std::span<const Ball> balls() const = 0;
+    /// One per part of the scene, in its order.
+    [[nodiscard]] virtual std::span<const PartState> parts() const = 0;
+    /// Of the last step, in order of time.
+    [[nodiscard]] virtual std::span<const Event> events() const = 0;
+    /// Touching pairs at this instant, sensors left out, by ball, then other.
+    [[nodiscard]] virtual std::span<const Contact> contacts() const = 0;
+    [[nodiscard]] virtual const Statistics& statistics() const = 0;
+
+    [[nodiscard]] virtual State save() const = 0;
+    /// The state must come from a world of the same scene (checked where states enter, state_file.hpp).
+    virtual void restore(const State& state) = 0;
+    virtual void inspect(Inspector& inspector) const = 0;
+};
+
+}  // namespace flipside
