@@ -2,12 +2,29 @@
 /// A run of one scene on one engine: the world, the game on it, and the recording of what was done to it.
 /// The command line, the window and the tests all run worlds through this, so they mean the same by it.
 
+#include <cstdint>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "lab/game.hpp"
 #include "world/engine.hpp"
 
 namespace flipside::lab {
+
+/// Sums over all steps of a session.
+struct Totals {
+    std::uint64_t steps = 0;  ///< calls of Session::step; one that was split at a control counts once
+    double step_seconds = 0;  ///< CPU time in World::step alone
+    std::uint64_t pair_tests = 0, narrow_tests = 0, contacts = 0;  ///< as in Statistics
+    std::uint64_t impacts = 0;
+    std::uint64_t launched = 0;
+    std::uint64_t lost = 0;
+    std::uint64_t strays = 0;    ///< lost, but not through the lower edge of a scene with rules (its drain)
+    double max_penetration = 0;  ///< m, deepest at the end of any step
+    std::uint64_t allocations = 0;  ///< by World::step after the first `warm_up_steps` steps
+};
+inline constexpr std::uint64_t warm_up_steps = 60;
 
 class Session {
   public:
@@ -19,9 +36,9 @@ class Session {
     bool press(const Control& control);
     /// One step of the world, then the rules' answer to what happened in it.
     void step(double dt);
-    /// Advances by dt, split so that every control of the script that falls into it is applied at its
-    /// own time (one within 1e-9·dt of either end, at that end). `next` is the script's next control and
-    /// is moved on. Events of all parts of the step are in events().
+    /// Advances by dt, split so that every control of the script in [time, time + dt) is applied at its own
+    /// time; one within 1e-9·dt of either end counts as at that end. `next` is the index of the script's
+    /// next control and is moved on. Events of all parts of the step are in events().
     void step(double dt, const Script& script, std::size_t& next);
     /// Continues on another engine, with other settings, or on a changed scene (same parts) from the
     /// state as it is. The game goes on.
@@ -39,11 +56,13 @@ class Session {
     [[nodiscard]] const Script& recording() const { return recording_; }
     /// Everything that happened during the last step(dt), over all its parts.
     [[nodiscard]] std::span<const Event> events() const { return events_; }
-    /// CPU seconds that the world spent in step() alone, all steps together.
-    [[nodiscard]] double step_seconds() const { return step_seconds_; }
-    [[nodiscard]] std::uint64_t steps() const { return steps_; }
+    [[nodiscard]] const Totals& totals() const { return totals_; }
 
   private:
+    /// One World::step, appended to events_ and totals_.
+    void advance(double dt);
+    void record(double time, const Control& control);
+
     std::shared_ptr<const Scene> scene_;
     const Engine* engine_;
     Settings settings_;
@@ -51,9 +70,11 @@ class Session {
     Game game_;
     Script recording_;
     std::vector<Event> events_;
-    double step_seconds_ = 0;
-    std::uint64_t steps_ = 0;
+    Totals totals_;
 };
+
+/// The script's first control at `time` or later (to 1e-9 s): where a run that starts then takes it up.
+[[nodiscard]] std::size_t next_control(const Script& script, double time);
 
 /// ½mv² + ½Iω² − m·g·p over all balls, J (gravity's potential is 0 at the origin).
 [[nodiscard]] double energy(const World& world, const Scene& scene);
