@@ -69,7 +69,7 @@ class Table {
     struct Turning {
         double angle, rate, until_stop;
     };
-    [[nodiscard]] Turning turning(PartIndex part, double ahead) const;
+    [[nodiscard]] Turning turning(PartIndex index, double ahead) const;
 
     std::shared_ptr<const Scene> scene_;
     State state_;  ///< without balls

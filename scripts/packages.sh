@@ -1,0 +1,60 @@
+# What Flipside needs, in one place, and how it is installed. Sourced by run.sh and test.sh.
+
+build_packages=(
+    g++ cmake ninja-build pkg-config           # compiler and build
+    libbox2d-dev                               # the other engine
+    libsfml-dev libimgui-dev libgl-dev         # window, panel
+    libcli11-dev                               # command line
+    nlohmann-json3-dev libvalijson-dev         # scene files and their schema
+    libboost1.81-dev                           # headers only
+    libgtest-dev librapidcheck-dev             # tests
+    fonts-inter fonts-dejavu-core              # what the window writes with
+    xvfb xauth libgl1-mesa-dri                 # pictures without a display
+    xdotool                                    # keys and clicks for the window's tests
+)
+gate_packages=(clang-format-14 clang-tidy-14)  # only ./test.sh --all
+
+missing_packages() {
+    local package
+    for package in "$@"; do
+        [[ $(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null) == installed ]] || echo "$package"
+    done
+}
+
+# install_missing PACKAGE...: does nothing where all are there.
+install_missing() {
+    if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+        echo "$0: this is no Debian. Install what README.md lists under \"Packages\" by your system's means, then:" \
+            "cmake --preset release && cmake --build --preset release" >&2
+        exit 1
+    fi
+    local missing as_root=()
+    mapfile -t missing < <(missing_packages "$@")
+    ((${#missing[@]})) || return 0
+    if ((EUID != 0)); then
+        command -v sudo >/dev/null || {
+            echo "$0: needs root or sudo to install: ${missing[*]}" >&2
+            exit 1
+        }
+        as_root=(sudo)
+    fi
+    echo "Installing ${#missing[@]} Debian packages: ${missing[*]}"
+    as_root+=(env DEBIAN_FRONTEND=noninteractive)
+    local log
+    log=$(mktemp)
+    if ! {
+        "${as_root[@]}" apt-get update -q &&
+            "${as_root[@]}" apt-get install -qy --no-install-recommends "${missing[@]}"
+    } >"$log" 2>&1; then
+        tail -n 20 "$log" >&2
+        echo "$0: apt-get could not install them (above); README.md lists the packages under \"Packages\"" >&2
+        exit 1
+    fi
+    rm -f "$log"
+}
+
+# build PRESET [TARGET...]: configures and builds.
+build() {
+    cmake --preset "$1" --log-level=WARNING
+    cmake --build --preset "$1" ${2:+--target "${@:2}"}
+}

@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds Release and runs every test. With --all, as on every change, then also the gates:
+# formatting, clang-tidy, and every test again under the address and undefined-behaviour sanitizers.
+set -euo pipefail
+cd "$(dirname "$0")"
+source scripts/packages.sh
+case "${*:-}" in
+    '') gates=false what="builds Release, runs every test" ;;
+    --all) gates=true what="builds Release, runs every test, then format, clang-tidy and the sanitizers" ;;
+    *) echo "usage: $0 [--all]" >&2 && exit 2 ;;
+esac
+jobs=$(nproc)
+sources() { find src tests -name '*.cpp' "$@" | sort; }
+started=$SECONDS
+stage() { printf '\n== %s (%d min %02d s)\n' "$1" $(((SECONDS - started) / 60)) $(((SECONDS - started) % 60)); }
+
+echo "Flipside: installs missing packages, $what."
+install_missing "${build_packages[@]}"
+if $gates; then
+    install_missing "${gate_packages[@]}"
+    stage "clang-format"
+    sources -o -name '*.hpp' | xargs clang-format-14 --dry-run --Werror
+fi
+stage "Release build"
+build release
+stage "tests"
+ctest --preset release -j "$jobs"
+if $gates; then
+    stage "clang-tidy"
+    sources | xargs -n 1 -P "$jobs" clang-tidy-14 -p build/release --quiet
+    stage "sanitizer build"
+    build sanitize
+    stage "tests under the sanitizers"
+    ctest --preset sanitize -j "$jobs"
+    stage "all is well"
+fi
