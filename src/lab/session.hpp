@@ -44,6 +44,14 @@ class Session {
     /// state as it is. The game goes on.
     void change(std::shared_ptr<const Scene> scene, const Engine& engine, Settings settings);
     void restore(const State& state) { world_->restore(state); }
+    /// Another session in the same state, score and all, whose totals start at 0.
+    [[nodiscard]] Session fork() const {
+        Session copy(scene_, *engine_, settings_);
+        copy.restore(world_->save());
+        copy.game_ = game_;
+        copy.recording_ = recording_;
+        return copy;
+    }
 
     [[nodiscard]] World& world() { return *world_; }
     [[nodiscard]] const World& world() const { return *world_; }
