@@ -55,6 +55,6 @@ install_missing() {
 
 # build PRESET [TARGET...]: configures and builds.
 build() {
-    cmake --preset "$1" --log-level=WARNING
+    cmake --preset "$1" >/dev/null
     cmake --build --preset "$1" ${2:+--target "${@:2}"}
 }
