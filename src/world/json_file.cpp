@@ -1,0 +1,182 @@
+#include "world/json_file.hpp"
+
+#include <fstream>
+#include <numbers>
+#include <set>
+
+#include "world/input_error.hpp"
+
+namespace flipside {
+
+namespace {
+
+constexpr std::uintmax_t largest_file = 64 * 1024 * 1024;
+constexpr std::size_t deepest_nesting = 64;
+constexpr std::size_t longest_word = 60;  ///< of a message
+
+/// One line of ASCII: everything else as JSON escapes.
+std::string escaped(std::string_view word) {
+    const std::string shown(word.substr(0, longest_word));
+    const std::string text = Json(shown).dump(-1, ' ', /*ensure_ascii=*/true, Json::error_handler_t::replace);
+    return text.substr(1, text.size() - 2) + (word.size() > longest_word ? "..." : "");
+}
+
+/// Follows the parser through the document: refuses what it lets pass, and knows where it is.
+class Watcher {
+  public:
+    explicit Watcher(const std::string& file) : file_(file) {}
+
+    bool operator()(int /*depth*/, Json::parse_event_t event, const Json& parsed) {
+        switch (event) {
+            case Json::parse_event_t::object_start:
+            case Json::parse_event_t::array_start:
+                levels_.emplace_back();
+                if (levels_.size() > deepest_nesting) {
+                    levels_.pop_back();
+                    throw InputError(file_, pointer(), "nested too deep; allowed are 64 levels");
+                }
+                break;
+            case Json::parse_event_t::key:
+                levels_.back().key = parsed.get<std::string>();
+                if (!levels_.back().keys.insert(levels_.back().key).second)
+                    throw InputError(file_, pointer(), "this key is here twice; allowed is once");
+                break;
+            case Json::parse_event_t::object_end:
+            case Json::parse_event_t::array_end:
+                levels_.pop_back();
+                [[fallthrough]];
+            case Json::parse_event_t::value:
+                if (!levels_.empty()) ++levels_.back().entries;
+                break;
+        }
+        return true;
+    }
+
+    /// Of the value that is being read.
+    [[nodiscard]] std::string pointer() const {
+        std::string text;
+        for (const Level& level : levels_) {
+            text += '/';
+            text += level.keys.empty() ? std::to_string(level.entries) : pointer_token(level.key);
+        }
+        return text;
+    }
+
+  private:
+    struct Level {
+        std::string key;
+        std::set<std::string> keys;  ///< of an object; empty in an array
+        std::size_t entries = 0;
+    };
+    const std::string& file_;
+    std::vector<Level> levels_;
+};
+
+/// The library's "[json.exception…] parse error at line 1, column 2: what" as ours.
+InputError syntax_error(const std::string& file, const std::string& message) {
+    const std::size_t line = message.find("line ");
+    const std::size_t colon = message.find(": ");
+    if (line == std::string::npos || colon == std::string::npos)
+        return {file, "", "not JSON: " + escaped(message)};
+    std::string problem;
+    for (const char c : message.substr(colon + 2)) problem += c >= ' ' && c <= '~' ? c : '?';
+    return {file, message.substr(line, colon - line), "not JSON: " + problem};
+}
+
+}  // namespace
+
+std::string read_file(const std::filesystem::path& file) {
+    const std::string name = file.string();
+    std::error_code error;
+    const auto status = std::filesystem::status(file, error);
+    if (!std::filesystem::exists(status)) throw InputError(name, "", "there is no such file");
+    if (!std::filesystem::is_regular_file(status)) throw InputError(name, "", "this is not a regular file");
+    const std::uintmax_t size = std::filesystem::file_size(file, error);
+    if (error) throw InputError(name, "", "cannot be read: " + error.message());
+    if (size > largest_file) throw InputError(name, "", "this file is too large; allowed are 64 MB");
+    std::ifstream stream(file, std::ios::binary);
+    std::string text(size, '\0');
+    if (!stream.read(text.data(), static_cast<std::streamsize>(size)))
+        throw InputError(name, "", "cannot be read");
+    return text;
+}
+
+Json parse_json(std::string_view text, const std::string& file) {
+    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+        throw InputError(file, "", "not JSON: the file is empty");
+    Watcher watcher(file);
+    try {
+        return Json::parse(text, std::ref(watcher));
+    } catch (const Json::parse_error& error) {
+        throw syntax_error(file, error.what());
+    } catch (const Json::out_of_range&) {
+        throw InputError(file, watcher.pointer(), "this number is beyond the range of a double");
+    }
+}
+
+std::string in_quotes(std::string_view word) {
+    return '"' + escaped(word) + '"';
+}
+
+std::string pointer_token(std::string_view key) {
+    std::string token;
+    for (const char c : escaped(key)) {
+        if (c == '~')
+            token += "~0";
+        else if (c == '/')
+            token += "~1";
+        else
+            token += c;
+    }
+    return token;
+}
+
+Node Node::at(const std::string& key) const {
+    return {value_->at(key), *file_, pointer_ + "/" + pointer_token(key)};
+}
+
+Node Node::at(std::size_t index) const {
+    return {value_->at(index), *file_, pointer_ + "/" + std::to_string(index)};
+}
+
+std::vector<Node> Node::each(const char* key) const {
+    std::vector<Node> nodes;
+    if (!has(key)) return nodes;
+    const Node array = at(key);
+    nodes.reserve(array.size());
+    for (std::size_t i = 0; i < array.size(); ++i) nodes.push_back(array.at(i));
+    return nodes;
+}
+
+double Node::radians(const char* key_deg) const {
+    return real(key_deg) * std::numbers::pi / 180;
+}
+
+std::int64_t Node::integer(const char* key, std::int64_t fallback) const {
+    // A whole number may be written as 3.0.
+    return static_cast<std::int64_t>(value_->value(key, static_cast<double>(fallback)));
+}
+
+bool Node::toggle(const char* key, bool fallback) const {
+    return value_->value(key, fallback);
+}
+
+std::string Node::text(const char* key, const char* fallback) const {
+    return value_->value(key, std::string(fallback));
+}
+
+Vec2 Node::vector() const {
+    return {(*value_)[0].get<double>(), (*value_)[1].get<double>()};
+}
+
+Vec2 Node::vector(const char* key, Vec2 fallback) const {
+    const auto found = value_->find(key);
+    if (found == value_->end()) return fallback;
+    return {(*found)[0].get<double>(), (*found)[1].get<double>()};
+}
+
+void Node::fail(const std::string& problem) const {
+    throw InputError(*file_, pointer_, problem);
+}
+
+}  // namespace flipside

@@ -1,0 +1,18 @@
+#pragma once
+/// The form of the files: which keys there are, of which type and range. What a form cannot say (that a
+/// polygon is convex, that a material exists) is checked by the reader of each file.
+
+#include <string_view>
+
+#include "world/json_file.hpp"
+
+namespace flipside {
+
+/// The texts of assets/*.schema.json.
+extern const std::string_view scene_schema;
+
+/// Throws InputError for the first place where the document is not as the schema (JSON Schema draft 7)
+/// asks. The message says what is allowed there.
+void check_form(const Json& document, std::string_view schema, const std::string& file);
+
+}  // namespace flipside
