@@ -13,10 +13,10 @@ enum class SettingType { real, integer, toggle, choice };
 struct SettingSpec {
     std::string_view name;
     SettingType type = SettingType::real;
-    std::string_view unit;    ///< "" where it has none
+    std::string_view unit{};  ///< "" where it has none
     double initial = 0;       ///< a toggle's 0 or 1, a choice's index
     double min = 0, max = 0;  ///< of reals and integers, inclusive
-    std::span<const std::string_view> choices;
+    std::span<const std::string_view> choices{};
     std::string_view about;  ///< one line: meaning, and what too small or too large does
 };
 
