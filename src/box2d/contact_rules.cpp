@@ -1,0 +1,111 @@
+#include "box2d/contact_rules.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "box2d/meeting.hpp"
+
+namespace flipside::box2d {
+
+namespace {
+
+auto pair_of(const Impact& impact) {
+    return std::tuple(impact.ball, impact.other);
+}
+
+void sort_by_pair(std::vector<Impact>& impacts) {
+    // Not stable_sort, which allocates; rows that tie are told apart by what they say.
+    std::ranges::sort(impacts, std::less{}, [](const Impact& i) {
+        return std::tuple(i.ball, i.other, -i.speed, -i.impulse, i.point.x, i.point.y);
+    });
+}
+
+}  // namespace
+
+const Ball& ContactRules::ball_of(b2Fixture& fixture) const {
+    return balls_[fixture.GetBody()->GetUserData().pointer];
+}
+
+bool ContactRules::ShouldCollide(b2Fixture* a, b2Fixture* b) {
+    const Other owner_a = Tag::of(*a).owner, owner_b = Tag::of(*b).owner;
+    if (owner_a.is_ball && owner_b.is_ball) return layers_meet(ball_of(*a), ball_of(*b));
+    const Ball& ball = ball_of(owner_a.is_ball ? *a : *b);
+    return layers_meet(ball, table_.scene().parts[owner_a.is_ball ? owner_b.index : owner_a.index]);
+}
+
+bool ContactRules::passes(PartIndex part, const b2Body& gate, Vec2 normal, Vec2 velocity) {
+    if (table_.parts()[part].open) return true;
+    const Vec2 forward = rotated(gate_of(table_.scene().parts[part])->normal, table_.pose(part).angle);
+    if (dot(normal, forward) > 0) return false;
+    if (dot(velocity, forward) > 0) {
+        table_.set_open(part, true);
+        // What lies against the gate's other side now falls through it.
+        for (const b2ContactEdge* edge = gate.GetContactList(); edge; edge = edge->next)
+            if (edge->contact->IsTouching()) edge->other->SetAwake(true);
+    }
+    return true;
+}
+
+void ContactRules::PreSolve(b2Contact* contact, const b2Manifold*) {
+    const Meeting meeting = Meeting::of(*contact);
+    const auto touch = touch_of(*contact, meeting, *contact->GetManifold());
+    if (!touch) return contact->SetEnabled(false);
+
+    const Vec2 normal = unit({touch->normal.x, touch->normal.y});
+    const Vec2 velocity =
+        units_.vector(meeting.ball.GetBody()->GetLinearVelocityFromWorldPoint(touch->point) -
+                      meeting.surface.GetBody()->GetLinearVelocityFromWorldPoint(touch->point));
+    const Scene& scene = table_.scene();
+    const bool on_part = !meeting.other.is_ball;
+    if (on_part && gate_of(scene.parts[meeting.other.index]) &&
+        passes(meeting.other.index, *meeting.surface.GetBody(), normal, velocity))
+        return contact->SetEnabled(false);
+
+    const Material& material = scene.materials[ball_of(meeting.ball).material];
+    const Material& others = scene.materials[on_part ? scene.parts[meeting.other.index].material
+                                                     : ball_of(meeting.surface).material];
+    const Mixed mixed = mix(material, others);
+    // The velocities already hold the whole sub-step's gravity. A ball that lies on a part approaches it
+    // by that much in every step, which is rest, not an impact. (Two balls fall alike.)
+    const double weight = on_part ? std::max(0.0, -dot(scene.gravity, normal)) * substep_ : 0;
+    const double approach = -dot(velocity, normal);
+    double restitution = 0;
+    if (approach > scene.rest_speed + weight) {
+        // Box2D turns a normal speed v into e·v, so this e gives at least the kick.
+        restitution = std::max(mixed.restitution, mixed.kick / approach);
+        const Vec2 surface = units_.point(touch->point) - units_.distance(touch->separation) / 2 * normal;
+        approaches_.push_back({meeting.number, meeting.other, surface, normal, approach});
+    }
+    contact->SetRestitution(static_cast<float>(restitution));
+    contact->SetRestitutionThreshold(0);
+    contact->SetFriction(static_cast<float>(mixed.friction));
+}
+
+void ContactRules::PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) {
+    const Meeting meeting = Meeting::of(*contact);
+    solved_.push_back(
+        {meeting.number, meeting.other, {}, {}, 0, units_.distance(impulse->normalImpulses[0])});
+}
+
+void ContactRules::clear() {
+    approaches_.clear();
+    solved_.clear();
+}
+
+const std::vector<Impact>& ContactRules::impacts() {
+    sort_by_pair(approaches_);
+    sort_by_pair(solved_);
+    impacts_.clear();
+    auto next = solved_.begin();
+    for (const Impact& approach : approaches_) {
+        if (!impacts_.empty() && pair_of(impacts_.back()) == pair_of(approach)) continue;
+        Impact impact = approach;
+        while (next != solved_.end() && pair_of(*next) < pair_of(impact)) ++next;
+        for (; next != solved_.end() && pair_of(*next) == pair_of(impact); ++next)
+            impact.impulse += next->impulse;
+        if (impact.impulse > 0) impacts_.push_back(impact);
+    }
+    return impacts_;
+}
+
+}  // namespace flipside::box2d

@@ -1,0 +1,56 @@
+#pragma once
+/// Makes Box2D's contacts obey the scene: who meets whom, how materials mix, kick, gates and joints; and
+/// notes the impacts.
+
+#include <vector>
+
+#include <box2d/b2_world_callbacks.h>
+
+#include "box2d/units.hpp"
+#include "world/events.hpp"
+#include "world/table.hpp"
+
+namespace flipside::box2d {
+
+/// What one pass of the solver, over all velocity iterations, did to a pair.
+struct Impact {
+    BallNumber ball;
+    Other other;
+    Vec2 point;   ///< m, on the surface of `other`
+    Vec2 normal;  ///< from other to ball
+    double speed = 0;
+    double impulse = 0;
+};
+
+class ContactRules : public b2ContactListener, public b2ContactFilter {
+  public:
+    /// `table` and `balls` must outlive this and stay where they are. A ball's body holds in its user data
+    /// where in `balls` it is.
+    ContactRules(Table& table, const std::vector<Ball>& balls, const Units& units)
+        : table_(table), balls_(balls), units_(units) {}
+
+    /// To be called before each sub-step of `h` seconds.
+    void begin_substep(double h) { substep_ = h; }
+    /// The impacts since the last clear(), one per ball and other, in that order.
+    [[nodiscard]] const std::vector<Impact>& impacts();
+    void clear();
+
+    bool ShouldCollide(b2Fixture* a, b2Fixture* b) override;
+    void PreSolve(b2Contact* contact, const b2Manifold* old) override;
+    void PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) override;
+
+  private:
+    [[nodiscard]] const Ball& ball_of(b2Fixture& fixture) const;
+    /// Whether a gate lets the ball through; opens it for one that comes from behind.
+    [[nodiscard]] bool passes(PartIndex part, const b2Body& gate, Vec2 normal, Vec2 velocity);
+
+    Table& table_;
+    const std::vector<Ball>& balls_;
+    const Units& units_;
+    double substep_ = 0;
+    std::vector<Impact> approaches_;  ///< faster than rest, seen before the solver
+    std::vector<Impact> solved_;      ///< impulses, seen after it
+    std::vector<Impact> impacts_;
+};
+
+}  // namespace flipside::box2d

@@ -1,0 +1,210 @@
+/// One step of a Box2D world: launches, sub-steps, and the report of what they did.
+
+#include <algorithm>
+
+#include "box2d/world.hpp"
+
+namespace flipside::box2d {
+
+namespace {
+
+constexpr std::string_view stages[] = {"collide",         "solver set-up", "velocity solver",
+                                       "position solver", "broad phase",   "time of impact"};
+
+/// `list` is sorted by ball, then other, as contacts are.
+const Contact* find(const std::vector<Contact>& list, const Contact& pair) {
+    const auto key = [](const Contact& c) { return std::pair(c.ball, c.other); };
+    const auto at = std::ranges::lower_bound(list, key(pair), {}, key);
+    return at != list.end() && key(*at) == key(pair) ? &*at : nullptr;
+}
+
+}  // namespace
+
+void Box2dWorld::step(double dt) {
+    events_.clear();
+    statistics_ = {};
+    for (std::size_t i = 0; i < std::size(stages); ++i) statistics_.stages[i].name = stages[i];
+    rules_.clear();
+    launch();
+    const int n = options_.substeps;
+    for (int i = 0; i < n; ++i) substep(dt * i / n, dt * (i + 1) / n);
+    table_.advance(dt);
+    read_back();
+    report_impacts();
+    report_touches();
+    report_lost();
+    for (Event& event : events_) event.time = table_.time();
+    measure();
+}
+
+void Box2dWorld::launch() {
+    while (const auto launched = table_.launch(balls_)) {
+        if (!launched->existing) {
+            Ball ball = launched->ball;
+            ball.number = table_.new_number();
+            balls_.push_back(ball);
+            add_body(ball);
+            continue;
+        }
+        const std::size_t place = place_of(launched->ball.number);
+        balls_[place] = launched->ball;
+        bodies_[place]->SetLinearVelocity(units_.vector(launched->ball.velocity));
+    }
+}
+
+/// `from` and `to` are seconds since the start of the step.
+void Box2dWorld::substep(double from, double to) {
+    const double h = to - from;
+    for (const PartIndex part : moving_) {
+        const double turn = table_.pose(part, to).angle - table_.pose(part, from).angle;
+        parts_[part]->SetAngularVelocity(static_cast<float>(turn / h));
+    }
+    fall(h);
+    before_.clear();
+    for (const b2Body* body : bodies_) before_.push_back(body->GetPosition());
+
+    rules_.begin_substep(h);
+    world_->Step(static_cast<float>(h), options_.velocity_iterations, options_.position_iterations);
+
+    // Box2D turned the moving parts by sums of floats; put them where they are to be.
+    for (const PartIndex part : moving_)
+        if (parts_[part]->GetAngularVelocity() != 0)
+            parts_[part]->SetTransform(parts_[part]->GetPosition(),
+                                       static_cast<float>(table_.pose(part, to).angle));
+    touching_.look(*world_, table_, units_, before_);
+    looked_ = true;
+    for (PartIndex part = 0; part < parts_.size(); ++part)
+        if (table_.parts()[part].open && !std::ranges::binary_search(touching_.occupied, part))
+            table_.set_open(part, false);
+    report_sensors();
+
+    const b2Profile& profile = world_->GetProfile();
+    const float milliseconds[] = {profile.collide,       profile.solveInit,  profile.solveVelocity,
+                                  profile.solvePosition, profile.broadphase, profile.solveTOI};
+    for (std::size_t i = 0; i < std::size(stages); ++i)
+        statistics_.stages[i].seconds += 1e-3 * double{milliseconds[i]};
+    statistics_.narrow_tests += touching_.pairs;
+    statistics_.contacts += touching_.contacts.size();
+}
+
+/// Gravity and damping, by Box2D's own formula v ← (v + h·g)/(1 + h·c) but ahead of its step, so that the
+/// velocities that ContactRules sees are those that the solver starts from.
+void Box2dWorld::fall(double h) {
+    const Scene& scene = table_.scene();
+    for (b2Body* body : bodies_) {
+        if (!body->IsAwake()) continue;
+        const Vec2 v = units_.vector(body->GetLinearVelocity());
+        const Vec2 change = (v + h * scene.gravity) / (1 + h * scene.damping) - v;
+        body->ApplyLinearImpulseToCenter(body->GetMass() * units_.vector(change), false);
+    }
+}
+
+void Box2dWorld::read_back() {
+    for (std::size_t i = 0; i < balls_.size(); ++i) {
+        Ball& ball = balls_[i];
+        const b2Body& body = *bodies_[i];
+        const bool asleep = !body.IsAwake();
+        if (asleep && ball.asleep) continue;
+        ball.position = units_.point(body.GetPosition());
+        ball.velocity = units_.vector(body.GetLinearVelocity());
+        ball.angle = double{body.GetAngle()};
+        ball.spin = double{body.GetAngularVelocity()};
+        ball.asleep = asleep;
+    }
+}
+
+void Box2dWorld::report(EventKind kind, const Contact& contact) {
+    events_.push_back({0, kind, contact.ball, contact.other, contact.point, contact.normal, 0, 0});
+}
+
+void Box2dWorld::report_sensors() {
+    const auto pair = [](const BallOnPart& b) { return Contact{b.ball, Other::part(b.part), {}, {}, 0}; };
+    const auto on = [](const std::vector<BallOnPart>& list, const BallOnPart& b) {
+        return std::ranges::binary_search(list, b);
+    };
+    for (const BallOnPart& b : touching_.sensors)
+        if (!on(on_sensors_, b)) report(EventKind::sensor_begin, pair(b));
+    for (const BallOnPart& b : touching_.passed) {
+        if (on(on_sensors_, b) || on(touching_.sensors, b)) continue;
+        report(EventKind::sensor_begin, pair(b));
+        report(EventKind::sensor_end, pair(b));
+    }
+    for (const BallOnPart& b : on_sensors_)
+        if (!on(touching_.sensors, b)) report(EventKind::sensor_end, pair(b));
+    on_sensors_ = touching_.sensors;
+}
+
+void Box2dWorld::report_impacts() {
+    for (const Impact& impact : rules_.impacts()) {
+        events_.push_back({0, EventKind::impact, impact.ball, impact.other, impact.point, impact.normal,
+                           impact.speed, impact.impulse});
+        ++statistics_.impacts;
+        if (impact.other.is_ball || !table_.scene().parts[impact.other.index].target) continue;
+        table_.set_down(impact.other.index, true);
+        parts_[impact.other.index]->SetEnabled(false);
+        looked_ = false;
+    }
+}
+
+/// How fast a ball moves away from what it touches, m/s.
+double Box2dWorld::leaving_speed(const Contact& contact) const {
+    Vec2 velocity = balls_[place_of(contact.ball)].velocity;
+    if (contact.other.is_ball) {
+        velocity -= balls_[place_of(contact.other.index)].velocity;
+    } else {
+        const PartIndex part = contact.other.index;
+        velocity -= cross(table_.rate(part), contact.point - table_.pose(part).pivot);
+    }
+    return dot(velocity, contact.normal);
+}
+
+/// A touch begins when a ball is still there at the end of the step and is not on its way out of a
+/// bounce; it ends when they no longer touch.
+void Box2dWorld::report_touches() {
+    look();
+    still_held_.clear();
+    for (const Contact& contact : touching_.contacts) {
+        const bool begun = find(held_, contact) != nullptr;
+        if (!begun && leaving_speed(contact) > table_.scene().rest_speed) continue;
+        if (!begun) report(EventKind::begin, contact);
+        still_held_.push_back(contact);
+    }
+    for (const Contact& contact : held_)
+        if (!find(still_held_, contact)) report(EventKind::end, contact);
+    held_.swap(still_held_);
+}
+
+void Box2dWorld::report_lost() {
+    const Scene& scene = table_.scene();
+    std::vector<BallNumber>& reported = table_.reported_lost();
+    for (std::size_t i = 0; i < balls_.size();) {
+        const Ball& ball = balls_[i];
+        const bool known = std::ranges::find(reported, ball.number) != reported.end();
+        if (scene.bounds.contains(ball.position) || known) {
+            ++i;
+            continue;
+        }
+        events_.push_back({0, EventKind::lost, ball.number, {}, ball.position, {}, 0, 0});
+        if (scene.keep_lost) {
+            reported.push_back(ball.number);
+        } else {
+            remove_at(i);
+            looked_ = false;
+        }
+    }
+}
+
+void Box2dWorld::measure() {
+    look();
+    statistics_.substeps = static_cast<std::uint64_t>(options_.substeps);
+    statistics_.asleep = static_cast<std::uint64_t>(std::ranges::count(balls_, true, &Ball::asleep));
+    for (const Contact& contact : touching_.contacts)
+        statistics_.max_penetration = std::max(statistics_.max_penetration, -contact.separation);
+    // Box2D does not count the boxes it tests in its tree: pair_tests stays 0.
+    statistics_.broad_phase.name = "dynamic tree";
+    statistics_.broad_phase.levels = world_->GetTreeHeight();
+    statistics_.broad_phase.leaves = world_->GetProxyCount();
+    statistics_.broad_phase.nodes = std::max(0, 2 * world_->GetProxyCount() - 1);
+}
+
+}  // namespace flipside::box2d
