@@ -22,6 +22,21 @@ using Json = nlohmann::json;
 
 /// A word from a file as error messages show it: quoted, on one line, in ASCII, not too long.
 [[nodiscard]] std::string in_quotes(std::string_view word);
+/// The names of things for error messages, the first of them where there are many. `name` gives "" for
+/// what shall not be listed.
+template <class Things, class Name>
+[[nodiscard]] std::string names_of(const Things& things, Name name) {
+    constexpr int enough = 20;
+    int count = 0;
+    std::string text;
+    for (const auto& thing : things) {
+        const std::string word = name(thing);
+        if (word.empty()) continue;
+        if (++count > enough) return text + ", ...";
+        text += (text.empty() ? "" : ", ") + in_quotes(word);
+    }
+    return text.empty() ? "none, for there are none" : text;
+}
 /// A key as a part of a JSON pointer (RFC 6901), on one line.
 [[nodiscard]] std::string pointer_token(std::string_view key);
 

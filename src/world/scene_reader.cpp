@@ -8,17 +8,8 @@ namespace {
 
 constexpr std::size_t most_layers = 32;
 
-template <class Map>
-std::string names_of(const Map& map) {
-    constexpr std::size_t enough = 20;
-    std::string text;
-    std::size_t count = 0;
-    for (const auto& [name, index] : map) {
-        if (++count > enough) return text + ", ...";
-        text += (text.empty() ? "" : ", ") + in_quotes(name);
-    }
-    return text.empty() ? "none, for there are none" : text;
-}
+/// The key of an entry of a map.
+constexpr auto key_of = [](const auto& entry) { return entry.first; };
 
 }  // namespace
 
@@ -38,7 +29,7 @@ std::uint32_t SceneReader::material(const Node& node, const char* key) const {
     const std::string name = node.text(key);
     const auto found = materials_.find(name);
     if (found == materials_.end())
-        node.fail(key, "unknown material " + in_quotes(name) + "; allowed: " + names_of(materials_));
+        node.fail(key, "unknown material " + in_quotes(name) + "; allowed: " + names_of(materials_, key_of));
     return found->second;
 }
 
@@ -84,7 +75,8 @@ void SceneReader::add_part(const Node& node, Part part) {
 
 PartIndex SceneReader::part(const Node& node, const std::string& name) const {
     const auto found = parts_.find(name);
-    if (found == parts_.end()) node.fail("unknown part " + in_quotes(name) + "; allowed: " + names_of(parts_));
+    if (found == parts_.end())
+        node.fail("unknown part " + in_quotes(name) + "; allowed: " + names_of(parts_, key_of));
     return found->second;
 }
 

@@ -1,0 +1,168 @@
+#include "world/state_file.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <map>
+
+#include "world/schema.hpp"
+#include "world/table.hpp"
+
+namespace flipside {
+
+namespace {
+
+constexpr const char* format = "flipside-state/1";
+constexpr const char* side_names[] = {"left", "right"};
+
+Json to_json(Vec2 v) {
+    return {v.x, v.y};
+}
+
+Json to_json(const Ball& ball, const Scene& scene) {
+    Json json = {{"number", ball.number},
+                 {"position", to_json(ball.position)},
+                 {"velocity", to_json(ball.velocity)},
+                 {"angle", ball.angle},
+                 {"spin", ball.spin},
+                 {"radius", ball.radius},
+                 {"mass", ball.mass},
+                 {"layer", ball.layer},
+                 {"collides_with", ball.collides_with},
+                 {"asleep", ball.asleep}};
+    if (ball.material != 0) json["material"] = scene.materials[ball.material].name;
+    return json;
+}
+
+std::uint32_t read_material(const Node& node, const Scene& scene) {
+    if (!node.has("material")) return 0;
+    const std::string name = node.text("material");
+    const auto found = std::find_if(scene.materials.begin() + 1, scene.materials.end(),
+                                    [&](const Material& material) { return material.name == name; });
+    if (found == scene.materials.end())
+        node.fail("material", in_quotes(name) + " is no material of this scene; allowed: " +
+                                  names_of(scene.materials, [](const Material& m) { return m.name; }));
+    return static_cast<std::uint32_t>(found - scene.materials.begin());
+}
+
+Ball read_ball(const Node& node, const Scene& scene) {
+    Ball ball;
+    ball.number = static_cast<BallNumber>(node.integer("number"));
+    ball.position = node.vector("position");
+    ball.velocity = node.vector("velocity");
+    ball.angle = node.real("angle", 0);
+    ball.spin = node.real("spin", 0);
+    ball.radius = node.real("radius");
+    ball.mass = node.real("mass");
+    ball.material = read_material(node, scene);
+    ball.layer = static_cast<std::uint32_t>(node.integer("layer", ball.layer));
+    ball.collides_with = static_cast<std::uint32_t>(node.integer("collides_with", ball.collides_with));
+    ball.asleep = node.toggle("asleep");
+    if (!std::has_single_bit(ball.layer)) node.fail("layer", "is not one bit; allowed: a power of two");
+    return ball;
+}
+
+std::vector<Ball> read_balls(const Node& root, const Scene& scene) {
+    std::vector<Ball> balls;
+    for (const Node& node : root.each("balls")) {
+        balls.push_back(read_ball(node, scene));
+        const BallNumber number = balls.back().number;
+        if (balls.size() > 1 && number <= balls[balls.size() - 2].number)
+            node.fail("number", "is not above that of the ball before it; allowed are rising numbers");
+        if (number >= static_cast<BallNumber>(root.integer("next_number")))
+            node.fail("number", "is not below next_number, which no ball has yet");
+    }
+    return balls;
+}
+
+PartState read_part(const Node& node, const Part& part) {
+    const PartState state{node.real("angle", 0), node.toggle("open"), node.toggle("down")};
+    if (state.angle != 0 && !Table::moves(part)) node.fail("angle", "this part does not move; allowed: 0");
+    if (state.open && !std::holds_alternative<shape::Gate>(part.shape.is))
+        node.fail("open", "this part is no gate; allowed: false");
+    if (state.down && !part.target) node.fail("down", "this part is no drop target; allowed: false");
+    if (const auto* flip = std::get_if<motion::Flip>(&part.motion)) {
+        const double full = flip->raised - std::get<shape::Flipper>(part.shape.is).rest;
+        constexpr double rounding = 1e-9;
+        if (state.angle < std::min(full, 0.0) - rounding || state.angle > std::max(full, 0.0) + rounding)
+            node.fail("angle", "is beyond the flipper's stops; allowed: between 0 and " + Json(full).dump());
+    }
+    return state;
+}
+
+std::vector<PartState> read_parts(const Node& root, const Scene& scene) {
+    std::vector<PartState> states(scene.parts.size());
+    if (!root.has("parts")) return states;
+    std::map<std::string_view, PartIndex> index;
+    for (PartIndex i = 0; i < scene.parts.size(); ++i) index[scene.parts[i].name] = i;
+    const Node parts = root.at("parts");
+    for (const auto& entry : parts.json().items()) {
+        const Node node = parts.at(entry.key());
+        const auto found = index.find(entry.key());
+        if (found == index.end())
+            node.fail("this scene has no such part; allowed: " +
+                      names_of(scene.parts, [](const Part& part) { return part.name; }));
+        states[found->second] = read_part(node, scene.parts[found->second]);
+    }
+    return states;
+}
+
+}  // namespace
+
+std::string to_json(const State& state, const Scene& scene) {
+    Json json = {{"format", format},
+                 {"scene", scene.name},
+                 {"time", state.clock.time},
+                 {"time_remainder", state.clock.remainder},
+                 {"next_number", state.next_number},
+                 {"balls", Json::array()},
+                 {"parts", Json::object()},
+                 {"raised", Json::array()},
+                 {"rotating", state.rotating},
+                 {"launches", Json::array()},
+                 {"reported_lost", state.reported_lost}};
+    for (const Ball& ball : state.balls) json["balls"].push_back(to_json(ball, scene));
+    for (PartIndex i = 0; i < state.parts.size(); ++i)
+        if (const PartState& part = state.parts[i]; part != PartState{})
+            json["parts"][scene.parts[i].name] = {
+                {"angle", part.angle}, {"open", part.open}, {"down", part.down}};
+    for (const Side side : {Side::left, Side::right})
+        if (const auto i = static_cast<int>(side); state.raised[i]) json["raised"].push_back(side_names[i]);
+    for (const control::Launch& launch : state.launches)
+        json["launches"].push_back(
+            {{"strength", launch.strength}, {"count", launch.count}, {"size", launch.size}});
+    return json.dump() + "\n";
+}
+
+State parse_state(std::string_view text, const std::string& file, const Scene& scene) {
+    const Json document = parse_json(text, file);
+    check_form(document, state_schema, file);
+    const Node root(document, file);
+    if (root.text("scene") != scene.name)
+        root.fail("scene", "is a state of " + in_quotes(root.text("scene")) + "; allowed is one of " +
+                               in_quotes(scene.name));
+    State state;
+    state.clock = {root.real("time"), root.real("time_remainder", 0)};
+    state.next_number = static_cast<BallNumber>(root.integer("next_number"));
+    state.balls = read_balls(root, scene);
+    state.parts = read_parts(root, scene);
+    for (const Node& side : root.each("raised")) state.raised[side.json() == side_names[0] ? 0 : 1] = true;
+    state.rotating = root.toggle("rotating");
+    for (const Node& launch : root.each("launches")) {
+        if (!scene.launcher) launch.fail("this scene has no launcher; allowed are no launches");
+        state.launches.push_back(
+            {launch.real("strength"), static_cast<int>(launch.integer("count")), launch.real("size")});
+    }
+    for (const Node& lost : root.each("reported_lost")) {
+        const auto number = static_cast<BallNumber>(lost.json().get<double>());
+        if (!std::ranges::binary_search(state.balls, number, {}, &Ball::number))
+            lost.fail("no ball has this number; allowed are balls of this state");
+        state.reported_lost.push_back(number);
+    }
+    return state;
+}
+
+State load_state(const std::filesystem::path& file, const Scene& scene) {
+    return parse_state(read_file(file), file.string(), scene);
+}
+
+}  // namespace flipside
