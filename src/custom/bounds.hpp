@@ -1,0 +1,30 @@
+#pragma once
+/// Axis-aligned bounding boxes (AABB) of discs and pieces: the first and cheapest test of a step.
+
+#include "world/surface.hpp"
+#include "world/table.hpp"
+
+namespace flipside::custom {
+
+/// Of a disc.
+[[nodiscard]] constexpr Box bounds_of(Vec2 center, double radius) {
+    return {{center.x - radius, center.y - radius}, {center.x + radius, center.y + radius}};
+}
+/// Of a piece in a pose; tight up to rounding.
+[[nodiscard]] Box bounds_of(const Piece& piece, const Pose& pose = {});
+
+/// Closed boxes: those that only share a border overlap.
+[[nodiscard]] constexpr bool overlap(const Box& a, const Box& b) {
+    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
+}
+/// Smallest box around both.
+[[nodiscard]] constexpr Box united(const Box& a, const Box& b) {
+    return {{a.min.x < b.min.x ? a.min.x : b.min.x, a.min.y < b.min.y ? a.min.y : b.min.y},
+            {a.max.x > b.max.x ? a.max.x : b.max.x, a.max.y > b.max.y ? a.max.y : b.max.y}};
+}
+/// Larger by `margin` on every side.
+[[nodiscard]] constexpr Box grown(const Box& box, double margin) {
+    return {{box.min.x - margin, box.min.y - margin}, {box.max.x + margin, box.max.y + margin}};
+}
+
+}  // namespace flipside::custom

@@ -1,0 +1,310 @@
+#include "custom/discrete_solver.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "custom/flight.hpp"
+#include "custom/sweep.hpp"
+
+namespace flipside::custom {
+
+namespace {
+
+/// Adds the time since the last call to a stage.
+class Stopwatch {
+  public:
+    void lap(double& seconds) {
+        const auto now = std::chrono::steady_clock::now();
+        seconds += std::chrono::duration<double>(now - last_).count();
+        last_ = now;
+    }
+
+  private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// A swept ball stops this near to a surface, in radii.
+constexpr double stop_distance = 1e-7;
+/// Overlaps up to this, in radii, are rounding and left alone.
+constexpr double slop = 1e-9;
+
+}  // namespace
+
+DiscreteSolver::DiscreteSolver(const Scene& scene, const Layout& layout, const SolverSettings& settings)
+    : scene_(scene), layout_(layout), settings_(settings) {
+    for (PartIndex i = 0; i < scene.parts.size(); ++i)
+        if (gate_of(scene.parts[i]) != nullptr) gates_.push_back(i);
+}
+
+void DiscreteSolver::step(Table& table, std::vector<Ball>& balls, double dt, BroadPhase& broad,
+                          StepRecord& record) {
+    table_ = &table, balls_ = &balls, record_ = &record;
+    const int iterations = settings_.motion_iterations;
+    const double flight = dt / iterations;
+    Stopwatch watch;
+    for (int i = 0; i < iterations; ++i) {
+        span_ = {i * flight, i + 1 == iterations ? dt : (i + 1) * flight};
+        find_candidates(span_.duration(), broad);
+        watch.lap(record.broad_seconds);
+        fly_all(span_.duration());
+        watch.lap(record.flight_seconds);
+        watch_gates();
+        for (int round = 0; round < settings_.collision_iterations; ++round) {
+            const bool parts = collide_parts();
+            const bool between_balls = collide_balls();
+            if (!parts && !between_balls) break;
+        }
+        watch_sensors();
+        watch.lap(record.contact_seconds);
+        ++record.statistics.substeps;
+    }
+}
+
+bool DiscreteSolver::fast(const Ball& ball, double duration) const {
+    const double way = (length(ball.velocity) + length(scene_.gravity) * duration) * duration;
+    return way > settings_.sweep_from * ball.radius;
+}
+
+void DiscreteSolver::find_candidates(double duration, BroadPhase& broad) {
+    const Flight flight(scene_.gravity, scene_.damping, duration);
+    const double fall = length(scene_.gravity) * duration * duration;
+    const auto box_of = [&](const Ball& ball) {
+        const Box here = bounds_of(ball.position, ball.radius);
+        if (ball.asleep) return here;
+        // A fast ball may be turned round in mid-flight, so it can end anywhere within its reach.
+        if (fast(ball, duration)) return grown(here, length(ball.velocity) * duration + fall);
+        return united(here, bounds_of(flight.position(ball), ball.radius));
+    };
+    std::vector<Ball>& balls = *balls_;
+    layout_.place(*table_, balls, span_.begin, span_.end, false, box_of, moving_);
+    broad.find_pairs(moving_, pairs_);
+
+    candidates_.clear();
+    ball_pairs_.clear();
+    for (const Pair pair : pairs_) {
+        const std::uint32_t b = pair.b - layout_.size();
+        if (pair.a >= layout_.size()) {
+            ball_pairs_.push_back({pair.a - layout_.size(), b});
+            continue;
+        }
+        balls[b].asleep = false;  // only a part in motion is paired with a sleeper
+        candidates_.push_back({b, pair.a});
+    }
+}
+
+void DiscreteSolver::each_ball(auto&& visit) {
+    for (auto first = candidates_.begin(); first != candidates_.end();) {
+        const auto last =
+            std::find_if(first, candidates_.end(), [&](const Candidate& c) { return c.ball != first->ball; });
+        visit((*balls_)[first->ball], std::span<const Candidate>(first, last));
+        first = last;
+    }
+}
+
+void DiscreteSolver::fly_all(double duration) {
+    std::vector<Ball>& balls = *balls_;
+    const Flight flight(scene_.gravity, scene_.damping, duration);
+    started_.clear();
+    auto next = candidates_.begin();
+    for (std::uint32_t i = 0; i < balls.size(); ++i) {
+        started_.push_back(balls[i].position);
+        const auto first = next;
+        while (next != candidates_.end() && next->ball == i) ++next;
+        if (balls[i].asleep) continue;
+        if (first == next)
+            flight.advance(balls[i]);
+        else
+            fly(balls[i], std::span<const Candidate>(first, next), duration);
+    }
+}
+
+/// Whether something closing in at `approach` m/s can get too deep during `duration`.
+bool DiscreteSolver::sinks(double approach, const Ball& ball, double duration) const {
+    return approach * duration > settings_.sweep_from * ball.radius;
+}
+
+/// Flies on, bouncing off parts where that needs the exact time of touch. What is left of the time after
+/// as many bounces as there are collision iterations is dropped: the ball waits.
+void DiscreteSolver::fly(Ball& ball, std::span<const Candidate> near, double duration) {
+    const double reach =
+        std::max(0.5 * ball.radius, (length(ball.velocity) + length(scene_.gravity) * duration) * duration);
+    double at = 0, remaining = duration;
+    for (int bounces = 0; bounces < settings_.collision_iterations; ++bounces) {
+        double soonest = never;
+        PieceIndex met = 0;
+        for (const Candidate& candidate : near) {
+            const double time = first_touch_of(ball, candidate.piece, at, remaining);
+            if (time < soonest) soonest = time, met = candidate.piece;
+        }
+        const double leg = std::min(soonest, remaining);
+        Flight(scene_.gravity, scene_.damping, leg).advance(ball);
+        if (soonest == never) return;
+        at += leg;
+        const Piece& piece = layout_.piece(met);
+        const Pose pose = table_->pose(piece.part, span_.begin + at);
+        respond_to(ball, met, touch(ball.position, ball.radius, piece, pose), at, 0);
+        // Kicked faster, it must not leave the surroundings that were searched for parts.
+        const double speed = length(ball.velocity) + length(scene_.gravity) * duration;
+        remaining = std::min(duration - at, reach / speed);
+        if (!(remaining > 0)) return;
+    }
+}
+
+/// When the ball, flying freely from `at` seconds into this motion iteration, first touches a piece in
+/// such a way that it would sink in deep; else never.
+double DiscreteSolver::first_touch_of(const Ball& ball, PieceIndex index, double at, double duration) const {
+    const Piece& piece = layout_.piece(index);
+    const double begin = span_.begin + at;
+    const Pose pose = table_->pose(piece.part, begin);
+    const double rate = layout_.moves(index) ? table_->rate(piece.part, begin) : 0;
+    const double own = length(ball.velocity) + length(scene_.gravity) * duration;
+    const double speed = own + std::abs(rate) * (length(ball.position - pose.pivot) + own * duration);
+    if (!sinks(speed, ball, duration) || !stops(*table_, piece, pose, ball)) return never;
+
+    std::uint64_t& tests = record_->statistics.narrow_tests;
+    const auto touch_at = [&](double time, Ball& flying) {
+        flying = ball;
+        Flight(scene_.gravity, scene_.damping, time).advance(flying);
+        ++tests;
+        return touch(flying.position, flying.radius, piece,
+                     rate != 0 ? table_->pose(piece.part, begin + time) : pose);
+    };
+    Ball flying = ball;
+    const double time = first_touch([&](double t) { return touch_at(t, flying).separation; }, speed, duration,
+                                    stop_distance * ball.radius);
+    if (time == never) return never;
+    const Touch met = touch_at(time, flying);
+    if (met.past_end && gate_of(scene_.parts[piece.part]) != nullptr) return never;
+    const Vec2 surface = cross(table_->rate(piece.part, begin + time), met.point - pose.pivot);
+    const double approach = -dot(flying.velocity - surface, met.normal);
+    return sinks(approach, ball, duration) ? time : never;
+}
+
+void DiscreteSolver::report(const Ball& ball, Other other, const Impact& hit, Vec2 point, double time) {
+    ++record_->statistics.impacts;
+    record_->events.push_back({table_->time() + time - hit.ago, EventKind::impact, ball.number, other, point,
+                               hit.normal, hit.speed, hit.impulse});
+}
+
+/// Answers a touch of a ball with a piece `at` seconds into this motion iteration.
+void DiscreteSolver::respond_to(Ball& ball, PieceIndex index, const Touch& touch, double at, double flown) {
+    const PartIndex part = layout_.piece(index).part;
+    const double now = span_.begin + at;
+    const Pose pose = table_->pose(part, now);
+    const Vec2 surface = cross(table_->rate(part, now), touch.point - pose.pivot);
+    const Impact hit =
+        respond(ball, touch, surface, layout_.mixed(ball.material, scene_.parts[part].material),
+                {scene_.gravity, scene_.rest_speed, flown});
+    if (!hit.happened) return push_out(ball, touch);
+    report(ball, Other::part(part), hit, touch.point, now);
+    if (scene_.parts[part].target) {
+        table_->set_down(part, true);
+        for (Ball& other : *balls_) other.asleep = false;
+    }
+}
+
+bool DiscreteSolver::collide_parts() {
+    bool any = false;
+    each_ball([&](Ball& ball, std::span<const Candidate> near) {
+        if (!ball.asleep && collide_ball_with_parts(ball, near)) any = true;
+    });
+    return any;
+}
+
+/// The deepest touch first: a ball that lies on a face is then clear of the face's ends.
+bool DiscreteSolver::collide_ball_with_parts(Ball& ball, std::span<const Candidate> near) {
+    const auto touch_now = [&](PieceIndex index) {
+        const Piece& piece = layout_.piece(index);
+        const Pose pose = table_->pose(piece.part, span_.end);
+        Touch found;
+        found.separation = never;
+        if (!stops(*table_, piece, pose, ball)) return found;
+        ++record_->statistics.narrow_tests;
+        found = touch(ball.position, ball.radius, piece, pose);
+        if (found.past_end) found.separation = never;
+        return found;
+    };
+    deep_.clear();
+    for (const Candidate& candidate : near) {
+        const double separation = touch_now(candidate.piece).separation;
+        if (separation < -slop * ball.radius) deep_.push_back({separation, candidate.piece});
+    }
+    std::ranges::sort(deep_);
+    for (const Deep& deep : deep_) {
+        const Touch found = touch_now(deep.piece);
+        if (found.separation >= 0) continue;
+        ++record_->statistics.contacts;
+        respond_to(ball, deep.piece, found, span_.duration(), span_.duration());
+    }
+    return !deep_.empty();
+}
+
+bool DiscreteSolver::collide_balls() {
+    bool any = false;
+    for (const BallPair pair : ball_pairs_) {
+        Ball &a = (*balls_)[pair.a], &b = (*balls_)[pair.b];
+        if (a.asleep && b.asleep) continue;
+        ++record_->statistics.narrow_tests;
+        const Touch found = touch(a.position, a.radius, b.position, b.radius);
+        if (found.separation >= -slop * std::min(a.radius, b.radius)) continue;
+        ++record_->statistics.contacts;
+        any = true;
+        collide(a, b, found.normal);
+    }
+    return any;
+}
+
+void DiscreteSolver::collide(Ball& a, Ball& b, Vec2 normal) {
+    // A sleeper holds against what merely rests on it, and wakes when hit.
+    const double approach = -dot(a.velocity - b.velocity, normal);
+    const double weight = std::abs(dot(scene_.gravity, normal)) * span_.duration();
+    if (approach > settings_.sleep_speed + weight) a.asleep = b.asleep = false;
+    const bool held_a = a.asleep;
+    Ball &free = held_a ? b : a, &other = held_a ? a : b;
+    Impact hit = respond(free, other, other.asleep, layout_.mixed(a.material, b.material),
+                         {scene_.gravity, scene_.rest_speed, span_.duration()});
+    if (hit.happened) {
+        if (held_a) hit.normal = -hit.normal;
+        report(a, Other::ball(b.number), hit, b.position + b.radius * hit.normal, span_.end);
+    }
+    push_out(free, other, other.asleep);
+}
+
+/// A closed gate opens for a ball that flew in from behind, and an open one stays so while any is in it.
+void DiscreteSolver::watch_gates() {
+    for (const PartIndex part : gates_) {
+        const shape::Gate& gate = *gate_of(scene_.parts[part]);
+        bool occupied = false;
+        for (const Candidate& candidate : candidates_) {
+            const Piece& piece = layout_.piece(candidate.piece);
+            if (piece.part != part) continue;
+            const Ball& ball = (*balls_)[candidate.ball];
+            const Pose before = table_->pose(part, span_.begin), now = table_->pose(part, span_.end);
+            ++record_->statistics.narrow_tests;
+            const Touch found = touch(ball.position, ball.radius, piece, now);
+            const Vec2 came_from = before.undo(started_[candidate.ball]);
+            const bool let_through = table_->parts()[part].open || dot(came_from - gate.a, gate.normal) <= 0;
+            if (let_through && !found.past_end && found.separation < 0) occupied = true;
+        }
+        table_->set_open(part, occupied);
+    }
+}
+
+/// Sensors note what crossed them on its way.
+void DiscreteSolver::watch_sensors() {
+    for (const Candidate& candidate : candidates_) {
+        const Piece& piece = layout_.piece(candidate.piece);
+        if (!scene_.parts[piece.part].sensor) continue;
+        const Ball& ball = (*balls_)[candidate.ball];
+        const Pose pose = table_->pose(piece.part, span_.end);
+        const Vec2 from = started_[candidate.ball], way = ball.position - from;
+        const auto separation = [&](double t) {
+            ++record_->statistics.narrow_tests;
+            return touch(from + t * way, ball.radius, piece, pose).separation;
+        };
+        if (first_touch(separation, length(way), 1, 0) != never)
+            record_->crossed.push_back({ball.number, piece.part});
+    }
+}
+
+}  // namespace flipside::custom

@@ -1,0 +1,95 @@
+#pragma once
+/// The discrete solver, as in the classic toy: several times a step, all balls fly on and then what
+/// overlaps is answered, round by round.
+///
+///     motion_iterations × ( broad phase; fly; collision_iterations × (parts, balls); gates )
+///
+/// Flight is exact (flight.hpp), and impacts act from the moment of touch (response.hpp), so what a single
+/// ball does is good to rounding off straight surfaces and to second order off curved ones. A ball that
+/// could sink deep into a part during one flight is stopped at the surface instead (sweep.hpp). Between
+/// balls nothing is swept: at too few motion iterations fast balls miss each other.
+
+#include "custom/layout.hpp"
+#include "custom/response.hpp"
+#include "custom/settings.hpp"
+#include "custom/touch_list.hpp"
+#include "world/events.hpp"
+#include "world/statistics.hpp"
+
+namespace flipside::custom {
+
+/// What a step leaves behind for its readers.
+struct StepRecord {
+    std::vector<Event> events;
+    std::vector<Sensed> crossed;  ///< sensors met
+    Statistics statistics;
+    double broad_seconds = 0, flight_seconds = 0, contact_seconds = 0, report_seconds = 0;
+};
+
+class DiscreteSolver {
+  public:
+    /// Keeps references to scene and layout.
+    DiscreteSolver(const Scene& scene, const Layout& layout, const SolverSettings& settings);
+
+    /// Moves the balls by dt; the table's clock stays, its gates and targets may change.
+    void step(Table& table, std::vector<Ball>& balls, double dt, BroadPhase& broad, StepRecord& record);
+
+  private:
+    /// A ball (by place) and a piece whose boxes overlap.
+    struct Candidate {
+        std::uint32_t ball;
+        PieceIndex piece;
+    };
+    struct BallPair {
+        std::uint32_t a, b;  ///< a < b
+    };
+    /// One motion iteration.
+    struct Span {
+        double begin, end;  ///< s from the start of the step
+        [[nodiscard]] double duration() const { return end - begin; }
+    };
+
+    void find_candidates(double duration, BroadPhase& broad);
+    [[nodiscard]] bool fast(const Ball& ball, double duration) const;
+    void fly_all(double duration);
+    void fly(Ball& ball, std::span<const Candidate> near, double duration);
+    [[nodiscard]] double first_touch_of(const Ball& ball, PieceIndex piece, double at, double duration) const;
+    [[nodiscard]] bool sinks(double approach, const Ball& ball, double duration) const;
+    bool collide_parts();
+    bool collide_ball_with_parts(Ball& ball, std::span<const Candidate> near);
+    bool collide_balls();
+    void respond_to(Ball& ball, PieceIndex piece, const Touch& touch, double at, double flown);
+    void collide(Ball& a, Ball& b, Vec2 normal);
+    void report(const Ball& ball, Other other, const Impact& hit, Vec2 point, double time);
+    void watch_gates();
+    void watch_sensors();
+    /// Visits each ball that has candidates, with them.
+    void each_ball(auto&& visit);
+
+    const Scene& scene_;
+    const Layout& layout_;
+    SolverSettings settings_;
+    std::vector<PartIndex> gates_;
+
+    // Of the step being made.
+    Table* table_ = nullptr;
+    std::vector<Ball>* balls_ = nullptr;
+    StepRecord* record_ = nullptr;
+    Span span_{};
+
+    // Scratch, kept to save allocations; nothing in it outlives a motion iteration.
+    std::vector<Proxy> moving_;
+    std::vector<Pair> pairs_;
+    std::vector<Candidate> candidates_;  ///< by ball
+    std::vector<BallPair> ball_pairs_;
+    std::vector<Vec2> started_;  ///< where each ball was before it flew
+    /// An overlap with a part; the deepest come first.
+    struct Deep {
+        double separation;
+        PieceIndex piece;
+        friend auto operator<=>(const Deep&, const Deep&) = default;
+    };
+    std::vector<Deep> deep_;
+};
+
+}  // namespace flipside::custom

@@ -1,0 +1,50 @@
+#include "custom/layout.hpp"
+
+#include <algorithm>
+
+namespace flipside::custom {
+
+Layout::Layout(const Scene& scene)
+    : scene_(scene), pieces_(surface_of(scene)), materials_(scene.materials.size()) {
+    const auto moving = std::ranges::stable_partition(
+        pieces_, [&](const Piece& p) { return !Table::moves(scene.parts[p.part]); });
+    still_ = static_cast<PieceIndex>(pieces_.size() - moving.size());
+    for (const Material& a : scene.materials)
+        for (const Material& b : scene.materials) mixed_.push_back(mix(a, b));
+}
+
+std::vector<Proxy> Layout::still_proxies() const {
+    std::vector<Proxy> proxies;
+    for (PieceIndex i = 0; i < still_; ++i) {
+        const Part& part = scene_.parts[pieces_[i].part];
+        proxies.push_back({bounds_of(pieces_[i]), part.layer, part.collides_with, false, false});
+    }
+    return proxies;
+}
+
+Proxy Layout::proxy(const Table& table, PieceIndex i, double begin, double end) const {
+    const Part& part = scene_.parts[pieces_[i].part];
+    const Pose first = table.pose(pieces_[i].part, begin), last = table.pose(pieces_[i].part, end);
+    const double turned = last.angle - first.angle;
+    Proxy proxy{bounds_of(pieces_[i], first), part.layer, part.collides_with, false, turned != 0};
+    if (turned != 0) {
+        proxy.box = united(proxy.box, bounds_of(pieces_[i], last));
+        // Between the two, a point at distance d bulges out by less than d·(1 − cos(turned/2)).
+        const Box& box = proxy.box;
+        const double dx = std::max(box.max.x - first.pivot.x, first.pivot.x - box.min.x);
+        const double dy = std::max(box.max.y - first.pivot.y, first.pivot.y - box.min.y);
+        proxy.box = grown(box, std::hypot(dx, dy) * std::min(2.0, turned * turned / 8));
+    }
+    return proxy;
+}
+
+bool stops(const Table& table, const Piece& piece, const Pose& pose, const Ball& ball) {
+    const Part& part = table.scene().parts[piece.part];
+    const PartState& state = table.parts()[piece.part];
+    if (part.sensor || state.down) return false;
+    const shape::Gate* gate = gate_of(part);
+    if (gate == nullptr) return true;
+    return !state.open && dot(pose.undo(ball.position) - gate->a, gate->normal) > 0;
+}
+
+}  // namespace flipside::custom

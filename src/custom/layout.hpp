@@ -1,0 +1,54 @@
+#pragma once
+/// The pieces of the table made ready for the step: the still ones first, then the moving ones, so that a
+/// piece's index is also its handle in the broad phase; balls have the handles after them.
+
+#include <span>
+
+#include "custom/broad_phase.hpp"
+#include "custom/narrow_phase.hpp"
+
+namespace flipside::custom {
+
+using PieceIndex = std::uint32_t;
+
+class Layout {
+  public:
+    explicit Layout(const Scene& scene);
+
+    [[nodiscard]] const Piece& piece(PieceIndex i) const { return pieces_[i]; }
+    [[nodiscard]] PieceIndex size() const { return static_cast<PieceIndex>(pieces_.size()); }
+    [[nodiscard]] bool moves(PieceIndex i) const { return i >= still_; }
+    [[nodiscard]] std::vector<Proxy> still_proxies() const;
+
+    /// Proxies of the moving pieces and then of the balls. Pieces cover their way from `begin` to
+    /// `end` seconds from the table's now. `box_of` gives the box of a ball; it is active unless asleep
+    /// and `all_active` is false. A piece is active when it turns meanwhile.
+    void place(const Table& table, std::span<const Ball> balls, double begin, double end, bool all_active,
+               auto&& box_of, std::vector<Proxy>& moving) const {
+        moving.clear();
+        for (PieceIndex i = still_; i < pieces_.size(); ++i) moving.push_back(proxy(table, i, begin, end));
+        for (const Ball& ball : balls)
+            moving.push_back(
+                {box_of(ball), ball.layer, ball.collides_with, true, all_active || !ball.asleep});
+    }
+
+    /// What happens between two materials.
+    [[nodiscard]] const Mixed& mixed(std::uint32_t a, std::uint32_t b) const {
+        return mixed_[a * materials_ + b];
+    }
+
+  private:
+    [[nodiscard]] Proxy proxy(const Table& table, PieceIndex i, double begin, double end) const;
+
+    const Scene& scene_;
+    std::vector<Piece> pieces_;
+    PieceIndex still_ = 0;
+    std::size_t materials_;
+    std::vector<Mixed> mixed_;
+};
+
+/// Whether a piece answers a ball now: no sensor, no target that is down, no gate that lets this ball
+/// through. A gate only stops what comes from the side to which its normal points.
+[[nodiscard]] bool stops(const Table& table, const Piece& piece, const Pose& pose, const Ball& ball);
+
+}  // namespace flipside::custom

@@ -1,0 +1,72 @@
+#include "custom/settings.hpp"
+
+namespace flipside::custom {
+
+namespace {
+
+constexpr std::string_view solvers[] = {"discrete"};
+constexpr std::string_view broad_phases[] = {"brute", "quadtree"};
+
+constexpr SettingSpec specs[] = {
+    {.name = "solver",
+     .type = SettingType::choice,
+     .choices = solvers,
+     .about = "discrete: fly, push out, reflect, several times a step"},
+    {.name = "motion_iterations",
+     .type = SettingType::integer,
+     .initial = 4,
+     .min = 1,
+     .max = 64,
+     .about = "flights per step; too few and fast balls pass through each other"},
+    {.name = "collision_iterations",
+     .type = SettingType::integer,
+     .initial = 6,
+     .min = 1,
+     .max = 64,
+     .about = "rounds of response after each flight; too few and piles sink into one another"},
+    {.name = "broad_phase",
+     .type = SettingType::choice,
+     .initial = 1,
+     .choices = broad_phases,
+     .about = "how candidate pairs are found; changes the cost, never the outcome"},
+    {.name = "quadtree_levels",
+     .type = SettingType::integer,
+     .initial = 4,
+     .min = 1,
+     .max = 8,
+     .about = "levels below the root; too few crowd the leaves, too many list a ball in many of them"},
+    {.name = "sweep_from",
+     .type = SettingType::real,
+     .unit = "radii",
+     .initial = 0.25,
+     .min = 0.01,
+     .max = 1e6,
+     .about = "a ball that may sink deeper than this into a part in one flight is stopped at its "
+              "surface; large values show how a plain discrete solver lets fast balls through"},
+    {.name = "sleep",
+     .type = SettingType::toggle,
+     .initial = 1,
+     .about = "balls at rest cost nothing until something touches them"},
+    {.name = "sleep_speed",
+     .type = SettingType::real,
+     .unit = "m/s",
+     .initial = 0.001,
+     .min = 0,
+     .max = 1,
+     .about = "balls slower than this that nothing drives fall asleep; too large and they stop early"},
+};
+
+}  // namespace
+
+std::span<const SettingSpec> setting_specs() {
+    return specs;
+}
+
+SolverSettings::SolverSettings(const Settings& settings)
+    : motion_iterations(settings.integer("motion_iterations")),
+      collision_iterations(settings.integer("collision_iterations")),
+      sweep_from(settings.real("sweep_from")),
+      sleep(settings.toggle("sleep")),
+      sleep_speed(settings.real("sleep_speed")) {}
+
+}  // namespace flipside::custom

@@ -1,0 +1,20 @@
+#pragma once
+/// The settings of this engine, read once when a world is made.
+
+#include "world/settings.hpp"
+
+namespace flipside::custom {
+
+[[nodiscard]] std::span<const SettingSpec> setting_specs();
+
+struct SolverSettings {
+    int motion_iterations;
+    int collision_iterations;
+    double sweep_from;  ///< radii
+    bool sleep;
+    double sleep_speed;  ///< m/s
+
+    explicit SolverSettings(const Settings& settings);
+};
+
+}  // namespace flipside::custom

@@ -1,0 +1,33 @@
+#pragma once
+/// Falling asleep. A ball sleeps from the end of a step over which it was slow and nothing drove it: what
+/// it did in that one step decides, so there is no timer that a saved state would have to hold.
+
+#include <span>
+#include <vector>
+
+#include "world/ball.hpp"
+
+namespace flipside::custom {
+
+class Sleep {
+  public:
+    /// `speed` in m/s; `gravity` in m/s² is its amount.
+    Sleep(double speed, double gravity) : speed_(speed), gravity_(gravity) {}
+
+    /// Before a step: remembers the balls.
+    void watch(std::span<const Ball> balls);
+    /// After it: puts those to sleep, with all velocity gone, that were slower than `speed` throughout and
+    /// did not gain more than a thousandth of what gravity gives in free fall (a ball that turns back on
+    /// a slope does). Balls that joined in between are left alone.
+    void settle(std::span<Ball> balls, double dt) const;
+
+  private:
+    struct Before {
+        BallNumber number;
+        Vec2 position, velocity;
+    };
+    double speed_, gravity_;
+    std::vector<Before> before_;
+};
+
+}  // namespace flipside::custom

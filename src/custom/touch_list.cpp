@@ -1,0 +1,123 @@
+#include "custom/touch_list.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <tuple>
+
+namespace flipside::custom {
+
+namespace {
+
+auto key(const Contact& contact) {
+    return std::tie(contact.ball, contact.other);
+}
+
+/// The ball with a number, or null; `balls` are by rising number.
+const Ball* find(std::span<const Ball> balls, BallNumber number) {
+    const auto at = std::ranges::lower_bound(balls, number, {}, &Ball::number);
+    return at != balls.end() && at->number == number ? &*at : nullptr;
+}
+
+bool sleeps(std::span<const Ball> balls, BallNumber number) {
+    const Ball* ball = find(balls, number);
+    return ball != nullptr && ball->asleep;
+}
+
+Event event(double time, EventKind kind, const Contact& contact) {
+    return {time, kind, contact.ball, contact.other, contact.point, contact.normal, 0, 0};
+}
+
+void sort_unique(std::vector<Sensed>& list) {
+    std::ranges::sort(list);
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+/// Visits what is in `these` and not in `those`; both in order of key.
+template <class T>
+void each_missing(const std::vector<T>& these, const std::vector<T>& those, auto&& key_of, auto&& visit) {
+    auto other = those.begin();
+    for (const T& item : these) {
+        while (other != those.end() && key_of(*other) < key_of(item)) ++other;
+        if (other == those.end() || key_of(item) < key_of(*other)) visit(item);
+    }
+}
+
+}  // namespace
+
+void TouchList::keep_sleepers(std::span<const Ball> balls) {
+    for (const Contact& contact : before_)
+        if (sleeps(balls, contact.ball) && (!contact.other.is_ball || sleeps(balls, contact.other.index)))
+            now_.push_back(contact);
+    for (const Sensed& s : sensed_before_)
+        if (sleeps(balls, s.ball)) sensed_.push_back(s);
+}
+
+void TouchList::look(const Layout& layout, const Table& table, const Ball& ball, PieceIndex index) {
+    const Piece& piece = layout.piece(index);
+    const Pose pose = table.pose(piece.part);
+    const bool sensor = table.scene().parts[piece.part].sensor;
+    if (!sensor && !stops(table, piece, pose, ball)) return;
+    ++narrow_tests_;
+    const Touch found = touch(ball.position, ball.radius, piece, pose);
+    if (found.past_end) return;
+    if (sensor && found.separation <= 0) sensed_.push_back({ball.number, piece.part});
+    if (!sensor && found.separation <= touch_distance * ball.radius)
+        now_.push_back({ball.number, Other::part(piece.part), found.point, found.normal, found.separation});
+}
+
+void TouchList::refresh(const Layout& layout, const Table& table, std::span<const Ball> balls,
+                        BroadPhase& broad, bool everything) {
+    std::swap(before_, now_);
+    std::swap(sensed_before_, sensed_);
+    now_.clear();
+    sensed_.clear();
+    narrow_tests_ = 0;
+    if (!everything) keep_sleepers(balls);
+    const auto box_of = [](const Ball& ball) {
+        return bounds_of(ball.position, ball.radius * (1 + touch_distance));
+    };
+    layout.place(table, balls, 0, 0, everything, box_of, moving_);
+    broad.find_pairs(moving_, pairs_);
+    for (const Pair pair : pairs_) {
+        const Ball& ball = balls[pair.b - layout.size()];
+        if (pair.a < layout.size()) {
+            look(layout, table, ball, pair.a);
+            continue;
+        }
+        const Ball& lower = balls[pair.a - layout.size()];
+        ++narrow_tests_;
+        const Touch found = touch(lower.position, lower.radius, ball.position, ball.radius);
+        if (found.separation <= touch_distance * std::min(lower.radius, ball.radius))
+            now_.push_back(
+                {lower.number, Other::ball(ball.number), found.point, found.normal, found.separation});
+    }
+    std::ranges::sort(now_, [](const Contact& a, const Contact& b) {
+        return std::tie(a.ball, a.other, a.separation, a.normal.x, a.normal.y) <
+               std::tie(b.ball, b.other, b.separation, b.normal.x, b.normal.y);
+    });
+    const auto same = [](const Contact& a, const Contact& b) { return key(a) == key(b); };
+    now_.erase(std::unique(now_.begin(), now_.end(), same), now_.end());
+    sort_unique(sensed_);
+}
+
+void TouchList::report(double time, std::vector<Sensed>& crossed, std::vector<Event>& events) const {
+    const auto began = [&](const Contact& c) { events.push_back(event(time, EventKind::begin, c)); };
+    const auto ended = [&](const Contact& c) { events.push_back(event(time, EventKind::end, c)); };
+    each_missing(now_, before_, key, began);
+    each_missing(before_, now_, key, ended);
+
+    // What was crossed within the step began in it, and ended in it unless the ball is still there.
+    const auto sensor_event = [&](EventKind kind) {
+        return [=, &events](const Sensed& s) {
+            events.push_back({time, kind, s.ball, Other::part(s.sensor), {}, {}, 0, 0});
+        };
+    };
+    crossed.insert(crossed.end(), sensed_.begin(), sensed_.end());
+    sort_unique(crossed);
+    each_missing(crossed, sensed_before_, std::identity{}, sensor_event(EventKind::sensor_begin));
+    crossed.insert(crossed.end(), sensed_before_.begin(), sensed_before_.end());
+    sort_unique(crossed);
+    each_missing(crossed, sensed_, std::identity{}, sensor_event(EventKind::sensor_end));
+}
+
+}  // namespace flipside::custom

@@ -1,0 +1,47 @@
+#pragma once
+/// Which balls touch what at an instant. It follows from the state of a world alone, so a world continued
+/// from a saved state knows the same touches as one that ran through.
+
+#include "custom/layout.hpp"
+#include "world/events.hpp"
+
+namespace flipside::custom {
+
+/// Surfaces nearer than this many radii count as touching.
+inline constexpr double touch_distance = 1e-4;
+
+/// A ball inside a sensor.
+struct Sensed {
+    BallNumber ball = 0;
+    PartIndex sensor = 0;
+    friend auto operator<=>(const Sensed&, const Sensed&) = default;
+};
+
+class TouchList {
+  public:
+    /// Finds all touches now. What sleeps beside what stands still is taken over from the last time,
+    /// unless `everything` says to look again.
+    void refresh(const Layout& layout, const Table& table, std::span<const Ball> balls, BroadPhase& broad,
+                 bool everything);
+    /// One per touching pair (the deepest where there are several), by ball, then other.
+    [[nodiscard]] std::span<const Contact> contacts() const { return now_; }
+    /// Candidates of the last search, for those who want to see them.
+    [[nodiscard]] std::span<const Pair> pairs() const { return pairs_; }
+    /// Shapes tested in the last search.
+    [[nodiscard]] std::uint64_t narrow_tests() const { return narrow_tests_; }
+    /// Reports what began and ended between the last two searches. `crossed` are the sensors that balls met
+    /// in between (used up as scratch).
+    void report(double time, std::vector<Sensed>& crossed, std::vector<Event>& events) const;
+
+  private:
+    void keep_sleepers(std::span<const Ball> balls);
+    void look(const Layout& layout, const Table& table, const Ball& ball, PieceIndex piece);
+
+    std::vector<Contact> before_, now_;
+    std::vector<Sensed> sensed_before_, sensed_;
+    std::vector<Proxy> moving_;
+    std::vector<Pair> pairs_;
+    std::uint64_t narrow_tests_ = 0;
+};
+
+}  // namespace flipside::custom

@@ -1,0 +1,169 @@
+#include "custom/world.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <tuple>
+
+#include "custom/engine.hpp"
+
+namespace flipside::custom {
+
+namespace {
+
+std::unique_ptr<BroadPhase> make_broad_phase(const Scene& scene, const Layout& layout,
+                                             const Settings& settings) {
+    if (settings.choice("broad_phase") == "brute") return make_brute_force(layout.still_proxies());
+    return make_quadtree(layout.still_proxies(), scene.bounds, settings.integer("quadtree_levels"));
+}
+
+Vec2 middle(const Box& box) {
+    return 0.5 * (box.min + box.max);
+}
+
+}  // namespace
+
+CustomWorld::CustomWorld(std::shared_ptr<const Scene> scene, const Settings& settings)
+    : scene_(std::move(scene)),
+      settings_(settings),
+      table_(scene_),
+      layout_(*scene_),
+      broad_(make_broad_phase(*scene_, layout_, settings)),
+      solver_(*scene_, layout_, settings_),
+      sleep_(settings_.sleep_speed, length(scene_->gravity)),
+      balls_(scene_->balls) {
+    touches_.refresh(layout_, table_, balls_, *broad_, true);
+}
+
+void CustomWorld::step(double dt) {
+    const std::uint64_t tests_before = broad_->tests();
+    record_.events.clear();
+    record_.crossed.clear();
+    record_.statistics = {};
+    record_.broad_seconds = record_.flight_seconds = record_.contact_seconds = record_.report_seconds = 0;
+
+    launch();
+    sleep_.watch(balls_);
+    solver_.step(table_, balls_, dt, *broad_, record_);
+
+    const auto start = std::chrono::steady_clock::now();
+    table_.advance(dt);
+    lose_balls();
+    touches_.refresh(layout_, table_, balls_, *broad_, false);
+    touches_.report(time(), record_.crossed, record_.events);
+    if (settings_.sleep) sleep_.settle(balls_, dt);
+    std::ranges::sort(record_.events, [](const Event& a, const Event& b) {
+        return std::tie(a.time, a.kind, a.ball, a.other, a.speed, a.impulse) <
+               std::tie(b.time, b.kind, b.ball, b.other, b.speed, b.impulse);
+    });
+    record_.report_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    fill_statistics(broad_->tests() - tests_before);
+}
+
+void CustomWorld::launch() {
+    while (const auto launched = table_.launch(balls_)) {
+        if (launched->existing) {
+            *std::ranges::lower_bound(balls_, launched->ball.number, {}, &Ball::number) = launched->ball;
+        } else {
+            balls_.push_back(launched->ball);
+            balls_.back().number = table_.new_number();
+        }
+    }
+}
+
+void CustomWorld::lose_balls() {
+    auto& reported = table_.reported_lost();
+    const auto outside = [&](const Ball& ball) { return !scene_->bounds.contains(ball.position); };
+    for (const Ball& ball : balls_) {
+        if (!outside(ball) || std::ranges::find(reported, ball.number) != reported.end()) continue;
+        record_.events.push_back({time(), EventKind::lost, ball.number, {}, ball.position, {}, 0, 0});
+        if (scene_->keep_lost) reported.push_back(ball.number);
+    }
+    if (!scene_->keep_lost) std::erase_if(balls_, outside);
+}
+
+void CustomWorld::fill_statistics(std::uint64_t pair_tests) {
+    Statistics& statistics = record_.statistics;
+    statistics.pair_tests = pair_tests;
+    statistics.narrow_tests += touches_.narrow_tests();
+    statistics.asleep = static_cast<std::uint64_t>(std::ranges::count_if(balls_, &Ball::asleep));
+    for (const Contact& contact : contacts())
+        statistics.max_penetration = std::max(statistics.max_penetration, -contact.separation);
+    statistics.stages[0] = {"broad phase", record_.broad_seconds};
+    statistics.stages[1] = {"flight", record_.flight_seconds};
+    statistics.stages[2] = {"contact", record_.contact_seconds};
+    statistics.stages[3] = {"report", record_.report_seconds};
+    statistics.broad_phase = broad_->facts();
+}
+
+void CustomWorld::wake_all() {
+    for (Ball& ball : balls_) ball.asleep = false;
+}
+
+void CustomWorld::apply(const Control& control) {
+    table_.apply(control);
+    if (const auto* nudge = std::get_if<control::Nudge>(&control)) {
+        wake_all();
+        for (Ball& ball : balls_) ball.velocity += nudge->velocity;
+    }
+    if (std::holds_alternative<control::RaiseTargets>(control)) {
+        wake_all();
+        touches_.refresh(layout_, table_, balls_, *broad_, false);
+    }
+}
+
+BallNumber CustomWorld::add(const Ball& ball) {
+    balls_.push_back(ball);
+    balls_.back().number = table_.new_number();
+    touches_.refresh(layout_, table_, balls_, *broad_, false);
+    return balls_.back().number;
+}
+
+bool CustomWorld::remove(BallNumber number) {
+    if (std::erase_if(balls_, [&](const Ball& ball) { return ball.number == number; }) == 0) return false;
+    std::erase(table_.reported_lost(), number);
+    wake_all();
+    touches_.refresh(layout_, table_, balls_, *broad_, false);
+    return true;
+}
+
+void CustomWorld::restore(const State& state) {
+    table_.restore(state);
+    balls_ = state.balls;
+    record_ = {};
+    touches_.refresh(layout_, table_, balls_, *broad_, true);
+}
+
+void CustomWorld::inspect_boxes(Inspector& inspector) const {
+    for (PieceIndex i = 0; i < layout_.size(); ++i)
+        inspector.box(Topic::boxes, bounds_of(layout_.piece(i), table_.pose(layout_.piece(i).part)));
+    for (const Ball& ball : balls_) inspector.box(Topic::boxes, bounds_of(ball.position, ball.radius));
+}
+
+void CustomWorld::inspect(Inspector& inspector) const {
+    if (inspector.wants(Topic::boxes)) inspect_boxes(inspector);
+    if (inspector.wants(Topic::cells)) broad_->inspect(inspector);
+    if (inspector.wants(Topic::pairs)) {
+        const auto place = [&](Handle handle) {
+            if (handle >= layout_.size()) return balls_[handle - layout_.size()].position;
+            const Piece& piece = layout_.piece(handle);
+            return middle(bounds_of(piece, table_.pose(piece.part)));
+        };
+        for (const Pair pair : touches_.pairs()) inspector.pair(place(pair.a), place(pair.b));
+    }
+    if (inspector.wants(Topic::contacts))
+        for (const Contact& contact : contacts()) inspector.contact(contact);
+    if (inspector.wants(Topic::sleep))
+        for (const Ball& ball : balls_)
+            if (ball.asleep) inspector.circle(Topic::sleep, ball.position, ball.radius);
+}
+
+const Engine& engine() {
+    static const Engine custom{
+        "custom", "the bespoke engine: shapes, quadtree and response written here to be read",
+        setting_specs(), [](std::shared_ptr<const Scene> scene, const Settings& settings) {
+            return std::unique_ptr<World>(std::make_unique<CustomWorld>(std::move(scene), settings));
+        }};
+    return custom;
+}
+
+}  // namespace flipside::custom

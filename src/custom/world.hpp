@@ -1,0 +1,51 @@
+#pragma once
+/// The bespoke engine's world: joins table, broad phase, solver and reports behind the World interface.
+
+#include <memory>
+
+#include "custom/discrete_solver.hpp"
+#include "custom/sleep.hpp"
+#include "world/world.hpp"
+
+namespace flipside::custom {
+
+class CustomWorld final : public World {
+  public:
+    CustomWorld(std::shared_ptr<const Scene> scene, const Settings& settings);
+
+    void step(double dt) override;
+    void apply(const Control& control) override;
+    BallNumber add(const Ball& ball) override;
+    bool remove(BallNumber number) override;
+
+    [[nodiscard]] double time() const override { return table_.time(); }
+    [[nodiscard]] std::span<const Ball> balls() const override { return balls_; }
+    [[nodiscard]] std::span<const PartState> parts() const override { return table_.parts(); }
+    [[nodiscard]] std::span<const Event> events() const override { return record_.events; }
+    [[nodiscard]] std::span<const Contact> contacts() const override { return touches_.contacts(); }
+    [[nodiscard]] const Statistics& statistics() const override { return record_.statistics; }
+
+    [[nodiscard]] State save() const override { return table_.save(balls_); }
+    void restore(const State& state) override;
+    void inspect(Inspector& inspector) const override;
+
+  private:
+    void launch();
+    void lose_balls();
+    void wake_all();
+    void fill_statistics(std::uint64_t pair_tests);
+    void inspect_boxes(Inspector& inspector) const;
+
+    std::shared_ptr<const Scene> scene_;
+    SolverSettings settings_;
+    Table table_;
+    Layout layout_;
+    std::unique_ptr<BroadPhase> broad_;
+    DiscreteSolver solver_;
+    Sleep sleep_;
+    TouchList touches_;
+    std::vector<Ball> balls_;  ///< by rising number
+    StepRecord record_;
+};
+
+}  // namespace flipside::custom
