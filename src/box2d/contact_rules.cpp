@@ -33,17 +33,17 @@ bool ContactRules::ShouldCollide(b2Fixture* a, b2Fixture* b) {
     return layers_meet(ball, table_.scene().parts[owner_a.is_ball ? owner_b.index : owner_a.index]);
 }
 
-bool ContactRules::passes(PartIndex part, const b2Body& gate, Vec2 normal, Vec2 velocity) {
-    if (table_.parts()[part].open) return true;
-    const Vec2 forward = rotated(gate_of(table_.scene().parts[part])->normal, table_.pose(part).angle);
-    if (dot(normal, forward) > 0) return false;
-    if (dot(velocity, forward) > 0) {
-        table_.set_open(part, true);
-        // What lies against the gate's other side now falls through it.
-        for (const b2ContactEdge* edge = gate.GetContactList(); edge; edge = edge->next)
-            if (edge->contact->IsTouching()) edge->other->SetAwake(true);
-    }
-    return true;
+bool passes_gate(const Table& table, PartIndex part, Vec2 normal) {
+    const Vec2 forward = rotated(gate_of(table.scene().parts[part])->normal, table.pose(part).angle);
+    return table.parts()[part].open || dot(normal, forward) < 0;
+}
+
+void ContactRules::open_gate(PartIndex part, const b2Body& gate) {
+    if (table_.parts()[part].open) return;
+    table_.set_open(part, true);
+    // What lies against its other side now falls through it.
+    for (const b2ContactEdge* edge = gate.GetContactList(); edge; edge = edge->next)
+        if (edge->contact->IsTouching()) edge->other->SetAwake(true);
 }
 
 void ContactRules::PreSolve(b2Contact* contact, const b2Manifold*) {
@@ -57,9 +57,12 @@ void ContactRules::PreSolve(b2Contact* contact, const b2Manifold*) {
                       meeting.surface.GetBody()->GetLinearVelocityFromWorldPoint(touch->point));
     const Scene& scene = table_.scene();
     const bool on_part = !meeting.other.is_ball;
+    const double approach = -dot(velocity, normal);
     if (on_part && gate_of(scene.parts[meeting.other.index]) &&
-        passes(meeting.other.index, *meeting.surface.GetBody(), normal, velocity))
+        passes_gate(table_, meeting.other.index, normal)) {
+        if (approach > 0) open_gate(meeting.other.index, *meeting.surface.GetBody());
         return contact->SetEnabled(false);
+    }
 
     const Material& material = scene.materials[ball_of(meeting.ball).material];
     const Material& others = scene.materials[on_part ? scene.parts[meeting.other.index].material
@@ -68,7 +71,6 @@ void ContactRules::PreSolve(b2Contact* contact, const b2Manifold*) {
     // The velocities already hold the whole sub-step's gravity. A ball that lies on a part approaches it
     // by that much in every step, which is rest, not an impact. (Two balls fall alike.)
     const double weight = on_part ? std::max(0.0, -dot(scene.gravity, normal)) * substep_ : 0;
-    const double approach = -dot(velocity, normal);
     double restitution = 0;
     if (approach > scene.rest_speed + weight) {
         // Box2D turns a normal speed v into e·v, so this e gives at least the kick.

@@ -22,6 +22,10 @@ struct Impact {
     double impulse = 0;
 };
 
+/// Whether a ball that touches a gate with this normal (from gate to ball) is let through: it is open, or
+/// the ball comes from behind.
+[[nodiscard]] bool passes_gate(const Table& table, PartIndex part, Vec2 normal);
+
 class ContactRules : public b2ContactListener, public b2ContactFilter {
   public:
     /// `table` and `balls` must outlive this and stay where they are. A ball's body holds in its user data
@@ -41,8 +45,7 @@ class ContactRules : public b2ContactListener, public b2ContactFilter {
 
   private:
     [[nodiscard]] const Ball& ball_of(b2Fixture& fixture) const;
-    /// Whether a gate lets the ball through; opens it for one that comes from behind.
-    [[nodiscard]] bool passes(PartIndex part, const b2Body& gate, Vec2 normal, Vec2 velocity);
+    void open_gate(PartIndex part, const b2Body& gate);
 
     Table& table_;
     const std::vector<Ball>& balls_;

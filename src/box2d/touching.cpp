@@ -5,6 +5,7 @@
 
 #include <box2d/b2_time_of_impact.h>
 
+#include "box2d/contact_rules.hpp"
 #include "box2d/meeting.hpp"
 
 namespace flipside::box2d {
@@ -74,7 +75,7 @@ void Touching::look(b2World& world, const Table& table, const Units& units,
         if (!touch) continue;
         if (!meeting.other.is_ball && gate_of(table.scene().parts[part])) {
             occupied.push_back(part);
-            if (table.parts()[part].open) continue;
+            if (passes_gate(table, part, {touch->normal.x, touch->normal.y})) continue;
         }
         contacts.push_back(contact_of(meeting, *touch, units));
     }

@@ -21,7 +21,8 @@ struct BallOnPart {
 
 /// Lists are sorted, each pair is there once.
 struct Touching {
-    std::vector<Contact> contacts;    ///< the deepest of each pair; not sensors, not open gates
+    std::vector<Contact>
+        contacts;  ///< the deepest of each pair; not sensors, nor gates that let the ball through
     std::vector<BallOnPart> sensors;  ///< balls on sensors
     std::vector<BallOnPart> passed;   ///< balls that crossed a whole sensor since the last look
     std::vector<PartIndex> occupied;  ///< gates with a ball in them

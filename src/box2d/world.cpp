@@ -90,8 +90,9 @@ void Box2dWorld::add_body(const Ball& ball) {
     fixture.userData.pointer = Tag{Other::ball(ball.number)}.packed();
     bodies_.back()->CreateFixture(&fixture);
 
-    b2MassData mass{0, {0, 0}, 0};  // b2Vec2 leaves itself uninitialised otherwise
+    b2MassData mass;
     mass.mass = static_cast<float>(ball.mass);
+    mass.center.SetZero();
     mass.I = static_cast<float>(inertia(ball) * units_.scale * units_.scale);
     bodies_.back()->SetMassData(&mass);
 }
