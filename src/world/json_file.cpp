@@ -2,7 +2,6 @@
 
 #include <fstream>
 #include <numbers>
-#include <set>
 
 #include "world/input_error.hpp"
 
@@ -21,58 +20,7 @@ std::string escaped(std::string_view word) {
     return text.substr(1, text.size() - 2) + (word.size() > longest_word ? "..." : "");
 }
 
-/// Follows the parser through the document: refuses what it lets pass, and knows where it is.
-class Watcher {
-  public:
-    explicit Watcher(const std::string& file) : file_(file) {}
-
-    bool operator()(int /*depth*/, Json::parse_event_t event, const Json& parsed) {
-        switch (event) {
-            case Json::parse_event_t::object_start:
-            case Json::parse_event_t::array_start:
-                levels_.emplace_back();
-                if (levels_.size() > deepest_nesting) {
-                    levels_.pop_back();
-                    throw InputError(file_, pointer(), "nested too deep; allowed are 64 levels");
-                }
-                break;
-            case Json::parse_event_t::key:
-                levels_.back().key = parsed.get<std::string>();
-                if (!levels_.back().keys.insert(levels_.back().key).second)
-                    throw InputError(file_, pointer(), "this key is here twice; allowed is once");
-                break;
-            case Json::parse_event_t::object_end:
-            case Json::parse_event_t::array_end:
-                levels_.pop_back();
-                [[fallthrough]];
-            case Json::parse_event_t::value:
-                if (!levels_.empty()) ++levels_.back().entries;
-                break;
-        }
-        return true;
-    }
-
-    /// Of the value that is being read.
-    [[nodiscard]] std::string pointer() const {
-        std::string text;
-        for (const Level& level : levels_) {
-            text += '/';
-            text += level.keys.empty() ? std::to_string(level.entries) : pointer_token(level.key);
-        }
-        return text;
-    }
-
-  private:
-    struct Level {
-        std::string key;
-        std::set<std::string> keys;  ///< of an object; empty in an array
-        std::size_t entries = 0;
-    };
-    const std::string& file_;
-    std::vector<Level> levels_;
-};
-
-/// The library's "[json.exception…] parse error at line 1, column 2: what" as ours.
+/// The library's "[json.exception...] parse error at line 1, column 2: what" as ours.
 InputError syntax_error(const std::string& file, const std::string& message) {
     const std::size_t line = message.find("line ");
     const std::size_t colon = message.find(": ");
@@ -82,6 +30,73 @@ InputError syntax_error(const std::string& file, const std::string& message) {
     for (const char c : message.substr(colon + 2)) problem += c >= ' ' && c <= '~' ? c : '?';
     return {file, message.substr(line, colon - line), "not JSON: " + problem};
 }
+
+/// Builds the document from what the parser finds, and refuses what the parser would let pass. (The
+/// library's own callbacks take quadratic time in long arrays.)
+class Builder : public nlohmann::json_sax<Json> {
+  public:
+    explicit Builder(const std::string& file) : file_(file) {}
+    [[nodiscard]] Json take() { return std::move(document_); }
+
+    bool null() override { return add(nullptr), true; }
+    bool boolean(bool value) override { return add(value), true; }
+    bool number_integer(number_integer_t value) override { return add(value), true; }
+    bool number_unsigned(number_unsigned_t value) override { return add(value), true; }
+    bool number_float(number_float_t value, const string_t& /*text*/) override { return add(value), true; }
+    bool string(string_t& value) override { return add(std::move(value)), true; }
+    bool binary(binary_t& /*value*/) override { return false; }  // JSON has none
+    bool start_object(std::size_t /*size*/) override { return open(Json::object()), true; }
+    bool start_array(std::size_t /*size*/) override { return open(Json::array()), true; }
+    bool end_object() override { return levels_.pop_back(), true; }
+    bool end_array() override { return levels_.pop_back(), true; }
+    bool key(string_t& key) override {
+        levels_.back().key = std::move(key);
+        if (levels_.back().value->contains(levels_.back().key))
+            throw InputError(file_, pointer(), "this key is here twice; allowed is once");
+        return true;
+    }
+    bool parse_error(std::size_t /*position*/, const std::string& /*token*/,
+                     const Json::exception& error) override {
+        if (dynamic_cast<const Json::out_of_range*>(&error) != nullptr)
+            throw InputError(file_, pointer(), "this number is beyond the range of a double");
+        throw syntax_error(file_, error.what());
+    }
+
+  private:
+    struct Level {
+        Json* value;
+        std::string key;  ///< of an object: the last one read
+    };
+
+    Json* add(Json value) {
+        if (levels_.empty()) return &(document_ = std::move(value));
+        Json& parent = *levels_.back().value;
+        if (parent.is_array()) return &parent.emplace_back(std::move(value));
+        return &(parent[levels_.back().key] = std::move(value));
+    }
+    void open(Json container) {
+        if (levels_.size() == deepest_nesting)
+            throw InputError(file_, pointer(), "nested too deep; allowed are 64 levels");
+        levels_.push_back({add(std::move(container)), {}});
+    }
+    /// Of the value that is read next.
+    [[nodiscard]] std::string pointer() const {
+        std::string text;
+        for (const Level& level : levels_) {
+            // An array already holds the level that is open in it.
+            const std::size_t entries = level.value->size();
+            const bool innermost = &level == &levels_.back();
+            text += '/';
+            text += level.value->is_object() ? pointer_token(level.key)
+                                             : std::to_string(innermost ? entries : entries - 1);
+        }
+        return text;
+    }
+
+    const std::string& file_;
+    Json document_;
+    std::vector<Level> levels_;
+};
 
 }  // namespace
 
@@ -104,14 +119,9 @@ std::string read_file(const std::filesystem::path& file) {
 Json parse_json(std::string_view text, const std::string& file) {
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
         throw InputError(file, "", "not JSON: the file is empty");
-    Watcher watcher(file);
-    try {
-        return Json::parse(text, std::ref(watcher));
-    } catch (const Json::parse_error& error) {
-        throw syntax_error(file, error.what());
-    } catch (const Json::out_of_range&) {
-        throw InputError(file, watcher.pointer(), "this number is beyond the range of a double");
-    }
+    Builder builder(file);
+    Json::sax_parse(text, &builder);
+    return builder.take();
 }
 
 std::string in_quotes(std::string_view word) {

@@ -1,36 +1,22 @@
 #include "world/schema.hpp"
 
-#include <optional>
+#include <map>
+#include <memory>
 
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
-#include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
 #include "world/input_error.hpp"
 
-// valijson finds the first place that is wrong. It does not say what would be right there, so the message
-// is made here: the schema of that place is sought on the way from the root, and put into words.
+// valijson says whether a value is as a schema asks. Where it is not, valijson is asked about ever smaller
+// parts until the smallest wrong one is found, and what its schema allows is put into words. (valijson's
+// own reports do not say what is allowed, and fill the memory where a large file is wrong everywhere.)
 
 namespace flipside {
 
 namespace {
-
-/// The keys from the root to a value, as valijson writes them: "<root>", "[parts]", "[0]".
-using Context = std::vector<std::string>;
-
-std::optional<Context> first_error(const Json& document, const Json& schema) {
-    valijson::Schema parsed;
-    valijson::SchemaParser(valijson::SchemaParser::kDraft7)
-        .populateSchema(valijson::adapters::NlohmannJsonAdapter(schema), parsed);
-    const valijson::adapters::NlohmannJsonAdapter target(document);
-    valijson::Validator validator;
-    if (validator.validate(parsed, target, nullptr)) return std::nullopt;
-    valijson::ValidationResults results;
-    validator.validate(parsed, target, &results);
-    return results.begin()->context;
-}
 
 /// The part of a schema that speaks of `value`: references are followed, and of the alternatives that
 /// tell by a key of the value ("type"), the one that applies is taken.
@@ -97,11 +83,17 @@ std::string shown(const Json& value) {
     return value.dump();
 }
 
-/// The schema of a member of an object or array.
-const Json& member_schema(const Json& schema, const std::string& key) {
-    if (schema.contains("items")) return schema["items"];
-    if (schema.contains("properties") && schema["properties"].contains(key)) return schema["properties"][key];
-    return schema.at("additionalProperties");
+/// The schema of a member of an object or array; null where there is none.
+const Json* member_schema(const Json& schema, const Json& value, const std::string& key) {
+    const auto find = [&](const char* what) {
+        const auto found = schema.find(what);
+        return found != schema.end() && found->is_object() ? &*found : nullptr;
+    };
+    if (value.is_array()) return find("items");
+    if (!value.is_object()) return nullptr;
+    const Json* properties = find("properties");
+    return properties != nullptr && properties->contains(key) ? &(*properties)[key]
+                                                              : find("additionalProperties");
 }
 
 [[noreturn]] void refuse(const Json& root, const Json& schema, const Json& value, const std::string& file,
@@ -122,22 +114,49 @@ const Json& member_schema(const Json& schema, const std::string& key) {
     throw InputError(file, pointer, "is " + shown(value) + "; allowed: " + allowed(root, schema));
 }
 
+/// Asks valijson, and finds the smallest wrong part.
+class Checker {
+  public:
+    Checker(const Json& root, const std::string& file) : root_(root), file_(file) {}
+
+    /// `schema` must be resolved or the root.
+    bool passes(const Json& schema, const Json& value) {
+        auto& parsed = parsed_[&schema];
+        if (!parsed) {
+            Json whole = schema;
+            whole["definitions"] = root_["definitions"];  // what references point to
+            parsed = std::make_unique<valijson::Schema>();
+            valijson::SchemaParser(valijson::SchemaParser::kDraft7)
+                .populateSchema(valijson::adapters::NlohmannJsonAdapter(whole), *parsed);
+        }
+        return validator_.validate(*parsed, valijson::adapters::NlohmannJsonAdapter(value), nullptr);
+    }
+
+    /// `value` does not pass.
+    [[noreturn]] void refuse_smallest(const Json& schema, const Json& value, const std::string& pointer) {
+        for (const auto& member : value.items()) {
+            const Json* of_member = member_schema(schema, value, member.key());
+            if (of_member == nullptr) continue;
+            const Json& resolved = resolve(root_, *of_member, member.value());
+            if (!passes(resolved, member.value()))
+                refuse_smallest(resolved, member.value(), pointer + "/" + pointer_token(member.key()));
+        }
+        refuse(root_, schema, value, file_, pointer);
+    }
+
+  private:
+    const Json& root_;
+    const std::string& file_;
+    valijson::Validator validator_;
+    std::map<const Json*, std::unique_ptr<valijson::Schema>> parsed_;  ///< never iterated
+};
+
 }  // namespace
 
 void check_form(const Json& document, std::string_view schema_text, const std::string& file) {
     const Json root = Json::parse(schema_text);
-    const std::optional<Context> context = first_error(document, root);
-    if (!context) return;
-    const Json* value = &document;
-    const Json* schema = &resolve(root, root, document);
-    std::string pointer;
-    for (std::size_t i = 1; i < context->size(); ++i) {
-        const std::string key = (*context)[i].substr(1, (*context)[i].size() - 2);
-        value = value->is_array() ? &(*value)[std::stoul(key)] : &(*value)[key];
-        schema = &resolve(root, member_schema(*schema, key), *value);
-        pointer += "/" + pointer_token(key);
-    }
-    refuse(root, *schema, *value, file, pointer);
+    Checker checker(root, file);
+    if (!checker.passes(root, document)) checker.refuse_smallest(root, document, "");
 }
 
 }  // namespace flipside
