@@ -1,0 +1,248 @@
+#include "app/window/app.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <SFML/Graphics/Image.hpp>
+#include <SFML/Graphics/Texture.hpp>
+#include <SFML/Window/Event.hpp>
+
+#include "app/window/panel.hpp"
+
+namespace flipside::app {
+
+namespace {
+
+constexpr double charge_seconds = 1.2;  ///< from nothing to a full launch
+constexpr double slow_motion = 0.1;     ///< simulated seconds per second
+constexpr double most_catch_up = 0.1;   ///< simulated seconds per frame
+constexpr double nudge_speed = 0.25;    ///< m/s
+
+/// Lettering grows with the display: 1 up to 1200 lines, then in quarters.
+double display_scale() {
+    const double lines = sf::VideoMode::getDesktopMode().height;
+    return std::clamp(std::floor(4 * lines / 1200) / 4, 1.0, 3.0);
+}
+
+}  // namespace
+
+App::App(const PlayOptions& options)
+    : stage_(options.scene, options.engine, options.view, options.settings, options.script),
+      screenshots_(options.screenshots),
+      window_(sf::VideoMode(options.width, options.height), "Flipside"),
+      screen_(display_scale()),
+      imgui_(window_, screen_.scale()),
+      accumulator_(stage_.dt(), most_catch_up) {
+    if (!window_.isOpen()) throw std::runtime_error("cannot open a window: is there a display?");
+    if (options.report) report_.emplace(*options.report);
+    window_.setFramerateLimit(60);
+    window_.setKeyRepeatEnabled(false);
+}
+
+void App::run() {
+    double last = clock_.getElapsedTime().asSeconds();
+    while (window_.isOpen()) {
+        const double start = clock_.getElapsedTime().asSeconds();
+        for (sf::Event event{}; window_.pollEvent(event);) process(event);
+        if (!window_.isOpen()) break;
+        const double seconds = start - last;
+        last = start;
+        advance(seconds);
+        count_up(seconds);
+        arrange();
+        imgui_.begin_frame(seconds);
+        draw();
+        if (report_) report_->write(start, stage_, state_, controls_, layout_, camera_, places_);
+        measure(seconds, clock_.getElapsedTime().asSeconds() - start);
+        window_.display();
+        ++state_.frame;
+    }
+}
+
+void App::process(const sf::Event& event) {
+    imgui_.process(event);
+    switch (event.type) {
+        case sf::Event::Closed:
+            return window_.close();
+        case sf::Event::LostFocus: {
+            const std::set<sf::Keyboard::Key> keys = held_;
+            for (const sf::Keyboard::Key key : keys) press(key, false);
+            return;
+        }
+        case sf::Event::KeyPressed:
+            if (!imgui_.wants_text()) press(event.key.code, true);
+            return;
+        case sf::Event::KeyReleased:
+            return press(event.key.code, false);
+        default:
+            break;
+    }
+    const bool release = event.type == sf::Event::MouseButtonReleased;
+    if (release || !imgui_.wants_mouse())
+        mouse_.process(event, clock_.getElapsedTime().asSeconds(), layout_, camera_);
+}
+
+bool App::held(Action action) const {
+    return std::ranges::any_of(held_, [action](sf::Keyboard::Key key) { return action_of(key) == action; });
+}
+
+void App::press(sf::Keyboard::Key key, bool down) {
+    const Action action = action_of(key);
+    if (action == Action::none || down == held_.contains(key)) return;
+    if (down)
+        held_.insert(key);
+    else
+        held_.erase(key);
+    for (const KeyUse& use : key_uses())
+        if (use.action == action) state_.last_key = std::string(use.names) + (down ? " down" : " up");
+
+    if (action == Action::flip_left) return flip(Side::left, action);
+    if (action == Action::flip_right) return flip(Side::right, action);
+    if (action == Action::launch && !down) {
+        stage_.press(control::Launch{state_.charge, 1, controls_.launch_size});
+        state_.charge = 0;
+    }
+    if (down) act(action);
+}
+
+void App::flip(Side side, Action action) {
+    stage_.press(control::Flip{side, held(action)});
+}
+
+void App::nudge(Vec2 velocity) {
+    stage_.press(control::Nudge{velocity});
+}
+
+void App::act(Action action) {
+    switch (action) {
+        case Action::none:
+        case Action::launch:
+        case Action::flip_left:
+        case Action::flip_right:
+            break;
+        case Action::nudge_left:
+            return nudge({-nudge_speed, 0});
+        case Action::nudge_forward:
+            return nudge({0, nudge_speed});
+        case Action::nudge_right:
+            return nudge({nudge_speed, 0});
+        case Action::pause:
+            controls_.paused = !controls_.paused;
+            break;
+        case Action::step_once:
+            controls_.paused = true;
+            stage_.step();
+            break;
+        case Action::slow_motion:
+            controls_.speed = controls_.speed < 1 ? 1 : slow_motion;
+            break;
+        case Action::restart:
+            stage_.restart();
+            break;
+        case Action::switch_engine:
+            stage_.switch_engine();
+            break;
+        case Action::next_view:
+            stage_.set_view(static_cast<View>((static_cast<int>(stage_.view()) + 1) % 3));
+            break;
+        case Action::view_single:
+            stage_.set_view(View::single);
+            break;
+        case Action::view_split:
+            stage_.set_view(View::split);
+            break;
+        case Action::view_overlay:
+            stage_.set_view(View::overlay);
+            break;
+        case Action::fold_panel:
+            controls_.panel_open = !controls_.panel_open;
+            break;
+        case Action::screenshot:
+            screenshot_wanted_ = true;
+            break;
+        case Action::help:
+            controls_.help_open = !controls_.help_open;
+            break;
+        case Action::quit:
+            if (!controls_.help_open) window_.close();
+            controls_.help_open = false;
+            break;
+    }
+}
+
+void App::advance(double seconds) {
+    if (controls_.paused) return;
+    if (accumulator_.dt() != stage_.dt()) accumulator_ = Accumulator(stage_.dt(), most_catch_up);
+    const double simulated = seconds * controls_.speed;
+    if (held(Action::launch)) state_.charge = std::min(1.0, state_.charge + simulated / charge_seconds);
+    const sf::Clock stepping;
+    for (int steps = accumulator_.advance(simulated); steps > 0; --steps) stage_.step();
+    measured_.physics += stepping.getElapsedTime().asSeconds();
+}
+
+void App::count_up(double seconds) {
+    scores_.resize(stage_.runs().size());
+    for (std::size_t i = 0; i < scores_.size(); ++i) {
+        const auto score = static_cast<double>(stage_.runs()[i].session().game().score());
+        // A tenth of the way at least, so that it arrives.
+        const double way = (score - scores_[i]) * std::min(1.0, 8 * seconds * controls_.speed);
+        scores_[i] = score < scores_[i] || score - scores_[i] < 1 ? score : scores_[i] + way;
+    }
+}
+
+void App::arrange() {
+    const sf::Vector2u size = window_.getSize();
+    state_.width = size.x;
+    state_.height = size.y;
+    layout_ = layout_of(stage_, size.x, size.y, screen_.scale(),
+                        controls_.panel_open ? Column::open : Column::folded);
+    camera_.size = {layout_.panes.front().width, layout_.panes.front().height};
+    if (shown_scene_ != stage_.scene_name()) mouse_.fit();
+    shown_scene_ = stage_.scene_name();
+    if (mouse_.fitted()) camera_.fit(sight_of(stage_.scene()), screen_.scale() * pane_margin);
+}
+
+void App::draw() {
+    controls_.look.charge = state_.charge;
+    // The panel may change what is on show, so it comes before the picture of it.
+    places_ = draw_panel(layout_.panel, stage_, controls_, load_);
+    arrange();
+    if (controls_.help_open)
+        draw_help({0, layout_.panes.front().y, layout_.strip.width, layout_.panes.front().height});
+    count_up(0);
+    std::vector<long> scores;
+    for (const double score : scores_) scores.push_back(std::lround(std::floor(score)));
+    screen_.draw(window_, stage_, layout_, camera_, controls_.look, scores);
+    imgui_.end_frame();
+    if (screenshot_wanted_) save_screenshot();
+}
+
+void App::save_screenshot() {
+    screenshot_wanted_ = false;
+    std::filesystem::path file;
+    for (int i = 1; file.empty() || exists(file); ++i)
+        file = screenshots_ / ("flipside-" + std::to_string(i) + ".png");
+    sf::Texture texture;
+    texture.create(window_.getSize().x, window_.getSize().y);
+    texture.update(window_);
+    std::error_code ignored;  // saving says whether the folder is there
+    create_directories(screenshots_, ignored);
+    if (texture.copyToImage().saveToFile(file.string()))
+        state_.last_screenshot = file.string();
+    else
+        controls_.notice = "cannot write " + file.string();
+}
+
+void App::measure(double frame, double busy) {
+    measured_.seconds += frame;
+    measured_.busy += busy;
+    ++measured_.frames;
+    if (measured_.seconds < 1) return;
+    load_ = {measured_.frames / measured_.seconds, std::min(1.0, measured_.busy / measured_.seconds),
+             measured_.physics / measured_.seconds};
+    for (Run& run : stage_.runs()) run.refresh(measured_.seconds);
+    measured_ = {};
+}
+
+}  // namespace flipside::app

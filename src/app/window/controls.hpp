@@ -1,0 +1,34 @@
+#pragma once
+/// What the user has set in the window, by keys or in the panel.
+
+#include <map>
+#include <string>
+
+#include "app/window/layout.hpp"
+#include "app/window/table_view.hpp"
+
+namespace flipside::app {
+
+struct WindowControls {
+    Look look;
+    bool paused = false;
+    double speed = 1;  ///< simulated seconds per second
+    bool panel_open = true;
+    bool help_open = false;
+    int launch_count = 1;
+    double launch_size = 1;        ///< radius over that of the launcher's ball
+    double launch_strength = 0.7;  ///< 0…1 between the launcher's slowest and fastest
+    std::string notice;            ///< what went wrong last, for the panel to show
+};
+
+/// How busy the program is, over the last second.
+struct Load {
+    double frames_per_second = 0;
+    double busy = 0;     ///< share of a frame's time spent working, 0…1
+    double physics = 0;  ///< the part of it that the engines took
+};
+
+/// Where the controls of the panel were drawn, by label, px.
+using ControlPlaces = std::map<std::string, Rect>;
+
+}  // namespace flipside::app

@@ -1,0 +1,13 @@
+#pragma once
+/// The header over a pane: engine, solver, cost per step, energy, balls; score and balls left.
+
+#include "app/window/canvas.hpp"
+#include "app/window/layout.hpp"
+#include "app/window/run.hpp"
+
+namespace flipside::app {
+
+/// `score` is the one to show, which may still be counting up.
+void draw_header(Canvas& canvas, const Rect& place, const Run& run, long score);
+
+}  // namespace flipside::app

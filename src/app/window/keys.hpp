@@ -1,0 +1,45 @@
+#pragma once
+/// What each key does: one table that the input, the help and the tests share.
+
+#include <span>
+#include <string_view>
+
+#include <SFML/Window/Keyboard.hpp>
+
+namespace flipside::app {
+
+enum class Action {
+    none,
+    launch,
+    flip_left,
+    flip_right,
+    nudge_left,
+    nudge_forward,
+    nudge_right,
+    pause,
+    step_once,
+    slow_motion,
+    restart,
+    switch_engine,
+    next_view,
+    view_single,
+    view_split,
+    view_overlay,
+    fold_panel,
+    screenshot,
+    help,
+    quit
+};
+
+struct KeyUse {
+    Action action;
+    sf::Keyboard::Key keys[3];  ///< any of them; Unknown where there are fewer
+    std::string_view names;     ///< as printed on them
+    std::string_view meaning;
+};
+
+/// In the order of the help.
+[[nodiscard]] std::span<const KeyUse> key_uses();
+[[nodiscard]] Action action_of(sf::Keyboard::Key key);
+
+}  // namespace flipside::app

@@ -1,0 +1,31 @@
+#pragma once
+/// Where everything in the window is, in pixels. Nothing overlaps.
+
+#include <vector>
+
+namespace flipside::app {
+
+struct Rect {
+    double x = 0, y = 0, width = 0, height = 0;
+
+    [[nodiscard]] bool contains(double px, double py) const {
+        return px >= x && px < x + width && py >= y && py < y + height;
+    }
+    friend bool operator==(const Rect&, const Rect&) = default;
+};
+
+struct Layout {
+    std::vector<Rect> headers;  ///< one over each pane
+    std::vector<Rect> panes;    ///< of equal size
+    Rect strip;                 ///< plots, below the panes
+    Rect panel;                 ///< the control column; no width where there is none
+};
+
+enum class Column { none, folded, open };
+
+/// `panes` is 1 or 2, `headers` per pane 1, or 2 over a single pane (overlay). `scale` is 1 on an ordinary
+/// display. All corners are whole pixels.
+[[nodiscard]] Layout lay_out(double width, double height, double scale, int panes, int headers,
+                             Column column);
+
+}  // namespace flipside::app

@@ -1,0 +1,40 @@
+#pragma once
+/// Text on the canvas, in two sizes, with figures of equal width so that changing numbers stand still.
+
+#include <string_view>
+
+#include <SFML/Graphics/Font.hpp>
+#include <SFML/Graphics/VertexArray.hpp>
+
+#include "app/window/theme.hpp"
+#include "world/vec2.hpp"
+
+namespace flipside::app {
+
+enum class Type { small, large };
+
+class Lettering {
+  public:
+    /// Throws std::runtime_error when there are no fonts.
+    explicit Lettering(double scale);
+
+    /// px.
+    [[nodiscard]] double width(std::string_view utf8, Type type) const;
+    [[nodiscard]] double line_height(Type type) const;
+    /// Adds the letters' rectangles (triangles, to be drawn with texture(type)). `at` is the top left of
+    /// the line.
+    void write(sf::VertexArray& out, Vec2 at, std::string_view utf8, Type type, sf::Color color) const;
+    [[nodiscard]] const sf::Texture& texture(Type type) const;
+    [[nodiscard]] double scale() const { return scale_; }
+
+  private:
+    [[nodiscard]] unsigned pixels(Type type) const;
+    [[nodiscard]] const sf::Font& font(Type type) const { return fonts_[static_cast<int>(type)]; }
+    [[nodiscard]] double advance(sf::Uint32 letter, Type type) const;
+
+    double scale_;
+    sf::Font fonts_[2];        ///< regular for the small type, strong for the large
+    double digit_width_[2]{};  ///< of the widest figure, px
+};
+
+}  // namespace flipside::app

@@ -1,0 +1,14 @@
+#pragma once
+/// The control column: one docked window with the toy's regions.
+
+#include "app/window/controls.hpp"
+#include "app/window/stage.hpp"
+
+namespace flipside::app {
+
+/// Draws the column at `place` and does at once what its controls say. Returns where they are.
+ControlPlaces draw_panel(const Rect& place, Stage& stage, WindowControls& controls, const Load& load);
+/// Every key and what it does, in the middle of `place`.
+void draw_help(const Rect& place);
+
+}  // namespace flipside::app

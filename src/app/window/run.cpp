@@ -1,0 +1,82 @@
+#include "app/window/run.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace flipside::app {
+
+namespace {
+
+std::size_t count_overlaps(std::span<const Ball> balls) {
+    std::vector<Vec2> places;
+    places.reserve(balls.size());
+    for (const Ball& ball : balls) places.push_back(ball.position);
+    const auto before = [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
+    std::ranges::sort(places, before);
+    std::size_t overlaps = 0;
+    for (std::size_t i = 1; i < places.size(); ++i) overlaps += places[i] == places[i - 1];
+    return overlaps;
+}
+
+}  // namespace
+
+Run::Run(lab::Session session, const Script& script)
+    : session_(std::move(session)),
+      next_control_(lab::next_control(script, session_.world().time())),
+      traces_(session_.scene().parts.size()),
+      counted_(session_.totals()) {
+    measure_energy(true);
+}
+
+void Run::step(double dt, const Script& script) {
+    const double spent = session_.totals().step_seconds;
+    session_.step(dt, script, next_control_);
+    const double cost = session_.totals().step_seconds - spent;
+    step_cost_ = step_cost_ == 0 ? cost : step_cost_ + 0.05 * (cost - step_cost_);
+    traces_.observe(session_.events(), session_.world().balls(), session_.world().time());
+    measure_energy(false);
+}
+
+void Run::measure_energy(bool start_anew) {
+    const World& world = session_.world();
+    energy_ = lab::energy(world, session_.scene());
+    if (start_anew || world.balls().size() != balls_) energy_before_ = energy_;
+    balls_ = world.balls().size();
+    remember(history_, {world.time(), energy_}, history_seconds);
+}
+
+void Run::change(std::shared_ptr<const Scene> scene, const Engine& engine, Settings settings) {
+    session_.change(std::move(scene), engine, std::move(settings));
+    step_cost_ = 0;
+    measure_energy(true);
+}
+
+void Run::clear() {
+    State state = session_.world().save();
+    state.balls.clear();
+    state.launches.clear();
+    session_.restore(state);
+    measure_energy(true);
+}
+
+void Run::refresh(double seconds) {
+    const lab::Totals& now = session_.totals();
+    const auto since = [](std::uint64_t a, std::uint64_t b) { return static_cast<double>(a - b); };
+    const double steps = std::max(1.0, since(now.steps, counted_.steps));
+    rates_.pair_tests = since(now.pair_tests, counted_.pair_tests) / seconds;
+    rates_.narrow_tests = since(now.narrow_tests, counted_.narrow_tests) / seconds;
+    rates_.impacts = since(now.impacts, counted_.impacts) / seconds;
+    rates_.pair_tests_per_step = rates_.pair_tests * seconds / steps;
+    rates_.narrow_tests_per_step = rates_.narrow_tests * seconds / steps;
+    rates_.step_seconds = (now.step_seconds - counted_.step_seconds) / steps;
+    rates_.overlaps = count_overlaps(session_.world().balls());
+    counted_ = now;
+}
+
+void remember(std::deque<Sample>& history, Sample sample, double seconds) {
+    if (!history.empty() && history.back().time >= sample.time) history.pop_back();
+    history.push_back(sample);
+    while (history.front().time < sample.time - seconds) history.pop_front();
+}
+
+}  // namespace flipside::app

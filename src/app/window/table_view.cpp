@@ -1,0 +1,147 @@
+#include "app/window/table_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/window/draw_shapes.hpp"
+
+namespace flipside::app {
+
+namespace {
+
+/// Line and fill of a part, which tell its kind: sensor, active kicker, drop target, moving part or wall.
+ShapeStyle style_of(const Canvas& canvas, const Run& run, PartIndex index, const Look& look) {
+    const lab::Session& session = run.session();
+    const Scene& scene = session.scene();
+    const Part& part = scene.parts[index];
+    const bool lights = has(look.shows, Show::lights);
+    const double light = lights ? run.traces().light(index, session.world().time()) : 0;
+    const double thick = canvas.scaled(2.5), thin = canvas.scaled(1.2);
+    if (part.sensor) {
+        const double glow = std::max(light, session.game().lit(index) ? 0.85 : 0.0);
+        return {blend(colour::sensor, colour::lit, glow), with_alpha(colour::lit, 0.35 * glow), thin};
+    }
+    if (part.target && session.world().parts()[index].down)
+        return {with_alpha(colour::part, 0.35), with_alpha(colour::solid, 0.3), thin};
+    if (scene.materials[part.material].kick > 0)
+        return {blend(colour::kicker, colour::lit, light), blend(colour::solid, colour::kicker, 0.25 + light),
+                thick, light};
+    const sf::Color line = blend(colour::part, colour::lit, light);
+    if (part.target) return {line, blend(colour::part, colour::lit, 0.3), thin};
+    if (std::holds_alternative<shape::Gate>(part.shape.is))
+        return {session.world().parts()[index].open ? with_alpha(colour::part, 0.45) : line, {}, thick};
+    if (Table::moves(part))
+        return {blend(line, sf::Color::White, 0.35), blend(colour::solid, colour::part, 0.4), thick};
+    return {line, colour::solid, thick};
+}
+
+/// A rollover that spins: its outline seen from the side as it turns about its own axis.
+Shape turned(const Shape& shape, double half_turns) {
+    const auto* segment = std::get_if<shape::Segment>(&shape.is);
+    if (!segment) return shape;
+    const Vec2 middle = 0.5 * (segment->a + segment->b);
+    const double width = std::cos(std::numbers::pi * half_turns);
+    return {shape::Segment{middle + width * (segment->a - middle), middle + width * (segment->b - middle)}};
+}
+
+void draw_parts(Canvas& canvas, const Camera& camera, const Run& run, const Look& look) {
+    const lab::Session& session = run.session();
+    const Scene& scene = session.scene();
+    for (PartIndex i = 0; i < scene.parts.size(); ++i) {
+        const Pose pose = pose_of(scene.parts[i], session.world().parts()[i]);
+        draw_shape(canvas, camera, scene.parts[i].shape, pose, style_of(canvas, run, i, look));
+    }
+    if (!scene.rules) return;
+    for (const Rules::Spinner& spinner : scene.rules->spinners) {
+        const ShapeStyle blade{colour::kicker, colour::kicker, canvas.scaled(3)};
+        draw_shape(canvas, camera,
+                   turned(scene.parts[spinner.part].shape, session.game().spinning(spinner.part)), {}, blade);
+    }
+}
+
+void draw_launcher(Canvas& canvas, const Camera& camera, const Run& run, const Look& look) {
+    const lab::Session& session = run.session();
+    if (!session.scene().launcher) return;
+    const Launcher& launcher = *session.scene().launcher;
+    const Vec2 at = camera.to_pixels(launcher.position);
+    const double radius = camera.scale * launcher.ball.radius;
+    const Vec2 way{launcher.direction.x, -launcher.direction.y};
+
+    const auto balls = session.world().balls();
+    const bool occupied = std::ranges::any_of(balls, [&](const Ball& ball) {
+        return length(ball.position - launcher.position) < ball.radius + launcher.ball.radius;
+    });
+    if (!occupied && session.game().permits(control::Launch{}, balls)) {
+        canvas.disc(at, radius, colour::raised);
+        canvas.ring(at, radius, canvas.scaled(1.2), colour::quiet);
+    }
+    const double reach = std::max(canvas.scaled(70), 8 * radius);
+    if (look.charge > 0) {
+        const Vec2 foot = at + (radius + canvas.scaled(5)) * perp(way);
+        canvas.line(foot, foot + reach * way, canvas.scaled(6), colour::rule);
+        canvas.line(foot, foot + look.charge * reach * way, canvas.scaled(6),
+                    blend(engine_colour(session.engine().name), colour::lit, look.charge));
+    }
+}
+
+/// A hue per ball, well apart for neighbours (golden angle).
+sf::Color own_colour(BallNumber number) {
+    const double hue = 2.399963 * number;
+    const auto channel = [hue](double shift) {
+        return static_cast<sf::Uint8>(std::lround(165 + 90 * std::cos(hue + shift)));
+    };
+    return {channel(0), channel(2.0944), channel(4.1888), 215};
+}
+
+}  // namespace
+
+Pose pose_of(const Part& part, const PartState& state) {
+    if (const auto* turn = std::get_if<motion::Turn>(&part.motion)) return {turn->pivot, state.angle};
+    if (const auto* flipper = std::get_if<shape::Flipper>(&part.shape.is))
+        return {flipper->pivot, state.angle};
+    return {};
+}
+
+void draw_table(Canvas& canvas, const Camera& camera, const Run& run, const Look& look) {
+    const Box& bounds = run.session().scene().bounds;
+    const Vec2 a = camera.to_pixels(bounds.min), b = camera.to_pixels(bounds.max);
+    canvas.rectangle({a.x, b.y}, {b.x, a.y}, colour::table);
+    draw_parts(canvas, camera, run, look);
+    draw_launcher(canvas, camera, run, look);
+}
+
+void draw_balls(Canvas& canvas, const Camera& camera, const Run& run, const Look& look) {
+    const sf::Color rim = engine_colour(run.session().engine().name);
+    for (const Ball& ball : run.session().world().balls()) {
+        const Vec2 at = camera.to_pixels(ball.position);
+        const double radius = camera.scale * ball.radius;
+        if (at.x < -radius || at.y < -radius || at.x > camera.size.x + radius ||
+            at.y > camera.size.y + radius)
+            continue;
+        const sf::Color tint = look.random_colours ? own_colour(ball.number) : sf::Color::Transparent;
+        if (ball.asleep)
+            canvas.disc(at, radius,
+                        look.random_colours ? blend(colour::solid, tint, 0.6) : sf::Color(0x5b, 0x61, 0x69));
+        else
+            canvas.steel(at, radius, tint);
+        const double width = std::clamp(0.16 * radius, 1.0, canvas.scaled(3));
+        canvas.ring(at, std::max(0.5, radius - 0.5 * width), width, rim);
+        // Where friction makes a ball spin, a spot shows it.
+        if (ball.angle != 0 && radius > 5)
+            canvas.disc(camera.to_pixels(ball.position + 0.6 * ball.radius * from_angle(ball.angle)),
+                        0.13 * radius, colour::around);
+    }
+}
+
+void draw_links(Canvas& canvas, const Camera& camera, const Run& a, const Run& b) {
+    const auto others = b.session().world().balls();
+    for (const Ball& ball : a.session().world().balls()) {
+        const auto other = std::ranges::lower_bound(others, ball.number, {}, &Ball::number);
+        if (other != others.end() && other->number == ball.number)
+            canvas.line(camera.to_pixels(ball.position), camera.to_pixels(other->position),
+                        canvas.scaled(1.5), with_alpha(colour::text, 0.6));
+    }
+}
+
+}  // namespace flipside::app

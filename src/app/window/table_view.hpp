@@ -1,0 +1,27 @@
+#pragma once
+/// Draws the table and the balls of a run into a pane.
+
+#include "app/window/camera.hpp"
+#include "app/window/canvas.hpp"
+#include "app/window/run.hpp"
+#include "app/window/show.hpp"
+#include "world/table.hpp"
+
+namespace flipside::app {
+
+/// How the user wants the table drawn.
+struct Look {
+    Shows shows{1U << static_cast<unsigned>(Show::lights)};
+    bool random_colours = false;  ///< each ball tinted by its number
+    double charge = 0;            ///< 0…1, of the launch that is being held
+};
+
+/// Ground, parts, launcher.
+void draw_table(Canvas& canvas, const Camera& camera, const Run& run, const Look& look);
+void draw_balls(Canvas& canvas, const Camera& camera, const Run& run, const Look& look);
+/// Lines between the same ball in both runs.
+void draw_links(Canvas& canvas, const Camera& camera, const Run& a, const Run& b);
+/// Where a part stands now.
+[[nodiscard]] Pose pose_of(const Part& part, const PartState& state);
+
+}  // namespace flipside::app

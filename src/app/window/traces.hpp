@@ -1,0 +1,53 @@
+#pragma once
+/// What the window remembers of a run in order to draw it: recent hits, lights, tracks. All times are
+/// simulated, so slow motion slows every fade.
+
+#include <deque>
+#include <limits>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "world/ball.hpp"
+#include "world/events.hpp"
+
+namespace flipside::app {
+
+struct Hit {
+    double time;  ///< s
+    Vec2 at;
+    double speed;  ///< m/s, approach
+    bool between_balls;
+};
+
+class Traces {
+  public:
+    static constexpr double hit_seconds = 0.5, track_seconds = 1, light_seconds = 0.1;
+
+    explicit Traces(std::size_t parts = 0) : lit_(parts, -std::numeric_limits<double>::infinity()) {}
+
+    /// After each step. Events carry the engine's times; `time` is that of the end of the step.
+    void observe(std::span<const Event> events, std::span<const Ball> balls, double time);
+
+    [[nodiscard]] const std::deque<Hit>& hits() const { return hits_; }
+    /// Where each ball was, oldest first.
+    [[nodiscard]] const std::map<BallNumber, std::deque<Vec2>>& tracks() const { return tracks_; }
+    /// 1 right after a hit of the part, 0 a tenth of a second later.
+    [[nodiscard]] double light(PartIndex part, double time) const;
+    /// What the ball hit last, if anything.
+    [[nodiscard]] const Other* last_hit(BallNumber ball) const;
+
+  private:
+    void follow(std::span<const Ball> balls, double time);
+
+    static constexpr double track_interval = 1.0 / 120;  ///< s
+    static constexpr std::size_t most_hits = 2000;
+
+    std::vector<double> lit_;  ///< time of the last hit by part
+    std::deque<Hit> hits_;
+    std::map<BallNumber, std::deque<Vec2>> tracks_;
+    std::map<BallNumber, Other> last_hit_;
+    double followed_ = -1;  ///< time of the last point of the tracks
+};
+
+}  // namespace flipside::app

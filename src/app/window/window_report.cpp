@@ -1,0 +1,112 @@
+#include "app/window/window_report.hpp"
+
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+namespace flipside::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Rect& r) {
+    return {r.x, r.y, r.width, r.height};
+}
+
+Json json_of(const std::vector<Rect>& rects) {
+    Json list = Json::array();
+    for (const Rect& r : rects) list.push_back(json_of(r));
+    return list;
+}
+
+const char* name_of(View view) {
+    return view == View::single ? "single" : view == View::split ? "split" : "overlay";
+}
+
+Json settings_of(const Settings& settings) {
+    Json values = Json::object();
+    for (const SettingSpec& spec : settings.specs())
+        values[std::string(spec.name)] = settings.text(spec.name);
+    return values;
+}
+
+/// What holds until somebody does something.
+Json still(const Stage& stage, const WindowState& window, const WindowControls& controls,
+           const Layout& layout, const ControlPlaces& places) {
+    Json j;
+    j["scene"] = stage.scene_name();
+    j["view"] = name_of(stage.view());
+    j["paused"] = controls.paused;
+    j["speed"] = controls.speed;
+    j["gravity"] = stage.gravity();
+    j["panel"] = controls.panel_open;
+    j["help"] = controls.help_open;
+    j["last_key"] = window.last_key;
+    j["last_screenshot"] = window.last_screenshot;
+    for (std::size_t i = 0; i < show_count; ++i)
+        j["show"][std::string(show_specs[i].name)] = bool(controls.look.shows[i]);
+    j["layout"] = {{"window", {window.width, window.height}},
+                   {"headers", json_of(layout.headers)},
+                   {"panes", json_of(layout.panes)},
+                   {"strip", json_of(layout.strip)},
+                   {"panel", json_of(layout.panel)}};
+    j["controls"] = Json::object();
+    for (const auto& [name, place] : places) j["controls"][name] = json_of(place);
+    for (const Run& run : stage.runs())
+        j["engines"].push_back(
+            {{"engine", run.session().engine().name}, {"settings", settings_of(run.session().settings())}});
+    return j;
+}
+
+Json json_of(const Run& run, const Rect& pane, const Camera& camera) {
+    const lab::Session& session = run.session();
+    const Scene& scene = session.scene();
+    Json balls = Json::array(), flippers = Json::array();
+    for (const Ball& ball : session.world().balls()) {
+        const Vec2 at = camera.to_pixels(ball.position);
+        balls.push_back({{"number", ball.number},
+                         {"position", {ball.position.x, ball.position.y}},
+                         {"velocity", {ball.velocity.x, ball.velocity.y}},
+                         {"pixel", {pane.x + at.x, pane.y + at.y}},
+                         {"pixel_radius", camera.scale * ball.radius}});
+    }
+    for (std::size_t i = 0; i < scene.parts.size(); ++i)
+        if (const auto* flip = std::get_if<motion::Flip>(&scene.parts[i].motion))
+            flippers.push_back({{"name", scene.parts[i].name},
+                                {"side", flip->side == Side::left ? "left" : "right"},
+                                {"angle", session.world().parts()[i].angle}});
+    return {{"engine", session.engine().name},
+            {"time", session.world().time()},
+            {"steps", session.totals().steps},
+            {"launched", session.totals().launched},
+            {"score", session.game().score()},
+            {"balls_left", session.game().balls_left()},
+            {"balls", balls},
+            {"flippers", flippers}};
+}
+
+}  // namespace
+
+WindowReport::WindowReport(const std::filesystem::path& file) : out_(file) {
+    if (!out_) throw std::runtime_error("cannot write " + file.string());
+}
+
+void WindowReport::write(double now, const Stage& stage, const WindowState& window,
+                         const WindowControls& controls, const Layout& layout, const Camera& camera,
+                         const ControlPlaces& places) {
+    Json j = still(stage, window, controls, layout, places);
+    std::string state = j.dump();
+    if (state == last_state_ && now < written_ + 0.1) return;
+    last_state_ = std::move(state);
+    written_ = now;
+    j["frame"] = window.frame;
+    j["time"] = stage.time();
+    j["charge"] = window.charge;
+    for (std::size_t i = 0; i < stage.runs().size(); ++i)
+        j["panes"].push_back(
+            json_of(stage.runs()[i], layout.panes[layout.panes.size() == 1 ? 0 : i], camera));
+    out_ << j.dump() << std::endl;
+}
+
+}  // namespace flipside::app

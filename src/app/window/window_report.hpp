@@ -1,0 +1,38 @@
+#pragma once
+/// The window's state as JSON lines, so that a test can see what happened: one object per line, written
+/// ten times a second and whenever something other than the balls changed.
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "app/window/controls.hpp"
+#include "app/window/stage.hpp"
+
+namespace flipside::app {
+
+/// What the report says beside the stage itself.
+struct WindowState {
+    unsigned long frame = 0;
+    double width = 0, height = 0;  ///< px
+    std::string last_key;          ///< name of the last action a key asked for, with "+" down or "-" up
+    std::string last_screenshot;
+    double charge = 0;
+};
+
+class WindowReport {
+  public:
+    /// Throws std::runtime_error when the file cannot be written.
+    explicit WindowReport(const std::filesystem::path& file);
+
+    /// `now` is wall time, s.
+    void write(double now, const Stage& stage, const WindowState& window, const WindowControls& controls,
+               const Layout& layout, const Camera& camera, const ControlPlaces& places);
+
+  private:
+    std::ofstream out_;
+    double written_ = -1;     ///< wall time of the last line
+    std::string last_state_;  ///< all of the last line but what changes with every step
+};
+
+}  // namespace flipside::app

@@ -1,0 +1,40 @@
+#include "app/window/words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace flipside::app {
+
+std::string grouped(std::uint64_t number) {
+    std::string digits = std::to_string(number);
+    for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3)
+        digits.insert(static_cast<std::size_t>(at), 1, ',');
+    return digits;
+}
+
+std::string with_unit(double value, int digits, const std::string& unit, bool sign) {
+    char number[64];
+    std::snprintf(number, sizeof number, "%.*f", digits, std::abs(value));
+    const std::string minus = value < 0 ? "−" : sign ? "+" : "";
+    return minus + number + (unit.empty() ? "" : " " + unit);
+}
+
+std::string engineering(double value, const std::string& unit, bool sign) {
+    static constexpr const char* prefixes[] = {"p", "n", "µ", "m", "", "k"};
+    if (std::abs(value) < 1e-13) return "0 " + unit;
+    const int power = static_cast<int>(std::floor(std::log10(std::abs(value)) / 3));
+    const int prefix = std::clamp(power + 4, 0, 5);
+    const double scaled = value / std::pow(1000.0, prefix - 4);
+    const double size = std::abs(scaled);
+    return with_unit(scaled, size < 9.995 ? 2 : size < 99.95 ? 1 : 0, prefixes[prefix] + unit, sign);
+}
+
+std::string balls_in_words(std::size_t balls, std::size_t asleep) {
+    if (balls == 0) return "no balls";
+    std::string words = grouped(balls) + (balls == 1 ? " ball" : " balls");
+    if (asleep > 0) words += ", " + grouped(asleep) + " asleep";
+    return words;
+}
+
+}  // namespace flipside::app

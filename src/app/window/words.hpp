@@ -1,0 +1,18 @@
+#pragma once
+/// Numbers as people read them: grouped thousands, a unit always, a real minus sign.
+
+#include <cstdint>
+#include <string>
+
+namespace flipside::app {
+
+/// "1,234,567".
+[[nodiscard]] std::string grouped(std::uint64_t number);
+/// `value` with `digits` after the point and a unit: "−0.25 m/s"; `sign` writes a plus too.
+[[nodiscard]] std::string with_unit(double value, int digits, const std::string& unit, bool sign = false);
+/// Three figures and the unit with the prefix that suits (p … k): "12.3 µs", "1.07 kJ", "0 J".
+[[nodiscard]] std::string engineering(double value, const std::string& unit, bool sign = false);
+/// "1 ball", "11 balls, 2 asleep", "no balls".
+[[nodiscard]] std::string balls_in_words(std::size_t balls, std::size_t asleep);
+
+}  // namespace flipside::app

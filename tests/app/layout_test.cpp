@@ -1,0 +1,63 @@
+#include "app/window/layout.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace flipside::app {
+namespace {
+
+bool overlap(const Rect& a, const Rect& b) {
+    return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+}
+
+std::vector<Rect> all_of(const Layout& layout) {
+    std::vector<Rect> all = layout.panes;
+    all.insert(all.end(), layout.headers.begin(), layout.headers.end());
+    all.push_back(layout.strip);
+    if (layout.panel.width > 0) all.push_back(layout.panel);
+    return all;
+}
+
+TEST(Layout, NothingOverlapsAndAllIsInsideTheWindow) {
+    const double sizes[][2] = {{1024, 640}, {1280, 800}, {1920, 1080}, {3840, 2160}};
+    for (const auto& size : sizes)
+        for (const int panes : {1, 2})
+            for (const int headers : {panes, 2})
+                for (const Column column : {Column::none, Column::folded, Column::open}) {
+                    const auto all = all_of(lay_out(size[0], size[1], 1, panes, headers, column));
+                    for (std::size_t i = 0; i < all.size(); ++i) {
+                        EXPECT_GE(all[i].x, 0);
+                        EXPECT_GE(all[i].y, 0);
+                        EXPECT_LE(all[i].x + all[i].width, size[0]);
+                        EXPECT_LE(all[i].y + all[i].height, size[1]);
+                        for (std::size_t j = i + 1; j < all.size(); ++j)
+                            EXPECT_FALSE(overlap(all[i], all[j]));
+                    }
+                }
+}
+
+TEST(Layout, PanesAreEqualAndOnWholePixels) {
+    const Layout layout = lay_out(1281, 797, 1, 2, 2, Column::open);
+    ASSERT_EQ(layout.panes.size(), 2U);
+    EXPECT_EQ(layout.panes[0].width, layout.panes[1].width);
+    EXPECT_EQ(layout.panes[0].height, layout.panes[1].height);
+    for (const Rect& pane : layout.panes)
+        for (const double side : {pane.x, pane.y, pane.width, pane.height}) EXPECT_EQ(side, std::floor(side));
+}
+
+TEST(Layout, ThePanesAreTheLargestThing) {
+    const Layout layout = lay_out(1024, 640, 1, 2, 2, Column::open);
+    const double panes = 2 * layout.panes[0].width * layout.panes[0].height;
+    EXPECT_GT(panes, layout.panel.width * layout.panel.height);
+    EXPECT_GT(panes, 0.45 * 1024 * 640);
+}
+
+TEST(Layout, FoldingThePanelGivesItsRoomToThePanes) {
+    const Layout open = lay_out(1280, 800, 1, 2, 2, Column::open);
+    const Layout folded = lay_out(1280, 800, 1, 2, 2, Column::folded);
+    EXPECT_GT(folded.panes[0].width, open.panes[0].width + 100);
+}
+
+}  // namespace
+}  // namespace flipside::app

@@ -1,0 +1,33 @@
+#include "app/window/words.hpp"
+
+#include <gtest/gtest.h>
+
+namespace flipside::app {
+namespace {
+
+TEST(Words, ThousandsAreGrouped) {
+    EXPECT_EQ(grouped(0), "0");
+    EXPECT_EQ(grouped(999), "999");
+    EXPECT_EQ(grouped(1000), "1,000");
+    EXPECT_EQ(grouped(1234567), "1,234,567");
+}
+
+TEST(Words, EngineeringKeepsThreeFiguresAndTheUnit) {
+    EXPECT_EQ(engineering(0, "J"), "0 J");
+    EXPECT_EQ(engineering(12.34e-6, "s"), "12.3 µs");
+    EXPECT_EQ(engineering(0.9999e-3, "s"), "1000 µs");
+    EXPECT_EQ(engineering(1070, "J"), "1.07 kJ");
+    EXPECT_EQ(engineering(-0.0021, "J", true), "−2.10 mJ");
+    EXPECT_EQ(engineering(0.5, "J", true), "+500 mJ");
+    EXPECT_EQ(engineering(3e-11, "m"), "30.0 pm");
+}
+
+TEST(Words, BallsAreCountedAsPeopleCount) {
+    EXPECT_EQ(balls_in_words(0, 0), "no balls");
+    EXPECT_EQ(balls_in_words(1, 0), "1 ball");
+    EXPECT_EQ(balls_in_words(11, 2), "11 balls, 2 asleep");
+    EXPECT_EQ(balls_in_words(1200, 0), "1,200 balls");
+}
+
+}  // namespace
+}  // namespace flipside::app
