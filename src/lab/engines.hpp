@@ -26,7 +26,11 @@ struct SettingChange {
 /// The engine's defaults, changed by what the scene recommends for it, then by `changes` of this engine.
 [[nodiscard]] Settings settings_for(const Engine& engine, const Scene& scene,
                                     std::span<const SettingChange> changes = {});
-/// The step that the scene recommends, s; 1/60 otherwise.
+inline constexpr double default_step = 1.0 / 60;                 ///< s
+inline constexpr double shortest_step = 1e-6, longest_step = 1;  ///< s
+/// Seconds as a number or a fraction ("0.01", "1/60"). Throws InputError.
+[[nodiscard]] double parse_step(std::string_view text);
+/// The step that the scene recommends, s; default_step otherwise.
 [[nodiscard]] double step_for(const Scene& scene);
 
 }  // namespace flipside::lab

@@ -28,6 +28,9 @@ class Game {
     [[nodiscard]] std::vector<Control> observe(std::span<const Event> events, double time,
                                                std::size_t balls_in_play);
 
+    /// The world was put into another state: the balls in it were there before, none was launched.
+    void resume(std::size_t balls_in_play, double time);
+
     [[nodiscard]] long score() const { return score_; }
     [[nodiscard]] int balls_left() const { return balls_left_; }  ///< not counting those in play
     [[nodiscard]] bool over() const { return over_; }
@@ -40,12 +43,15 @@ class Game {
 
   private:
     /// What a ball's hit of a part, or its way over a sensor, means.
-    void hit(const Event& event);
-    void lose(const Event& event);
+    void hit(PartIndex part, double speed);
     /// Lets the spinners turn for `seconds`.
     void spin(double seconds);
-    void count_balls(std::size_t balls_in_play, std::size_t lost_now);
-    [[nodiscard]] std::vector<Control> answer();
+    void count_balls(std::size_t balls_in_play, int lost_now);
+    /// Pays the bonus of every group that is complete; returns those groups.
+    std::vector<const Rules::Group*> complete(std::span<const Rules::Group> groups);
+    void score(long points) {
+        if (!tilted_) score_ += points;
+    }
 
     std::shared_ptr<const Scene> scene_;
     Rules rules_;                 ///< the scene's, or none that score

@@ -43,7 +43,8 @@ class Session {
     /// Continues on another engine, with other settings, or on a changed scene (same parts) from the
     /// state as it is. The game goes on.
     void change(std::shared_ptr<const Scene> scene, const Engine& engine, Settings settings);
-    void restore(const State& state) { world_->restore(state); }
+    /// Continues from a state of the same scene. The game goes on with the balls that it has.
+    void restore(const State& state);
     /// Another session in the same state, score and all, whose totals start at 0.
     [[nodiscard]] Session fork() const {
         Session copy(scene_, *engine_, settings_);
@@ -67,8 +68,9 @@ class Session {
     [[nodiscard]] const Totals& totals() const { return totals_; }
 
   private:
-    /// One World::step, appended to events_ and totals_.
+    /// One World::step and the rules' answer, appended to events_ and totals_.
     void advance(double dt);
+    void count(const Event& event);
     void record(double time, const Control& control);
 
     std::shared_ptr<const Scene> scene_;

@@ -1,0 +1,48 @@
+#include "lab/allocations.hpp"
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+/// The program-wide operator new (C++20 [new.delete]), replaced by one that counts. The array and
+/// nothrow forms of the standard library call these.
+
+namespace {
+
+std::atomic<std::uint64_t> count{0};
+
+void* counted(void* memory) {
+    count.fetch_add(1, std::memory_order_relaxed);
+    if (memory == nullptr) throw std::bad_alloc();
+    return memory;
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+    return counted(std::malloc(size == 0 ? 1 : size));
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+    const auto align = static_cast<std::size_t>(alignment);
+    return counted(std::aligned_alloc(align, (size + align - 1) / align * align));
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::align_val_t) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+    std::free(memory);
+}
+
+namespace flipside::lab {
+
+std::uint64_t allocations() {
+    return count.load(std::memory_order_relaxed);
+}
+
+}  // namespace flipside::lab

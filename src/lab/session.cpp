@@ -1,0 +1,128 @@
+#include "lab/session.hpp"
+
+#include <algorithm>
+
+#include "lab/allocations.hpp"
+#include "lab/cpu_clock.hpp"
+
+namespace flipside::lab {
+
+namespace {
+
+/// Fraction of a step within which a control counts as at the step's end.
+constexpr double same_moment = 1e-9;
+
+}  // namespace
+
+Session::Session(std::shared_ptr<const Scene> scene, const Engine& engine, Settings settings)
+    : scene_(std::move(scene)),
+      engine_(&engine),
+      settings_(std::move(settings)),
+      world_(engine.make(scene_, settings_)),
+      game_(scene_) {}
+
+void Session::apply(const Control& control) {
+    record(world_->time(), control);
+}
+
+bool Session::press(const Control& control) {
+    if (!game_.permits(control, world_->balls())) return false;
+    apply(control);
+    return true;
+}
+
+/// Records the time that was asked for rather than the world's, so that a replay splits its steps at the
+/// very same times and gives the same bits.
+void Session::record(double time, const Control& control) {
+    if (!recording_.empty()) time = std::max(time, recording_.back().time);
+    recording_.push_back({time, control});
+    world_->apply(control);
+    game_.applied(control, world_->time());
+}
+
+void Session::step(double dt) {
+    const Script nothing;
+    std::size_t next = 0;
+    step(dt, nothing, next);
+}
+
+void Session::step(double dt, const Script& script, std::size_t& next) {
+    events_.clear();
+    const double start = world_->time();
+    double done = 0;
+    for (; next < script.size(); ++next) {
+        const double ahead = script[next].time - start;
+        if (ahead >= dt * (1 - same_moment)) break;
+        if (ahead > done + dt * same_moment) {
+            advance(ahead - done);
+            done = ahead;
+        }
+        record(script[next].time, script[next].control);
+    }
+    advance(dt - done);
+    ++totals_.steps;
+}
+
+void Session::advance(double dt) {
+    const std::uint64_t allocated = allocations();
+    const double began = cpu_seconds();
+    world_->step(dt);
+    totals_.step_seconds += cpu_seconds() - began;
+    if (totals_.steps >= warm_up_steps) totals_.allocations += allocations() - allocated;
+
+    const Statistics& statistics = world_->statistics();
+    totals_.pair_tests += statistics.pair_tests;
+    totals_.narrow_tests += statistics.narrow_tests;
+    totals_.contacts += statistics.contacts;
+    totals_.max_penetration = std::max(totals_.max_penetration, statistics.max_penetration);
+    for (const Event& event : world_->events()) count(event);
+    events_.insert(events_.end(), world_->events().begin(), world_->events().end());
+
+    const long launched = game_.launched();
+    const auto answer = game_.observe(world_->events(), world_->time(), world_->balls().size());
+    totals_.launched += static_cast<std::uint64_t>(game_.launched() - launched);
+    for (const Control& control : answer) world_->apply(control);
+}
+
+void Session::count(const Event& event) {
+    if (event.kind == EventKind::impact) ++totals_.impacts;
+    if (event.kind != EventKind::lost) return;
+    ++totals_.lost;
+    const Box& bounds = scene_->bounds;
+    const bool drained = scene_->rules && event.point.y < bounds.min.y && event.point.x >= bounds.min.x &&
+                         event.point.x <= bounds.max.x;
+    if (!drained) ++totals_.strays;
+}
+
+void Session::change(std::shared_ptr<const Scene> scene, const Engine& engine, Settings settings) {
+    std::unique_ptr<World> next = engine.make(scene, settings);
+    next->restore(world_->save());
+    world_ = std::move(next);
+    scene_ = std::move(scene);
+    engine_ = &engine;
+    settings_ = std::move(settings);
+}
+
+void Session::restore(const State& state) {
+    world_->restore(state);
+    game_.resume(state.balls.size(), state.clock.time);
+}
+
+std::size_t next_control(const Script& script, double time) {
+    constexpr double same_time = 1e-9;
+    const auto at = std::ranges::find_if(
+        script, [&](const TimedControl& control) { return control.time >= time - same_time; });
+    return static_cast<std::size_t>(at - script.begin());
+}
+
+double energy(const World& world, const Scene& scene) {
+    double sum = 0;
+    for (const Ball& ball : world.balls()) {
+        sum += 0.5 * ball.mass * length_squared(ball.velocity);
+        sum += 0.5 * inertia(ball) * ball.spin * ball.spin;
+        sum -= ball.mass * dot(scene.gravity, ball.position);
+    }
+    return sum;
+}
+
+}  // namespace flipside::lab
