@@ -94,18 +94,21 @@ std::optional<Table::Launched> Table::launch(std::span<const Ball> balls) {
     const double speed = launcher.slowest + next.strength * (launcher.fastest - launcher.slowest);
     ball.velocity = speed * launcher.direction;
 
-    for (const Ball& other : balls) {
-        const double distance = length(other.position - launcher.position);
-        const bool lies_there =
-            distance < ball.radius && dot(other.velocity, launcher.direction) < 0.5 * speed;
-        if (launcher.plunger && lies_there) {
-            launched = {other, true};
-            launched.ball.velocity = speed * launcher.direction;
-            launched.ball.asleep = false;
-            break;
-        }
-        // Balls launched one after another keep a gap of one radius.
-        if (distance < other.radius + 2 * ball.radius) return std::nullopt;
+    const auto distance = [&](const Ball& other) { return length(other.position - launcher.position); };
+    const auto lies_there = [&](const Ball& other) {
+        return distance(other) < ball.radius && dot(other.velocity, launcher.direction) <= 0.5 * speed;
+    };
+    // Balls launched one after another keep a gap of one radius.
+    const auto in_the_way = [&](const Ball& other) {
+        return distance(other) < other.radius + 2 * ball.radius;
+    };
+    if (const auto lying = std::ranges::find_if(balls, lies_there);
+        launcher.plunger && lying != balls.end()) {
+        launched = {*lying, true};
+        launched.ball.velocity = speed * launcher.direction;
+        launched.ball.asleep = false;
+    } else if (std::ranges::any_of(balls, in_the_way)) {
+        return std::nullopt;
     }
     if (--next.count <= 0) state_.launches.erase(state_.launches.begin());
     return launched;

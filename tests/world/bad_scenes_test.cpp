@@ -1,27 +1,20 @@
 // Bad scenes, one per file in tests/world/bad. Its index says which place the error must name, and with
 // which words.
 
-#include <gtest/gtest.h>
-
 #include <fstream>
+
 #include <nlohmann/json.hpp>
 
-#include "world/input_error.hpp"
 #include "world/json_file.hpp"
-#include "world/scene_file.hpp"
+#include "world/support.hpp"
 
 namespace flipside {
 namespace {
 
 const std::filesystem::path folder = std::filesystem::path(FLIPSIDE_SOURCE_DIR) / "tests/world/bad";
 
-std::string error_of(const std::filesystem::path& file) {
-    try {
-        (void)load_scene(file);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
+std::string load_error(const std::filesystem::path& file) {
+    return error_of([&] { (void)load_scene(file); });
 }
 
 TEST(BadScenes, EachIsRefusedWithItsPlaceAndReason) {
@@ -30,15 +23,11 @@ TEST(BadScenes, EachIsRefusedWithItsPlaceAndReason) {
     for (const Json& entry : index) {
         const auto file = folder / entry["file"].get<std::string>();
         const auto place = entry["pointer"].get<std::string>();
-        const std::string error = error_of(file);
+        const std::string error = load_error(file);
         // A place in the text is followed by its column where the index leaves that open.
         const bool in_text = place.starts_with("line") && place.find("column") == std::string::npos;
         const std::string start = file.string() + ": " + place + (place.empty() || in_text ? "" : ": ");
-        EXPECT_TRUE(error.starts_with(start)) << error << "\n  should start with\n" << start;
-        EXPECT_NE(error.find(entry["says"].get<std::string>()), std::string::npos)
-            << error << "\n  should say\n"
-            << entry["says"];
-        EXPECT_EQ(error.find('\n'), std::string::npos) << error;
+        expect_error(error, start, entry["says"].get<std::string>());
     }
 }
 
@@ -51,13 +40,13 @@ TEST(BadScenes, EveryFileIsInTheIndex) {
 }
 
 TEST(BadScenes, FilesThatCannotBeRead) {
-    EXPECT_NE(error_of(folder / "nowhere.json").find("nowhere.json: there is no such file"),
+    EXPECT_NE(load_error(folder / "nowhere.json").find("nowhere.json: there is no such file"),
               std::string::npos);
-    EXPECT_NE(error_of(folder).find("not a regular file"), std::string::npos);
+    EXPECT_NE(load_error(folder).find("not a regular file"), std::string::npos);
     const auto huge = std::filesystem::temp_directory_path() / "flipside-huge-scene.json";
     { std::ofstream(huge) << "{}"; }
     std::filesystem::resize_file(huge, 64U * 1024 * 1024 + 1);  // sparse
-    EXPECT_NE(error_of(huge).find("too large; allowed are 64 MB"), std::string::npos);
+    EXPECT_NE(load_error(huge).find("too large; allowed are 64 MB"), std::string::npos);
     std::filesystem::remove(huge);
 }
 
