@@ -14,7 +14,7 @@ namespace flipside::box2d {
 
 /// What one pass of the solver, over all velocity iterations, did to a pair.
 struct Impact {
-    BallNumber ball;
+    BallNumber ball = 0;
     Other other;
     Vec2 point;   ///< m, on the surface of `other`
     Vec2 normal;  ///< from other to ball

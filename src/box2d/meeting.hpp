@@ -14,9 +14,9 @@ namespace flipside::box2d {
 struct Meeting {
     b2Fixture& ball;
     b2Fixture& surface;  ///< of a part or of the other ball
-    BallNumber number;   ///< of the ball
-    Other other;         ///< whose surface it is
-    bool ball_is_b;      ///< the ball is the contact's fixture B
+    BallNumber number = 0;  ///< of the ball
+    Other other;  ///< whose surface it is
+    bool ball_is_b = false;  ///< the ball is the contact's fixture B
 
     static Meeting of(b2Contact& contact) {
         b2Fixture &a = *contact.GetFixtureA(), &b = *contact.GetFixtureB();
@@ -32,7 +32,7 @@ struct Meeting {
 struct Touch {
     b2Vec2 point;   ///< midway between the surfaces
     b2Vec2 normal;  ///< unit, from the surface to the ball
-    float separation;
+    float separation = 0;
 };
 
 /// What Box2D's narrow phase says of a contact's bodies as they stand now; nothing where they are apart or

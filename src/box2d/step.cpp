@@ -73,9 +73,8 @@ void Box2dWorld::substep(double from, double to) {
                                        static_cast<float>(table_.pose(part, to).angle));
     touching_.look(*world_, table_, units_, before_);
     looked_ = true;
-    for (PartIndex part = 0; part < parts_.size(); ++part)
-        if (table_.parts()[part].open && !std::ranges::binary_search(touching_.occupied, part))
-            table_.set_open(part, false);
+    for (const PartIndex gate : gates_)
+        if (!std::ranges::binary_search(touching_.occupied, gate)) table_.set_open(gate, false);
     report_sensors();
 
     const b2Profile& profile = world_->GetProfile();
@@ -158,14 +157,14 @@ double Box2dWorld::leaving_speed(const Contact& contact) const {
     return dot(velocity, contact.normal);
 }
 
-/// A touch begins when a ball is still there at the end of the step and is not on its way out of a
-/// bounce; it ends when they no longer touch.
+/// A touch begins when a ball is there at the end of the step and neither comes nor goes, as in a bounce;
+/// it ends when they no longer touch.
 void Box2dWorld::report_touches() {
     look();
     still_held_.clear();
     for (const Contact& contact : touching_.contacts) {
         const bool begun = find(held_, contact) != nullptr;
-        if (!begun && leaving_speed(contact) > table_.scene().rest_speed) continue;
+        if (!begun && std::abs(leaving_speed(contact)) > table_.scene().rest_speed) continue;
         if (!begun) report(EventKind::begin, contact);
         still_held_.push_back(contact);
     }
@@ -179,8 +178,8 @@ void Box2dWorld::report_lost() {
     std::vector<BallNumber>& reported = table_.reported_lost();
     for (std::size_t i = 0; i < balls_.size();) {
         const Ball& ball = balls_[i];
-        const bool known = std::ranges::find(reported, ball.number) != reported.end();
-        if (scene.bounds.contains(ball.position) || known) {
+        if (scene.bounds.contains(ball.position) ||
+            std::ranges::find(reported, ball.number) != reported.end()) {
             ++i;
             continue;
         }

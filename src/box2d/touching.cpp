@@ -32,7 +32,7 @@ bool crossed(const Meeting& meeting, b2Vec2 from) {
     input.sweepB.a0 = input.sweepB.a = body.GetAngle();
     input.sweepA.alpha0 = input.sweepB.alpha0 = 0;
     input.tMax = 1;
-    b2TOIOutput output;
+    b2TOIOutput output{};
     b2TimeOfImpact(&output, &input);
     return output.state == b2TOIOutput::e_touching;
 }
@@ -47,7 +47,7 @@ Contact contact_of(const Meeting& meeting, const Touch& touch, const Units& unit
 template <class T>
 void sort_unique(std::vector<T>& list) {
     std::ranges::sort(list);
-    list.erase(std::ranges::unique(list).begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
 }  // namespace
@@ -88,7 +88,7 @@ void Touching::look(b2World& world, const Table& table, const Units& units,
     const auto same_pair = [](const Contact& a, const Contact& b) {
         return a.ball == b.ball && a.other == b.other;
     };
-    contacts.erase(std::ranges::unique(contacts, same_pair).begin(), contacts.end());
+    contacts.erase(std::unique(contacts.begin(), contacts.end(), same_pair), contacts.end());
 }
 
 }  // namespace flipside::box2d

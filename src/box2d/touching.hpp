@@ -13,8 +13,8 @@
 namespace flipside::box2d {
 
 struct BallOnPart {
-    BallNumber ball;
-    PartIndex part;
+    BallNumber ball = 0;
+    PartIndex part = 0;
 
     friend constexpr auto operator<=>(const BallOnPart&, const BallOnPart&) = default;
 };

@@ -36,8 +36,11 @@ Box2dWorld::Box2dWorld(std::shared_ptr<const Scene> scene, const Options& option
       balls_(table_.scene().balls),
       rules_(table_, balls_, units_) {
     for (const Ball& ball : balls_) require_fits(ball, units_);
-    for (PartIndex i = 0; i < table_.scene().parts.size(); ++i)
-        if (Table::moves(table_.scene().parts[i])) moving_.push_back(i);
+    for (PartIndex i = 0; i < table_.scene().parts.size(); ++i) {
+        const Part& part = table_.scene().parts[i];
+        if (Table::moves(part)) moving_.push_back(i);
+        if (gate_of(part)) gates_.push_back(i);
+    }
     build();
 }
 
@@ -60,14 +63,14 @@ void Box2dWorld::build() {
     find_pairs();
 }
 
-void Box2dWorld::add_part(PartIndex index) {
+void Box2dWorld::add_part(PartIndex part) {
     b2BodyDef body;
-    if (Table::moves(table_.scene().parts[index])) {
+    if (Table::moves(table_.scene().parts[part])) {
         body.type = b2_kinematicBody;
-        body.position = units_.point(table_.pose(index).pivot);
-        body.angle = static_cast<float>(table_.pose(index).angle);
+        body.position = units_.point(table_.pose(part).pivot);
+        body.angle = static_cast<float>(table_.pose(part).angle);
     }
-    body.enabled = !table_.parts()[index].down;
+    body.enabled = !table_.parts()[part].down;
     parts_.push_back(world_->CreateBody(&body));
 }
 

@@ -23,7 +23,9 @@ class Box2dWorld : public World {
     /// Throws InputError for a scene that does not fit into single precision.
     Box2dWorld(std::shared_ptr<const Scene> scene, const Options& options);
     Box2dWorld(const Box2dWorld&) = delete;
+    Box2dWorld(Box2dWorld&&) = delete;
     Box2dWorld& operator=(const Box2dWorld&) = delete;
+    Box2dWorld& operator=(Box2dWorld&&) = delete;
     ~Box2dWorld() override = default;
 
     void step(double dt) override;
@@ -70,7 +72,7 @@ class Box2dWorld : public World {
     std::vector<Ball> balls_;      ///< by rising number
     std::vector<b2Body*> bodies_;  ///< of balls_
     std::vector<b2Body*> parts_;   ///< of the scene's parts
-    std::vector<PartIndex> moving_;
+    std::vector<PartIndex> moving_, gates_;
     ContactRules rules_;
     std::unique_ptr<b2World> world_;
     mutable Touching touching_;
