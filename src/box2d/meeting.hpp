@@ -13,9 +13,9 @@ namespace flipside::box2d {
 /// One side is always a ball. Between two balls `ball` is the one with the lower number.
 struct Meeting {
     b2Fixture& ball;
-    b2Fixture& surface;  ///< of a part or of the other ball
-    BallNumber number = 0;  ///< of the ball
-    Other other;  ///< whose surface it is
+    b2Fixture& surface;      ///< of a part or of the other ball
+    BallNumber number = 0;   ///< of the ball
+    Other other;             ///< whose surface it is
     bool ball_is_b = false;  ///< the ball is the contact's fixture B
 
     static Meeting of(b2Contact& contact) {
