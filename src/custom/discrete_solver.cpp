@@ -60,19 +60,19 @@ void DiscreteSolver::step(Table& table, std::vector<Ball>& balls, double dt, Bro
     }
 }
 
-bool DiscreteSolver::fast(const Ball& ball, double duration) const {
-    const double way = (length(ball.velocity) + length(scene_.gravity) * duration) * duration;
-    return way > settings_.sweep_from * ball.radius;
+/// The farthest a ball can get.
+double DiscreteSolver::way(const Ball& ball, double duration) const {
+    return (length(ball.velocity) + length(scene_.gravity) * duration) * duration;
 }
 
 void DiscreteSolver::find_candidates(double duration, BroadPhase& broad) {
     const Flight flight(scene_.gravity, scene_.damping, duration);
-    const double fall = length(scene_.gravity) * duration * duration;
     const auto box_of = [&](const Ball& ball) {
         const Box here = bounds_of(ball.position, ball.radius);
         if (ball.asleep) return here;
         // A fast ball may be turned round in mid-flight, so it can end anywhere within its reach.
-        if (fast(ball, duration)) return grown(here, length(ball.velocity) * duration + fall);
+        const double reach = way(ball, duration);
+        if (reach > settings_.sweep_from * ball.radius) return grown(here, reach);
         return united(here, bounds_of(flight.position(ball), ball.radius));
     };
     std::vector<Ball>& balls = *balls_;
@@ -126,28 +126,43 @@ bool DiscreteSolver::sinks(double approach, const Ball& ball, double duration) c
 /// Flies on, bouncing off parts where that needs the exact time of touch. What is left of the time after
 /// as many bounces as there are collision iterations is dropped: the ball waits.
 void DiscreteSolver::fly(Ball& ball, std::span<const Candidate> near, double duration) {
-    const double reach =
-        std::max(0.5 * ball.radius, (length(ball.velocity) + length(scene_.gravity) * duration) * duration);
-    double at = 0, remaining = duration;
+    double searched = way(ball, duration);
+    double at = 0;
     for (int bounces = 0; bounces < settings_.collision_iterations; ++bounces) {
+        const double remaining = duration - at;
         double soonest = never;
         PieceIndex met = 0;
         for (const Candidate& candidate : near) {
             const double time = first_touch_of(ball, candidate.piece, at, remaining);
             if (time < soonest) soonest = time, met = candidate.piece;
         }
-        const double leg = std::min(soonest, remaining);
-        Flight(scene_.gravity, scene_.damping, leg).advance(ball);
+        Flight(scene_.gravity, scene_.damping, std::min(soonest, remaining)).advance(ball);
         if (soonest == never) return;
-        at += leg;
+        at += soonest;
         const Piece& piece = layout_.piece(met);
         const Pose pose = table_->pose(piece.part, span_.begin + at);
         respond_to(ball, met, touch(ball.position, ball.radius, piece, pose), at, 0);
-        // Kicked faster, it must not leave the surroundings that were searched for parts.
-        const double speed = length(ball.velocity) + length(scene_.gravity) * duration;
-        remaining = std::min(duration - at, reach / speed);
-        if (!(remaining > 0)) return;
+        // Kicked faster, it leaves the surroundings that were searched for parts.
+        if (way(ball, duration) > searched) {
+            searched = way(ball, duration);
+            near = look_around(ball, searched);
+        }
     }
+}
+
+/// The pieces within reach of a ball, by testing all of them.
+std::span<const DiscreteSolver::Candidate> DiscreteSolver::look_around(const Ball& ball, double reach) {
+    const Box box = bounds_of(ball.position, ball.radius + reach);
+    const Proxy proxy{box, ball.layer, ball.collides_with, true, true};
+    const std::vector<Proxy>& still = layout_.still_proxies();
+    around_.clear();
+    for (PieceIndex i = 0; i < layout_.size(); ++i) {
+        const Proxy& other = layout_.moves(i) ? moving_[i - still.size()] : still[i];
+        if (!may_meet(proxy, other)) continue;
+        ++record_->statistics.pair_tests;
+        if (overlap(box, other.box)) around_.push_back({0, i});
+    }
+    return around_;
 }
 
 /// When the ball, flying freely from `at` seconds into this motion iteration, first touches a piece in

@@ -50,7 +50,8 @@ class DiscreteSolver {
     };
 
     void find_candidates(double duration, BroadPhase& broad);
-    [[nodiscard]] bool fast(const Ball& ball, double duration) const;
+    [[nodiscard]] double way(const Ball& ball, double duration) const;
+    [[nodiscard]] std::span<const Candidate> look_around(const Ball& ball, double reach);
     void fly_all(double duration);
     void fly(Ball& ball, std::span<const Candidate> near, double duration);
     [[nodiscard]] double first_touch_of(const Ball& ball, PieceIndex piece, double at, double duration) const;
@@ -82,7 +83,8 @@ class DiscreteSolver {
     std::vector<Pair> pairs_;
     std::vector<Candidate> candidates_;  ///< by ball
     std::vector<BallPair> ball_pairs_;
-    std::vector<Vec2> started_;  ///< where each ball was before it flew
+    std::vector<Candidate> around_;  ///< what look_around() found
+    std::vector<Vec2> started_;      ///< where each ball was before it flew
     /// An overlap with a part; the deepest come first.
     struct Deep {
         double separation;

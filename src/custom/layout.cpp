@@ -9,17 +9,12 @@ Layout::Layout(const Scene& scene)
     const auto moving = std::ranges::stable_partition(
         pieces_, [&](const Piece& p) { return !Table::moves(scene.parts[p.part]); });
     still_ = static_cast<PieceIndex>(pieces_.size() - moving.size());
+    for (PieceIndex i = 0; i < still_; ++i) {
+        const Part& part = scene.parts[pieces_[i].part];
+        still_proxies_.push_back({bounds_of(pieces_[i]), part.layer, part.collides_with, false, false});
+    }
     for (const Material& a : scene.materials)
         for (const Material& b : scene.materials) mixed_.push_back(mix(a, b));
-}
-
-std::vector<Proxy> Layout::still_proxies() const {
-    std::vector<Proxy> proxies;
-    for (PieceIndex i = 0; i < still_; ++i) {
-        const Part& part = scene_.parts[pieces_[i].part];
-        proxies.push_back({bounds_of(pieces_[i]), part.layer, part.collides_with, false, false});
-    }
-    return proxies;
 }
 
 Proxy Layout::proxy(const Table& table, PieceIndex i, double begin, double end) const {

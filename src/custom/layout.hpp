@@ -18,7 +18,8 @@ class Layout {
     [[nodiscard]] const Piece& piece(PieceIndex i) const { return pieces_[i]; }
     [[nodiscard]] PieceIndex size() const { return static_cast<PieceIndex>(pieces_.size()); }
     [[nodiscard]] bool moves(PieceIndex i) const { return i >= still_; }
-    [[nodiscard]] std::vector<Proxy> still_proxies() const;
+    /// Of the still pieces, by index.
+    [[nodiscard]] const std::vector<Proxy>& still_proxies() const { return still_proxies_; }
 
     /// Proxies of the moving pieces and then of the balls. Pieces cover their way from `begin` to
     /// `end` seconds from the table's now. `box_of` gives the box of a ball; it is active unless asleep
@@ -43,6 +44,7 @@ class Layout {
     const Scene& scene_;
     std::vector<Piece> pieces_;
     PieceIndex still_ = 0;
+    std::vector<Proxy> still_proxies_;
     std::size_t materials_;
     std::vector<Mixed> mixed_;
 };

@@ -98,6 +98,9 @@ void TouchList::refresh(const Layout& layout, const Table& table, std::span<cons
     const auto same = [](const Contact& a, const Contact& b) { return key(a) == key(b); };
     now_.erase(std::unique(now_.begin(), now_.end(), same), now_.end());
     sort_unique(sensed_);
+    // The lists change places at the next search: let both grow now, not one after the other.
+    before_.reserve(now_.capacity());
+    sensed_before_.reserve(sensed_.capacity());
 }
 
 void TouchList::report(double time, std::vector<Sensed>& crossed, std::vector<Event>& events) const {

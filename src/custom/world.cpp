@@ -83,7 +83,7 @@ void CustomWorld::lose_balls() {
 
 void CustomWorld::fill_statistics(std::uint64_t pair_tests) {
     Statistics& statistics = record_.statistics;
-    statistics.pair_tests = pair_tests;
+    statistics.pair_tests += pair_tests;
     statistics.narrow_tests += touches_.narrow_tests();
     statistics.asleep = static_cast<std::uint64_t>(std::ranges::count_if(balls_, &Ball::asleep));
     for (const Contact& contact : contacts())
@@ -129,7 +129,8 @@ bool CustomWorld::remove(BallNumber number) {
 void CustomWorld::restore(const State& state) {
     table_.restore(state);
     balls_ = state.balls;
-    record_ = {};
+    record_.events.clear();
+    record_.statistics = {};
     touches_.refresh(layout_, table_, balls_, *broad_, true);
 }
 

@@ -1,0 +1,32 @@
+// A step allocates nothing once the world has seen its busiest moment.
+
+#include <gtest/gtest.h>
+
+#include "custom/allocations.hpp"
+#include "custom/scenes.hpp"
+
+namespace flipside::custom::test {
+namespace {
+
+TEST(Allocations, NoneInAStepAfterWarmUp) {
+    Scene scene = empty_scene({0, -2});
+    for (int i = 0; i < 100; ++i)
+        add_ball(scene, {0.3 * (i % 10), 0.3 * (i / 10)}, {i % 7 - 3.0, i % 5 - 2.0});
+    add_part(scene, {shape::Polyline{{{-0.5, -0.5}, {4, -0.5}, {4, 4}, {-0.5, 4}}, true}});
+    add_part(scene, segment({1, 3.5}, {3, 3.6})).sensor = true;
+    add_part(scene, segment({1, 3.4}, {2, 3.4})).motion = motion::Turn{{1.5, 3.4}, 2, true};
+    add_part(scene, {shape::Polygon{{{3.2, 3.2}, {3.6, 3.2}, {3.4, 3.5}}}}).motion =
+        motion::Turn{{3.4, 3.3}, 2, true};
+    for (const auto* broad : {"brute", "quadtree"}) {
+        const auto world = make_world(scene, {{"broad_phase", broad}});
+        const State start = world->save();
+        run(*world, 3);
+        world->restore(start);  // the same again needs no more room than before
+        const std::size_t before = allocations();
+        run(*world, 3);
+        EXPECT_EQ(allocations(), before) << broad;
+    }
+}
+
+}  // namespace
+}  // namespace flipside::custom::test
