@@ -91,9 +91,9 @@ struct PanelParts {
         }
         ImGui::SameLine();
         if (button("Restart", "R")) stage.restart();
-        label("Speed", "Simulated seconds per second; S for slow motion");
+        label("Time", "Simulated seconds per second of yours; S for slow motion");
         slider("##speed", controls.speed, 0.01, 2, "%.2f ×", ImGuiSliderFlags_Logarithmic);
-        note(places, "Speed");
+        note(places, "Time");
     }
     void next_ball() const {
         const Launcher& launcher = *stage.scene().launcher;

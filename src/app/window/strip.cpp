@@ -55,12 +55,9 @@ void level(Canvas& canvas, const Axes& axes, double value, const std::string& wo
 }
 
 void draw_energy(Canvas& canvas, const Rect& place, const Stage& stage) {
-    std::string value;
     double low = 0, high = 0;
     bool any = false;
     for (const Run& run : stage.runs()) {
-        if (!value.empty()) value += "   ";
-        value += std::string(run.session().engine().name) + " " + engineering(run.energy(), "J");
         for (const Sample& sample : run.energy_history()) {
             low = any ? std::min(low, sample.value) : sample.value;
             high = any ? std::max(high, sample.value) : sample.value;
@@ -68,9 +65,17 @@ void draw_energy(Canvas& canvas, const Rect& place, const Stage& stage) {
         }
     }
     const double span = std::max(high - low, 1e-9 + 0.02 * std::max(std::abs(high), std::abs(low)));
-    const Axes axes{frame(canvas, place, "Energy, last 12 s", value), stage.time(),
+    const Axes axes{frame(canvas, place, "Energy, last 12 s", ""), stage.time(),
                     0.5 * (low + high) - 0.55 * span, 0.5 * (low + high) + 0.55 * span};
     if (low <= 0 && high >= 0) level(canvas, axes, 0, "0 J");
+    double right = place.x + place.width - canvas.scaled(12);
+    for (auto run = stage.runs().rbegin(); run != stage.runs().rend(); ++run) {
+        const std::string value = engineering(run->energy(), "J");
+        canvas.text({right, place.y + canvas.scaled(5)}, value, Type::small,
+                    engine_colour(run->session().engine().name), Align::right);
+        right -=
+            std::max(canvas.scaled(64), canvas.lettering().width(value, Type::small)) + canvas.scaled(10);
+    }
     for (const Run& run : stage.runs())
         curve(canvas, axes, run.energy_history(), engine_colour(run.session().engine().name),
               [](double v) { return v; });

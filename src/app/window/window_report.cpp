@@ -103,6 +103,8 @@ void WindowReport::write(double now, const Stage& stage, const WindowState& wind
     j["frame"] = window.frame;
     j["time"] = stage.time();
     j["charge"] = window.charge;
+    j["scale"] = camera.scale;
+    j["center"] = {camera.center.x, camera.center.y};
     for (std::size_t i = 0; i < stage.runs().size(); ++i)
         j["panes"].push_back(
             json_of(stage.runs()[i], layout.panes[layout.panes.size() == 1 ? 0 : i], camera));
