@@ -54,12 +54,12 @@ class DiscreteSolver {
     [[nodiscard]] std::span<const Candidate> look_around(const Ball& ball, double reach);
     void fly_all(double duration);
     void fly(Ball& ball, std::span<const Candidate> near, double duration);
-    [[nodiscard]] double first_touch_of(const Ball& ball, PieceIndex piece, double at, double duration) const;
+    [[nodiscard]] double first_touch_of(const Ball& ball, PieceIndex index, double at, double duration) const;
     [[nodiscard]] bool sinks(double approach, const Ball& ball, double duration) const;
     bool collide_parts();
     bool collide_ball_with_parts(Ball& ball, std::span<const Candidate> near);
     bool collide_balls();
-    void respond_to(Ball& ball, PieceIndex piece, const Touch& touch, double at, double flown);
+    void respond_to(Ball& ball, PieceIndex index, const Touch& touch, double at, double flown);
     void collide(Ball& a, Ball& b, Vec2 normal);
     void report(const Ball& ball, Other other, const Impact& hit, Vec2 point, double time);
     void watch_gates();

@@ -9,9 +9,10 @@ namespace flipside::custom {
 /// Flight for one stretch of time t: p + a·v + b·g and e·v + a·g.
 struct Flight {
     Vec2 gravity;
-    double t, a, b, e;
+    double t, a, b;
+    double e = 1;
 
-    Flight(Vec2 g, double damping, double time) : gravity(g), t(time), a(time), b(time * time / 2), e(1) {
+    Flight(Vec2 g, double damping, double time) : gravity(g), t(time), a(time), b(time * time / 2) {
         if (damping == 0) return;
         const double x = damping * time;
         e = std::exp(-x);

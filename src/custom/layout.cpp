@@ -6,9 +6,9 @@ namespace flipside::custom {
 
 Layout::Layout(const Scene& scene)
     : scene_(scene), pieces_(surface_of(scene)), materials_(scene.materials.size()) {
-    const auto moving = std::ranges::stable_partition(
-        pieces_, [&](const Piece& p) { return !Table::moves(scene.parts[p.part]); });
-    still_ = static_cast<PieceIndex>(pieces_.size() - moving.size());
+    const auto moving = std::stable_partition(
+        pieces_.begin(), pieces_.end(), [&](const Piece& p) { return !Table::moves(scene.parts[p.part]); });
+    still_ = static_cast<PieceIndex>(moving - pieces_.begin());
     for (PieceIndex i = 0; i < still_; ++i) {
         const Part& part = scene.parts[pieces_[i].part];
         still_proxies_.push_back({bounds_of(pieces_[i]), part.layer, part.collides_with, false, false});

@@ -110,7 +110,7 @@ class Quadtree final : public BroadPhase {
     }
 
     void list_still() {
-        std::vector<std::vector<Handle>> lists(side_ * side_);
+        std::vector<std::vector<Handle>> lists(occupied_.size() - first_leaf_);
         for (Handle i = 0; i < still_.size(); ++i) {
             still_leaves_.push_back(leaves_under(still_[i].box));
             each_leaf(still_leaves_.back(), [&](Node leaf) { lists[leaf].push_back(i); });

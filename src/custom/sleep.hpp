@@ -23,7 +23,7 @@ class Sleep {
 
   private:
     struct Before {
-        BallNumber number;
+        BallNumber number = 0;
         Vec2 position, velocity;
     };
     double speed_, gravity_;

@@ -35,7 +35,7 @@ class TouchList {
 
   private:
     void keep_sleepers(std::span<const Ball> balls);
-    void look(const Layout& layout, const Table& table, const Ball& ball, PieceIndex piece);
+    void look(const Layout& layout, const Table& table, const Ball& ball, PieceIndex index);
 
     std::vector<Contact> before_, now_;
     std::vector<Sensed> sensed_before_, sensed_;

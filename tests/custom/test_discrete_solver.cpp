@@ -204,6 +204,40 @@ TEST(DiscreteSolver, FlipperThrowsAndNothingPassesIt) {
     }
 }
 
+TEST(DiscreteSolver, KickedBallMeetsWallsBeyondItsFormerReach) {
+    // Comes in at 1 m/s and is kicked to 200 m/s, that is 0.8 m per flight, between two walls 2 m apart.
+    Scene scene = empty_scene();
+    add_ball(scene, {0, -0.5}, {0, -1});
+    add_part(scene, segment({-9, -1}, {9, -1}), {"", 1, 0, 200});
+    add_part(scene, segment({-9, 1}, {9, 1}), {"", 1, 0, 0});
+    const auto world = make_world(scene);
+    run(*world, 3);
+    EXPECT_EQ(std::abs(world->balls()[0].velocity.y), 200);
+    EXPECT_LT(std::abs(world->balls()[0].position.y), 0.9 + 1e-6);
+}
+
+TEST(DiscreteSolver, BoxTestsOfTheToysExperiment) {
+    // Balls of 42 px on 960 × 704 px, leaves of 60 × 44 px: about 92 tests per search with 32 balls in
+    // the toy, 496 by brute force, and the tree pays from 6 balls on. Here the four walls count too.
+    const auto tests = [](int balls, const char* broad) {
+        Scene scene = empty_scene();
+        scene.bounds = {{0, 0}, {960, 704}};
+        for (int i = 0; i < balls; ++i)
+            add_ball(scene, {60.0 + i % 8 * 115, 60.0 + i / 8 * 170}, 300 * from_angle(2.4 * i), 21);
+        const Vec2 corners[] = {{0, 0}, {960, 0}, {960, 704}, {0, 704}};
+        for (int i = 0; i < 4; ++i) add_part(scene, segment(corners[i], corners[(i + 1) % 4]));
+        const auto world = make_world(scene, {{"broad_phase", broad}});
+        std::uint64_t sum = 0;
+        for (int i = 0; i < 600; ++i) world->step(1.0 / 60), sum += world->statistics().pair_tests;
+        EXPECT_EQ(world->balls().size(), static_cast<std::size_t>(balls));
+        return static_cast<double>(sum) / (600 * 5);  // four flights and the report
+    };
+    EXPECT_LE(tests(32, "quadtree"), 92);
+    EXPECT_GE(tests(32, "brute"), 496);
+    EXPECT_LT(tests(6, "quadtree"), 6 * 5 / 2);
+    EXPECT_LT((tests(32, "quadtree") - tests(2, "quadtree")) / 30, 3);
+}
+
 TEST(DiscreteSolver, DeepOverlapGainsNoSpeed) {
     Scene scene = empty_scene();
     add_ball(scene, {0, 0.02});
