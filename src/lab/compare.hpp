@@ -1,0 +1,61 @@
+#pragma once
+/// One scene, one script, one step, several engines: what each does and costs, and where they part.
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lab/parting.hpp"
+#include "lab/run.hpp"
+#include "lab/run_figures.hpp"
+
+namespace flipside::lab {
+
+struct Entrant {
+    const Engine* engine;
+    Settings settings;
+};
+
+struct CompareInput {
+    std::shared_ptr<const Scene> scene;
+    std::vector<Entrant> entrants;  ///< at least one; the others are compared with the first
+    double seconds = 10;
+    double dt = 1.0 / 60;
+    Script script;
+};
+
+struct EngineRun {
+    Entrant entrant;
+    RunFigures figures;
+    std::vector<Event> impacts;
+};
+
+/// The first entrant against another one.
+struct Pair {
+    struct Parted {
+        double time;
+        Spread spread;
+        std::optional<Event> after;  ///< the last impact of that ball until then, in the first entrant
+    };
+    std::size_t second = 1;  ///< index of the other
+    ImpactMatch match;
+    std::vector<double> radii;     ///< after each step: Spread::radii
+    std::optional<Parted> parted;  ///< when a ball was first more than a radius apart, or gone from one only
+    Spread at_end;
+};
+
+struct Comparison {
+    CompareInput input;
+    std::vector<EngineRun> runs;
+    std::vector<Pair> pairs;
+    std::vector<double> times;  ///< s, after each step
+};
+
+/// Runs all entrants side by side, a step each in turn, so that all meet the same machine. `watch` is
+/// called after each step with the time.
+[[nodiscard]] Comparison compare(CompareInput input, const std::function<void(double)>& watch = {});
+
+[[nodiscard]] std::string to_json(const Comparison& comparison);
+
+}  // namespace flipside::lab

@@ -1,0 +1,90 @@
+#include <nlohmann/json.hpp>
+
+#include "lab/compare.hpp"
+#include "lab/csv.hpp"
+
+namespace flipside::lab {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(Vec2 v) {
+    return Json::array({v.x, v.y});
+}
+
+Json json_of(const std::optional<Event>& impact, const Scene& scene) {
+    if (!impact) return nullptr;
+    return {{"time", impact->time},
+            {"ball", impact->ball},
+            {"other", name_of_other(*impact, scene)},
+            {"point", json_of(impact->point)},
+            {"normal", json_of(impact->normal)},
+            {"speed", impact->speed}};
+}
+
+Json json_of(const EngineRun& run) {
+    Json settings = Json::object();
+    for (const SettingSpec& spec : run.entrant.settings.specs())
+        settings[std::string(spec.name)] = run.entrant.settings.text(spec.name);
+    const RunFigures& figures = run.figures;
+    Json json{{"engine", run.entrant.engine->name}, {"settings", settings}};
+    json.update(Json::parse(to_json(figures)));
+    const Totals& totals = figures.totals;
+    json["cpu_seconds_per_step"] = totals.steps > 0 ? totals.step_seconds / double(totals.steps) : 0.0;
+    json["cpu_seconds_per_sim_second"] =
+        figures.sim_seconds > 0 ? totals.step_seconds / figures.sim_seconds : 0.0;
+    json["energy_drift"] = figures.energy_last - figures.energy_first;
+    return json;
+}
+
+Json json_of(const std::optional<Parting>& parting, const Scene& scene, const Json& names) {
+    if (!parting) return nullptr;
+    return {{"time", parting->time},
+            {"ball", parting->ball},
+            {"index", parting->index},
+            {names[0], json_of(parting->first, scene)},
+            {names[1], json_of(parting->second, scene)}};
+}
+
+Json json_of(const std::optional<Pair::Parted>& parted, const Scene& scene) {
+    if (!parted) return nullptr;
+    return {{"time", parted->time},
+            {"ball", parted->spread.ball},
+            {"radii", parted->spread.radii},
+            {"same_balls", parted->spread.same_balls},
+            {"last_impact", json_of(parted->after, scene)}};
+}
+
+Json json_of(const Pair& pair, const Comparison& comparison) {
+    const Scene& scene = *comparison.input.scene;
+    const Json names{comparison.runs.front().entrant.engine->name,
+                     comparison.runs[pair.second].entrant.engine->name};
+    Json by_ball = Json::object();
+    for (const auto& [ball, count] : pair.match.matched) by_ball[std::to_string(ball)] = count;
+    return {{"engines", names},
+            {"contacts_matched", pair.match.total},
+            {"contacts_matched_before_parting", pair.match.before_parting},
+            {"contacts_matched_by_ball", by_ball},
+            {"first_parting", json_of(pair.match.parting, scene, names)},
+            {"first_radius_apart", json_of(pair.parted, scene)},
+            {"radii_apart_at_end", pair.at_end.radii},
+            {"radii_apart", pair.radii}};
+}
+
+}  // namespace
+
+std::string to_json(const Comparison& comparison) {
+    Json engines = Json::array(), pairs = Json::array();
+    for (const EngineRun& run : comparison.runs) engines.push_back(json_of(run));
+    for (const Pair& pair : comparison.pairs) pairs.push_back(json_of(pair, comparison));
+    const Json json{{"scene", comparison.input.scene->name},
+                    {"seconds", comparison.input.seconds},
+                    {"dt", comparison.input.dt},
+                    {"engines", engines},
+                    {"pairs", pairs},
+                    {"times", comparison.times}};
+    return json.dump(2) + '\n';
+}
+
+}  // namespace flipside::lab

@@ -1,0 +1,68 @@
+#include "lab/csv.hpp"
+
+#include <charconv>
+#include <ostream>
+
+namespace flipside::lab {
+
+namespace {
+
+/// One line, put together before it is written.
+class Row {
+  public:
+    Row& add(double value) {
+        char text[32];
+        const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 17).ptr;
+        return add(std::string_view(text, end));
+    }
+    Row& add(std::uint32_t value) { return add(std::to_string(value)); }
+    Row& add(std::string_view word) {
+        if (!line_.empty()) line_ += ',';
+        line_ += word;
+        return *this;
+    }
+    void write(std::ostream& out) {
+        line_ += '\n';
+        out << line_;
+        line_.clear();
+    }
+
+  private:
+    std::string line_;
+};
+
+/// In quotes where a comma, a quote or a line end asks for it.
+std::string field(const std::string& word) {
+    if (word.find_first_of(",\"\r\n") == std::string::npos) return word;
+    std::string quoted = "\"";
+    for (const char c : word) quoted += c == '"' ? "\"\"" : std::string(1, c);
+    return quoted + '"';
+}
+
+}  // namespace
+
+void write_sample(std::ostream& out, double time, std::span<const Ball> balls) {
+    Row row;
+    for (const Ball& ball : balls) {
+        row.add(time).add(ball.number);
+        row.add(ball.position.x).add(ball.position.y).add(ball.velocity.x).add(ball.velocity.y);
+        row.add(ball.angle).add(ball.spin).write(out);
+    }
+}
+
+void write_events(std::ostream& out, std::span<const Event> events, const Scene& scene) {
+    Row row;
+    for (const Event& event : events) {
+        row.add(event.time).add(name_of(event.kind)).add(event.ball);
+        row.add(field(name_of_other(event, scene))).add(event.point.x).add(event.point.y);
+        row.add(event.normal.x).add(event.normal.y).add(event.speed).add(event.impulse).write(out);
+    }
+}
+
+std::string name_of_other(const Event& event, const Scene& scene) {
+    if (event.kind == EventKind::lost) return "";
+    if (event.other.is_ball) return "ball:" + std::to_string(event.other.index);
+    return scene.parts[event.other.index].name;
+}
+
+}  // namespace flipside::lab

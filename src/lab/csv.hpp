@@ -1,0 +1,25 @@
+#pragma once
+/// Trajectories and events as CSV (RFC 4180, lines end with \n). Numbers have 17 significant digits, so they
+/// read back to the same bits, and do not depend on the locale.
+
+#include <iosfwd>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "world/events.hpp"
+
+namespace flipside::lab {
+
+inline constexpr std::string_view trajectory_header = "time,ball,x,y,vx,vy,angle,spin\n";
+inline constexpr std::string_view events_header = "time,kind,ball,other,x,y,nx,ny,speed,impulse\n";
+
+/// A row per ball.
+void write_sample(std::ostream& out, double time, std::span<const Ball> balls);
+/// A row per event.
+void write_events(std::ostream& out, std::span<const Event> events, const Scene& scene);
+
+/// What a ball met, as files and messages call it: the part's name or "ball:N"; "" for a lost ball.
+[[nodiscard]] std::string name_of_other(const Event& event, const Scene& scene);
+
+}  // namespace flipside::lab

@@ -1,0 +1,23 @@
+#pragma once
+/// Runs a session along a timeline, step by step, with a look after each.
+
+#include <functional>
+#include <span>
+
+#include "lab/session.hpp"
+#include "lab/timeline.hpp"
+
+namespace flipside::lab {
+
+/// Called with the session after a step and with the time of that moment: exactly the timeline's end after
+/// the last step.
+using Watcher = std::function<void(const Session& session, std::uint64_t step, double time)>;
+
+/// Steps all sessions side by side, each by the same script; `after` is called for every session after each
+/// step. Throws Failure as soon as a ball has a position, velocity, angle or spin that is no number.
+void run(std::span<Session> sessions, const Timeline& timeline, const Script& script, const Watcher& after);
+
+/// Balls whose centre is that of another one, to 1e-6 of a radius: the toy's "overlaps". Cost O(n log n).
+[[nodiscard]] std::uint64_t overlaps(std::span<const Ball> balls);
+
+}  // namespace flipside::lab
