@@ -1,0 +1,20 @@
+#pragma once
+/// The subcommands. Each adds itself to the program and, when it is chosen, sets what to do once the whole
+/// command line has been read.
+
+#include <functional>
+
+#include <CLI/CLI.hpp>
+
+namespace flipside::app {
+
+/// Does the work; returns the exit code. Throws InputError (exit 2) or another exception (exit 1).
+using Action = std::function<int()>;
+
+void add_run(CLI::App& program, Action& chosen);
+void add_compare(CLI::App& program, Action& chosen);
+void add_scenes(CLI::App& program, Action& chosen);
+void add_engines(CLI::App& program, Action& chosen);
+void add_check(CLI::App& program, Action& chosen);
+
+}  // namespace flipside::app

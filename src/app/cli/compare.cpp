@@ -1,0 +1,146 @@
+#include "lab/compare.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+
+#include "app/cli/commands.hpp"
+#include "app/cli/interrupt.hpp"
+#include "app/cli/progress.hpp"
+#include "app/cli/run_options.hpp"
+#include "lab/csv.hpp"
+#include "lab/whole_file.hpp"
+#include "world/input_error.hpp"
+
+namespace flipside::app {
+
+namespace {
+
+struct Options : RunOptions {
+    std::vector<std::string> engines{"custom", "box2d"};
+    std::string json;  ///< file; "" where not asked for
+};
+
+std::string name_of(const lab::EngineRun& run) {
+    return std::string(run.entrant.engine->name);
+}
+
+void print_run(const lab::EngineRun& run) {
+    const lab::RunFigures& f = run.figures;
+    const lab::Totals& t = f.totals;
+    const double per_step = t.steps > 0 ? 1e6 * t.step_seconds / static_cast<double>(t.steps) : 0;
+    const double per_second = f.sim_seconds > 0 ? 1e3 * t.step_seconds / f.sim_seconds : 0;
+    std::printf("%-10s %7llu %9.2f %9.3f %11.4g %11.4g %11.3g %8llu %9llu %6llu %8.3g\n",
+                name_of(run).c_str(), static_cast<unsigned long long>(t.steps), per_step, per_second,
+                f.energy_first, f.energy_last, f.energy_last - f.energy_first,
+                static_cast<unsigned long long>(t.impacts), static_cast<unsigned long long>(t.launched),
+                static_cast<unsigned long long>(t.lost), 1e3 * t.max_penetration);
+}
+
+void print_impact(const std::string& engine, const std::optional<Event>& impact, const Scene& scene) {
+    if (!impact) {
+        std::printf("  %-10s no further impact of this ball\n", engine.c_str());
+        return;
+    }
+    std::printf("  %-10s ball %u on %s at %.6f s, point (%.5f, %.5f) m, %.4g m/s\n", engine.c_str(),
+                impact->ball, lab::name_of_other(*impact, scene).c_str(), impact->time, impact->point.x,
+                impact->point.y, impact->speed);
+}
+
+void print_pair(const lab::Pair& pair, const lab::Comparison& comparison) {
+    const Scene& scene = *comparison.input.scene;
+    const std::string first = name_of(comparison.runs.front());
+    const std::string second = name_of(comparison.runs[pair.second]);
+    const lab::ImpactMatch& match = pair.match;
+    std::printf("\n%s and %s: %zu contacts matched in all", first.c_str(), second.c_str(), match.total);
+    if (const auto& parting = match.parting) {
+        std::printf(", %zu before they part\n", match.before_parting);
+        std::printf("First impact where they part: number %zu of ball %u, at %.4f s\n", parting->index + 1,
+                    parting->ball, parting->time);
+        print_impact(first, parting->first, scene);
+        print_impact(second, parting->second, scene);
+    } else {
+        std::printf("; no impact where they part\n");
+    }
+    if (const auto& parted = pair.parted) {
+        const std::string on = parted->after ? ", after ball " + std::to_string(parted->spread.ball) +
+                                                   " met " + lab::name_of_other(*parted->after, scene)
+                                             : "";
+        const char* how = parted->spread.same_balls ? "a ball is more than its radius apart"
+                                                    : "one has a ball that the other has not";
+        std::printf("Positions: at %.4f s %s%s; %.3g radii apart at the end\n", parted->time, how, on.c_str(),
+                    pair.at_end.radii);
+    } else {
+        std::printf("Positions: never a radius apart; %.3g radii at the end\n", pair.at_end.radii);
+    }
+    if (match.matched.size() < 2) return;
+    std::printf("Contacts matched by ball:");
+    constexpr std::size_t enough = 12;
+    std::size_t shown = 0;
+    for (const auto& [ball, count] : match.matched)
+        if (shown++ < enough) std::printf(" %u:%zu", ball, count);
+    std::printf(shown > enough ? " ...\n" : "\n");
+}
+
+void print(const lab::Comparison& comparison) {
+    const lab::CompareInput& input = comparison.input;
+    std::printf("%s: %g s in steps of %.6g s\n\n", input.scene->name.c_str(), input.seconds, input.dt);
+    std::printf("%-10s %7s %9s %9s %11s %11s %11s %8s %9s %6s %8s\n", "engine", "steps", "CPU/step",
+                "CPU/sim.s", "energy", "energy", "energy", "impacts", "launched", "lost", "deepest");
+    std::printf("%-10s %7s %9s %9s %11s %11s %11s %8s %9s %6s %8s\n", "", "", "us", "ms", "first, J",
+                "last, J", "drift, J", "", "", "", "mm");
+    for (const lab::EngineRun& run : comparison.runs) print_run(run);
+    for (const lab::Pair& pair : comparison.pairs) print_pair(pair, comparison);
+}
+
+std::vector<const Engine*> chosen_engines(const std::vector<std::string>& names) {
+    std::vector<const Engine*> engines;
+    for (const std::string& name : names) {
+        const Engine* engine = &lab::engine_named(name);
+        if (std::ranges::find(engines, engine) != engines.end())
+            throw InputError("engine '" + name + "' is there twice; compare takes different ones");
+        engines.push_back(engine);
+    }
+    return engines;
+}
+
+int compare(const Options& options) {
+    const std::vector<const Engine*> engines = chosen_engines(options.engines);
+    const auto changes = lab::parse_changes(options.settings, engines);
+    lab::CompareInput input;
+    input.scene = options.load();
+    for (const Engine* engine : engines)
+        input.entrants.push_back({engine, lab::settings_for(*engine, *input.scene, changes)});
+    input.seconds = options.seconds;
+    input.dt = options.step(*input.scene);
+    input.script = options.load_script(*input.scene);
+
+    catch_interrupts();
+    const lab::Comparison comparison = [&] {
+        Progress progress(options.seconds);
+        return lab::compare(std::move(input), [&](double time) {
+            progress.at(time);
+            stop_if_interrupted();
+        });
+    }();
+    if (!options.json.empty()) lab::write_whole_file(options.json, to_json(comparison));
+    print(comparison);
+    return 0;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& program, Action& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App& command = *program.add_subcommand(
+        "compare", "Run a scene on several engines side by side: cost, energy, and where they part");
+    options->add_to(command, "E.K=V");
+    command.add_option("--engines", options->engines, "The engines; the others are held against the first")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->type_name("A,B,...");
+    command.add_option("--json", options->json, "Everything found, as JSON")->type_name("FILE");
+    command.callback([options, &chosen] { chosen = [options] { return compare(*options); }; });
+}
+
+}  // namespace flipside::app

@@ -1,0 +1,75 @@
+#include <iostream>
+
+#include "app/cli/commands.hpp"
+#include "lab/assets.hpp"
+#include "lab/engines.hpp"
+#include "world/scene_file.hpp"
+
+namespace flipside::app {
+
+namespace {
+
+int list_scenes() {
+    for (const std::string& name : lab::scene_names())
+        std::cout << name << "\n    " << load_scene(lab::scene_file(name)).about << '\n';
+    return 0;
+}
+
+std::string range_of(const SettingSpec& spec) {
+    std::ostringstream text;
+    switch (spec.type) {
+        case SettingType::toggle:
+            return "on, off";
+        case SettingType::choice:
+            for (const std::string_view choice : spec.choices)
+                text << (choice == spec.choices.front() ? "" : ", ") << choice;
+            return text.str();
+        case SettingType::integer:
+        case SettingType::real:
+            text << spec.min << " to " << spec.max << (spec.unit.empty() ? "" : " ") << spec.unit;
+    }
+    return text.str();
+}
+
+int list_engines() {
+    for (const Engine* engine : lab::engines()) {
+        std::cout << engine->name << ": " << engine->about << '\n';
+        const Settings defaults(engine->settings);
+        for (const SettingSpec& spec : engine->settings)
+            std::cout << "  " << spec.name << " = " << defaults.text(spec.name) << "  (" << range_of(spec)
+                      << ")\n      " << spec.about << '\n';
+    }
+    return 0;
+}
+
+/// The file, what the scene recommends, and every engine's word that it can run it.
+int check(const std::string& name_or_path) {
+    const auto file = lab::scene_file(name_or_path);
+    const auto scene = std::make_shared<const Scene>(load_scene(file));
+    static_cast<void>(lab::step_for(*scene));
+    for (const Engine* engine : lab::engines()) engine->make(scene, lab::settings_for(*engine, *scene));
+    std::cout << file.string() << ": good: scene '" << scene->name << "', parts " << scene->parts.size()
+              << ", balls " << scene->balls.size() << '\n';
+    return 0;
+}
+
+}  // namespace
+
+void add_scenes(CLI::App& program, Action& chosen) {
+    program.add_subcommand("scenes", "List the scenes")->callback([&chosen] { chosen = list_scenes; });
+}
+
+void add_engines(CLI::App& program, Action& chosen) {
+    program.add_subcommand("engines", "List the engines with all their settings")->callback([&chosen] {
+        chosen = list_engines;
+    });
+}
+
+void add_check(CLI::App& program, Action& chosen) {
+    auto file = std::make_shared<std::string>();
+    CLI::App& command = *program.add_subcommand("check", "Say whether a scene file is good, and if not why");
+    command.add_option("file", *file, "The scene file, or a scene's name")->required()->type_name("FILE");
+    command.callback([file, &chosen] { chosen = [file] { return check(*file); }; });
+}
+
+}  // namespace flipside::app

@@ -1,0 +1,109 @@
+#include "lab/run.hpp"
+
+#include <iostream>
+
+#include "app/cli/commands.hpp"
+#include "app/cli/interrupt.hpp"
+#include "app/cli/progress.hpp"
+#include "app/cli/run_options.hpp"
+#include "lab/csv.hpp"
+#include "lab/run_figures.hpp"
+#include "lab/whole_file.hpp"
+#include "world/state_file.hpp"
+
+namespace flipside::app {
+
+namespace {
+
+struct Options : RunOptions {
+    std::string engine;
+    std::string from, out, events, stats, save;  ///< files; "" where not asked for
+    std::uint64_t every = 1;
+};
+
+/// A CSV file that may not have been asked for.
+class Csv {
+  public:
+    Csv(const std::string& path, std::string_view header) {
+        if (path.empty()) return;
+        file_.emplace(path);
+        file_->out() << header;
+    }
+    /// Null when nobody wants it.
+    [[nodiscard]] std::ostream* out() { return file_ ? &file_->out() : nullptr; }
+    void finish() {
+        if (file_) file_->finish();
+    }
+
+  private:
+    std::optional<lab::WholeFile> file_;
+};
+
+lab::Session make_session(const Options& options, const std::shared_ptr<const Scene>& scene) {
+    const Engine& engine = lab::engine_named(options.engine);
+    const Engine* const used[] = {&engine};
+    const auto changes = lab::parse_changes(options.settings, used);
+    lab::Session session(scene, engine, lab::settings_for(engine, *scene, changes));
+    if (!options.from.empty()) session.restore(load_state(options.from, *scene));
+    return session;
+}
+
+int run(const Options& options) {
+    const auto scene = options.load();
+    lab::Session session = make_session(options, scene);
+    const lab::Timeline timeline(session.world().time(), options.seconds, options.step(*scene));
+    const Script script = options.load_script(*scene);
+
+    Csv trajectory(options.out, lab::trajectory_header), events(options.events, lab::events_header);
+    if (auto* out = trajectory.out()) lab::write_sample(*out, timeline.start(), session.world().balls());
+    const double energy_first = lab::energy(session.world(), *scene);
+    {
+        catch_interrupts();
+        Progress progress(options.seconds);
+        const auto after = [&](const lab::Session& now, std::uint64_t step, double time) {
+            const bool sampled = (step + 1) % options.every == 0 || step + 1 == timeline.steps();
+            if (auto* out = trajectory.out(); out && sampled)
+                lab::write_sample(*out, time, now.world().balls());
+            if (auto* out = events.out()) lab::write_events(*out, now.events(), *scene);
+            progress.at(time - timeline.start());
+            stop_if_interrupted();
+        };
+        lab::run({&session, 1}, timeline, script, after);
+    }
+    trajectory.finish();
+    events.finish();
+    const std::string stats = to_json(lab::figures_of(session, options.seconds, energy_first));
+    if (!options.stats.empty()) lab::write_whole_file(options.stats, stats);
+    if (!options.save.empty()) lab::write_whole_file(options.save, to_json(session.world().save(), *scene));
+    const bool silent =
+        options.out.empty() && options.events.empty() && options.stats.empty() && options.save.empty();
+    if (silent) std::cout << stats;
+    return 0;
+}
+
+}  // namespace
+
+void add_run(CLI::App& program, Action& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App& command = *program.add_subcommand(
+        "run", "Run a scene on one engine; prints its figures where no file is asked for");
+    options->add_to(command, "K=V");
+    command.add_option("--engine", options->engine, "The engine (see `flipside engines`)")
+        ->required()
+        ->type_name("E");
+    command.add_option("--from", options->from, "Start from a state that --save wrote, on any engine")
+        ->type_name("STATE");
+    command.add_option("--out", options->out, "Trajectory: time,ball,x,y,vx,vy,angle,spin")->type_name("CSV");
+    command.add_option("--every", options->every, "Sample the trajectory every N steps (default 1)")
+        ->check(number_from(1, 1e9))
+        ->type_name("N");
+    command.add_option("--events", options->events, "Events: time,kind,ball,other,x,y,nx,ny,speed,impulse")
+        ->type_name("CSV");
+    command.add_option("--stats", options->stats, "Figures of the run: cost, energy, impacts, lost balls")
+        ->type_name("JSON");
+    command.add_option("--save", options->save, "State at the end, to go on from with --from")
+        ->type_name("STATE");
+    command.callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace flipside::app

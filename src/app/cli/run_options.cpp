@@ -1,0 +1,68 @@
+#include "app/cli/run_options.hpp"
+
+#include <iostream>
+
+#include "lab/assets.hpp"
+#include "world/scene_file.hpp"
+#include "world/script_file.hpp"
+
+namespace flipside::app {
+
+CLI::Validator number_from(double min, double max) {
+    const auto check = [=](const std::string& text) -> std::string {
+        double value = 0;
+        if (CLI::detail::lexical_cast(text, value) && value >= min && value <= max) return "";
+        std::ostringstream problem;
+        problem << "'" << text << "' is not allowed; it takes a number from " << min << " to " << max;
+        return problem.str();
+    };
+    return {check, "", "number"};
+}
+
+void RunOptions::add_to(CLI::App& command, const std::string& setting_form) {
+    command.add_option("scene", scene, "A name (see `flipside scenes`) or the path of a scene file")
+        ->required()
+        ->type_name("SCENE");
+    command.add_option("--seconds", seconds, "How long, s (default 10)")
+        ->check(number_from(0, 1e7))
+        ->type_name("T");
+    command.add_option("--dt", dt, "Step, s, as 0.01 or 1/60 (default: what the scene recommends, or 1/60)")
+        ->type_name("H");
+    command.add_option("--set", settings, "A setting (see `flipside engines`); may be given several times")
+        ->allow_extra_args(false)
+        ->type_name(setting_form);
+    command
+        .add_option("--script", script,
+                    "Controls to apply (default: SCENE.script.json beside the scene, if there is one; "
+                    "\"none\" for none)")
+        ->type_name("FILE");
+    command.add_option("--balls", balls, "Number of balls in a scene that generates a field of them")
+        ->check(number_from(1, 1e7))
+        ->type_name("N");
+}
+
+std::shared_ptr<const Scene> RunOptions::load() const {
+    const auto file = lab::scene_file(scene);
+    return std::make_shared<const Scene>(balls > 0 ? load_scene(file, balls) : load_scene(file));
+}
+
+double RunOptions::step(const Scene& loaded) const {
+    return dt.empty() ? lab::step_for(loaded) : lab::parse_step(dt);
+}
+
+std::optional<std::filesystem::path> RunOptions::script_path() const {
+    if (script == "none") return std::nullopt;
+    if (!script.empty()) return script;
+    return lab::script_beside(lab::scene_file(scene));
+}
+
+Script RunOptions::load_script(const Scene& loaded) const {
+    const auto path = script_path();
+    if (!path) return {};
+    Script controls = flipside::load_script(*path, loaded);
+    if (script.empty())
+        std::cerr << "flipside: controls from " << path->string() << " (--script none: none)\n";
+    return controls;
+}
+
+}  // namespace flipside::app

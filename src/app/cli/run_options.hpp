@@ -1,0 +1,35 @@
+#pragma once
+/// The options that run and compare have in common.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "lab/engines.hpp"
+
+namespace flipside::app {
+
+struct RunOptions {
+    std::string scene;
+    int balls = 0;  ///< of a generated field; 0: as the scene says
+    double seconds = 10;
+    std::string dt;  ///< as on the command line; "" for the scene's own
+    std::vector<std::string> settings;
+    std::string script;  ///< a file, "none", or "" for the one beside the scene
+
+    void add_to(CLI::App& command, const std::string& setting_form);
+    [[nodiscard]] std::shared_ptr<const Scene> load() const;
+    [[nodiscard]] double step(const Scene& scene) const;
+    [[nodiscard]] std::optional<std::filesystem::path> script_path() const;
+    /// Says on stderr when it takes the one beside the scene.
+    [[nodiscard]] Script load_script(const Scene& scene) const;
+};
+
+/// A CLI11 check: a finite number from `min` to `max`.
+[[nodiscard]] CLI::Validator number_from(double min, double max);
+
+}  // namespace flipside::app
