@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "app/cli/commands.hpp"
+#include "lab/assets.hpp"
 #include "world/input_error.hpp"
 
 namespace {
@@ -28,26 +29,56 @@ int act(const app::Action& action) {
     }
 }
 
+std::string names_of(const std::vector<const CLI::App*>& commands) {
+    std::string names;
+    for (const CLI::App* command : commands) names += (names.empty() ? "" : ", ") + command->get_name();
+    return names;
+}
+
+/// The command may be left out: what does not begin with one is for the window.
+std::vector<std::string> with_command(const CLI::App& program, std::vector<std::string> arguments) {
+    const auto commands = program.get_subcommands([](const CLI::App*) { return true; });
+    if (!arguments.empty()) {
+        const std::string& first = arguments.front();
+        const bool general = first == "-h" || first == "--help" || first == "--version";
+        if (general || std::ranges::find(commands, first, &CLI::App::get_name) != commands.end())
+            return arguments;
+        if (!first.starts_with('-')) {
+            try {
+                static_cast<void>(lab::scene_file(first));
+            } catch (const InputError& error) {
+                throw InputError("no command '" + first + "' (there are " + names_of(commands) + ") and " +
+                                 error.what());
+            }
+        }
+    }
+    arguments.insert(arguments.begin(), "play");
+    return arguments;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     CLI::App program("One pinball table, two interchangeable 2D physics engines, side by side.", "flipside");
     program.set_version_flag("--version", FLIPSIDE_VERSION);
-    program.require_subcommand(1);
     program.footer(
-        "Exit codes: 0 done, 1 could not be done, 2 bad usage or bad input.\n"
-        "`flipside COMMAND --help` says more about a command.");
+        "Without a command the window opens. `flipside COMMAND --help` says more about a command.\n"
+        "Exit codes: 0 done, 1 could not be done, 2 bad usage or bad input.");
     app::Action chosen;
+    app::add_play(program, chosen);
     app::add_run(program, chosen);
     app::add_compare(program, chosen);
+    app::add_render(program, chosen);
     app::add_scenes(program, chosen);
     app::add_engines(program, chosen);
     app::add_check(program, chosen);
     try {
-        program.parse(argc, argv);
+        auto arguments = with_command(program, {argv + 1, argv + argc});
+        std::ranges::reverse(arguments);  // as CLI11 takes them
+        program.parse(arguments);
     } catch (const CLI::Success& asked) {  // --help, --version
         return program.exit(asked);
-    } catch (const CLI::ParseError& error) {
+    } catch (const std::exception& error) {  // CLI::ParseError, InputError
         return fail(2, error.what());
     }
     return act(chosen);

@@ -66,6 +66,7 @@ Json json_of(const Pair& pair, const Comparison& comparison) {
             {"contacts_matched", pair.match.total},
             {"contacts_matched_before_parting", pair.match.before_parting},
             {"contacts_matched_by_ball", by_ball},
+            {"contacts_in_same_order", pair.match.in_order},
             {"first_parting", json_of(pair.match.parting, scene, names)},
             {"first_radius_apart", json_of(pair.parted, scene)},
             {"radii_apart_at_end", pair.at_end.radii},

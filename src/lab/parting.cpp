@@ -37,6 +37,12 @@ std::optional<Parting> parting_of(BallNumber ball, const std::vector<const Event
     return std::nullopt;
 }
 
+/// How many impacts have the same other, in order.
+std::size_t same_others(const std::vector<const Event*>& first, const std::vector<const Event*>& second) {
+    const auto [end, _] = std::ranges::mismatch(first, second, {}, &Event::other, &Event::other);
+    return static_cast<std::size_t>(end - first.begin());
+}
+
 }  // namespace
 
 ImpactMatch match_impacts(std::span<const Event> first, std::span<const Event> second, double tolerance,
@@ -49,6 +55,7 @@ ImpactMatch match_impacts(std::span<const Event> first, std::span<const Event> s
         const auto parting = parting_of(ball, impacts, others, tolerance, end);
         match.matched[ball] = parting ? parting->index : std::min(impacts.size(), others.size());
         match.total += match.matched[ball];
+        match.in_order += same_others(impacts, others);
         if (parting && (!match.parting || parting->time < match.parting->time)) match.parting = parting;
     }
     for (const auto& [ball, count] : match.matched) {

@@ -22,6 +22,7 @@ struct ImpactMatch {
     std::map<BallNumber, std::size_t>
         matched;                     ///< per ball: impacts that agree before its first that does not
     std::size_t total = 0;           ///< the sum of those
+    std::size_t in_order = 0;        ///< the same count where only the others must agree, whatever the times
     std::size_t before_parting = 0;  ///< those at or before the time of the first parting
     std::optional<Parting> parting;  ///< the earliest over all balls
 };

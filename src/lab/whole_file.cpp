@@ -13,9 +13,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool is_special(const fs::path& path) {
-    std::error_code none;
-    return fs::exists(path, none) && !fs::is_regular_file(path, none) && !fs::is_directory(path, none);
+/// Renaming would put a plain file where a link, a pipe or a device was.
+bool is_plain_or_new(const fs::path& path) {
+    const fs::file_type type = fs::symlink_status(path).type();
+    return type == fs::file_type::regular || type == fs::file_type::not_found;
 }
 
 [[noreturn]] void fail(const fs::path& target) {
@@ -28,7 +29,7 @@ bool is_special(const fs::path& path) {
 WholeFile::WholeFile(fs::path target) : target_(std::move(target)), written_(target_) {
     errno = EISDIR;
     if (fs::is_directory(target_)) fail(target_);
-    if (!is_special(target_)) written_ += "." + std::to_string(getpid()) + ".part";
+    if (is_plain_or_new(target_)) written_ += "." + std::to_string(getpid()) + ".part";
     out_.open(written_, std::ios::binary);
     if (!out_) fail(target_);
 }

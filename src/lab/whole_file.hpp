@@ -3,13 +3,14 @@
 
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 namespace flipside::lab {
 
 class WholeFile {
   public:
-    /// What is no regular file (/dev/stdout, a pipe) is written directly. Throws Failure when it cannot be
-    /// opened.
+    /// What is no plain file (a pipe, a device, a link as /dev/stdout is) is written directly. Throws Failure
+    /// when it cannot be opened.
     explicit WholeFile(std::filesystem::path target);
     /// Without finish() nothing is left behind.
     ~WholeFile();

@@ -11,8 +11,10 @@ namespace flipside::app {
 /// Does the work; returns the exit code. Throws InputError (exit 2) or another exception (exit 1).
 using Action = std::function<int()>;
 
+void add_play(CLI::App& program, Action& chosen);
 void add_run(CLI::App& program, Action& chosen);
 void add_compare(CLI::App& program, Action& chosen);
+void add_render(CLI::App& program, Action& chosen);
 void add_scenes(CLI::App& program, Action& chosen);
 void add_engines(CLI::App& program, Action& chosen);
 void add_check(CLI::App& program, Action& chosen);

@@ -52,7 +52,8 @@ void print_pair(const lab::Pair& pair, const lab::Comparison& comparison) {
     const std::string first = name_of(comparison.runs.front());
     const std::string second = name_of(comparison.runs[pair.second]);
     const lab::ImpactMatch& match = pair.match;
-    std::printf("\n%s and %s: %zu contacts matched in all", first.c_str(), second.c_str(), match.total);
+    std::printf("\n%s and %s: %zu contacts with the same parts in the same order, %zu of them within a step",
+                first.c_str(), second.c_str(), match.in_order, match.total);
     if (const auto& parting = match.parting) {
         std::printf(", %zu before they part\n", match.before_parting);
         std::printf("First impact where they part: number %zu of ball %u, at %.4f s\n", parting->index + 1,

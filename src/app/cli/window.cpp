@@ -1,0 +1,113 @@
+#include <cstdlib>
+#include <map>
+
+#include "app/cli/commands.hpp"
+#include "app/cli/run_options.hpp"
+#include "app/play.hpp"
+#include "app/render.hpp"
+#include "lab/assets.hpp"
+#include "lab/failure.hpp"
+
+namespace flipside::app {
+
+namespace {
+
+const std::map<std::string, View> views{
+    {"single", View::single}, {"split", View::split}, {"overlay", View::overlay}};
+
+void add_view(CLI::App& command, View& view, const std::string& which) {
+    const auto set = [&view](const std::string& name) { view = views.at(name); };
+    command
+        .add_option_function<std::string>("--view", set, "single, split or overlay (default " + which + ")")
+        ->check(CLI::IsMember(std::vector<std::string>{"single", "split", "overlay"}))
+        ->type_name("V");
+}
+
+void add_size(CLI::App& command, unsigned& width, unsigned& height) {
+    command.add_option("--width", width, "px (default 1280)")->check(number_from(200, 8192))->type_name("W");
+    command.add_option("--height", height, "px (default 800)")->check(number_from(200, 8192))->type_name("H");
+}
+
+/// SFML ends the program where it finds no X server.
+void require_display() {
+    const char* display = std::getenv("DISPLAY");
+    if (display == nullptr || *display == '\0')
+        throw lab::Failure(
+            "no display (DISPLAY is not set); run and compare need none, and xvfb-run gives one");
+}
+
+struct RenderArguments {
+    RenderOptions options;
+    std::string dt, script;  ///< as on the command line
+};
+
+int render(RenderArguments arguments) {
+    RenderOptions& options = arguments.options;
+    RunOptions run;
+    run.scene = options.scene;
+    run.dt = arguments.dt;
+    run.script = arguments.script;
+    const auto scene = run.load();
+    options.dt = run.step(*scene);
+    options.script = run.script_path();
+    require_display();
+    return render(options);
+}
+
+}  // namespace
+
+void add_play(CLI::App& program, Action& chosen) {
+    auto options = std::make_shared<PlayOptions>();
+    CLI::App& command = *program.add_subcommand("play", "Open the window (also without any command)");
+    command.add_option("scene", options->scene, "A name (see `flipside scenes`) or a file (default pinball)")
+        ->type_name("SCENE");
+    command.add_option("--engine", options->engine, "The engine of the single view (default custom)")
+        ->type_name("E");
+    add_view(command, options->view, "split");
+    command.add_option("--set", options->settings, "A setting; may be given several times")
+        ->allow_extra_args(false)
+        ->type_name("E.K=V");
+    command.add_option("--script", options->script, "Controls to apply from the start")->type_name("FILE");
+    command.add_option("--report", options->report, "Write the window's state there, a JSON line a frame")
+        ->type_name("FILE");
+    command.add_option("--screenshots", options->screenshots, "Folder for the pictures that F12 takes")
+        ->type_name("DIR");
+    add_size(command, options->width, options->height);
+    command.callback([options, &chosen] {
+        chosen = [options] {
+            static_cast<void>(lab::scene_file(options->scene));
+            require_display();
+            return play(*options);
+        };
+    });
+}
+
+void add_render(CLI::App& program, Action& chosen) {
+    auto arguments = std::make_shared<RenderArguments>();
+    RenderOptions& options = arguments->options;
+    CLI::App& command = *program.add_subcommand("render", "Write a picture of a scene at a moment");
+    command.add_option("scene", options.scene, "A name (see `flipside scenes`) or a file")
+        ->required()
+        ->type_name("SCENE");
+    command.add_option("--engine", options.engine, "The engine")->required()->type_name("E");
+    command.add_option("--at", options.at, "The moment, s (default 0)")
+        ->check(number_from(0, 1e6))
+        ->type_name("T");
+    command.add_option("--dt", arguments->dt, "Step, s, as 0.01 or 1/60 (default: as in run)")
+        ->type_name("H");
+    command.add_option("--out", options.out, "The picture")->required()->type_name("PNG");
+    add_view(command, options.view, "single");
+    command.add_option("--show", options.show, "What to draw of the engine's insides: boxes,cells,...")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->type_name("A,B,...");
+    command.add_option("--set", options.settings, "A setting; may be given several times")
+        ->allow_extra_args(false)
+        ->type_name("E.K=V");
+    command.add_option("--script", arguments->script, "Controls to apply (default: as in run)")
+        ->type_name("FILE");
+    add_size(command, options.width, options.height);
+    command.callback([arguments, &chosen] { chosen = [arguments] { return render(*arguments); }; });
+}
+
+}  // namespace flipside::app
