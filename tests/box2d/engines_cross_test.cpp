@@ -139,10 +139,12 @@ TEST(EnginesCross, firstImpactsAreOfTheSamePartWithinOneStep) {
             };
             ASSERT_TRUE(ours && theirs) << where();
             if (ours->other != theirs->other) {
-                // A ball that comes closer than contact by less than 2 % of its radius, meeting the surface
-                // at √(2 · 0.02) of its speed, may pass between two looks of a discrete solver.
+                // A discrete solver looks four times per step, every 6 mm here: it may miss a ball that a
+                // point enters by less than the height of a 6 mm chord, 2.5 % of the radius, which is met
+                // at √(2 · 0.025) of the ball's speed.
                 const Event& hit = ours->other == Other::part(0) ? *ours : *theirs;
-                EXPECT_LT(hit.speed, 0.2 * length(top.scene.balls[0].velocity)) << where();
+                const double speed = std::sqrt(length_squared(top.scene.balls[0].velocity) + 2 * 1.11 * 0.25);
+                EXPECT_LT(hit.speed, std::sqrt(2 * 0.025) * speed) << where();
                 ++grazes;
                 continue;
             }

@@ -134,8 +134,9 @@ TEST(Motion, noFastBallIsLostThroughThinWalls) {
     top.part(shape::Arc{{0.1, 0.1}, 0.05, 1, 4});
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> angle(0, 2 * pi);
-    for (int i = 0; i < 40; ++i)
-        top.ball({-0.2 + 0.05 * (i % 8), -0.2 + 0.08 * (i / 8)}, 6.0 * from_angle(angle(random)));
+    for (int row = 0; row < 5; ++row)
+        for (int column = 0; column < 8; ++column)
+            top.ball({-0.2 + 0.05 * column, -0.2 + 0.08 * row}, 6.0 * from_angle(angle(random)));
     const auto world = top.world();
     int lost = 0;
     run(*world, 5, [&] { lost += count(world->events(), EventKind::lost); });

@@ -54,6 +54,7 @@ struct Dice {
             for (double& angle : angles) angle = number(0, 2 * pi);
             std::ranges::sort(angles);
             std::vector<Vec2> points;
+            points.reserve(corners);
             for (const double t : angles) {
                 const Vec2 p = center + rotated({a * std::cos(t), b * std::sin(t)}, turn);
                 points.push_back({double{static_cast<float>(p.x)}, double{static_cast<float>(p.y)}});

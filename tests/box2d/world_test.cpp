@@ -66,8 +66,9 @@ TableTop busy() {
     Part& flipper = top.part(shape::Flipper{{-0.2, -0.15}, 0.08, 0.012, 0.007, -0.5}, wall);
     flipper.motion = motion::Flip{Side::left, 0.7, 25, 12};
     top.part(shape::Segment{{0, 0}, {0, 0.2}}).sensor = true;
-    for (int i = 0; i < 12; ++i)
-        top.ball({-0.2 + 0.05 * (i % 6), 0.13 + 0.05 * (i / 6)}, {0.3 * (i % 5) - 0.6, 0.2 * (i % 3)}, wall);
+    for (int row = 0; row < 2; ++row)
+        for (int column = 0; column < 6; ++column)
+            top.ball({-0.2 + 0.05 * column, 0.13 + 0.05 * row}, {0.25 * column - 0.6, 0.2 * row}, wall);
     return top;
 }
 
