@@ -55,7 +55,7 @@ class Table {
     /// velocity. Call it at the start of a step until it returns nothing.
     struct Launched {
         Ball ball;
-        bool existing;
+        bool existing = false;
     };
     std::optional<Launched> launch(std::span<const Ball> balls);
     [[nodiscard]] bool launch_waiting() const { return !state_.launches.empty(); }
