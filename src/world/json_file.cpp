@@ -9,7 +9,7 @@ namespace flipside {
 
 namespace {
 
-constexpr std::uintmax_t largest_file = 64 * 1024 * 1024;
+constexpr std::uintmax_t largest_file = 64U << 20U;
 constexpr std::size_t deepest_nesting = 64;
 constexpr std::size_t longest_word = 60;  ///< of a message
 

@@ -54,7 +54,7 @@ class SceneReader {
 [[nodiscard]] Launcher read_launcher(const Node& node, SceneReader& reader);
 [[nodiscard]] Rules read_rules(const Node& node, const SceneReader& reader);
 /// The bounds that a generated field sets.
-[[nodiscard]] Box field_bounds(const Node& field);
+[[nodiscard]] Box field_bounds(const Node& node);
 /// Adds what a generator makes. Deterministic: Boost.Random's distributions are the same everywhere.
 void generate(const Node& generator, SceneReader& reader);
 
