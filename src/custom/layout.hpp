@@ -16,6 +16,7 @@ class Layout {
     explicit Layout(const Scene& scene);
 
     [[nodiscard]] const Piece& piece(PieceIndex i) const { return pieces_[i]; }
+    [[nodiscard]] std::span<const Piece> pieces() const { return pieces_; }
     [[nodiscard]] PieceIndex size() const { return static_cast<PieceIndex>(pieces_.size()); }
     [[nodiscard]] bool moves(PieceIndex i) const { return i >= still_; }
     /// Of the still pieces, by index.

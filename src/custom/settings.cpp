@@ -4,14 +4,22 @@ namespace flipside::custom {
 
 namespace {
 
-constexpr std::string_view solvers[] = {"discrete"};
+constexpr std::string_view solvers[] = {"discrete", "continuous", "auto"};
 constexpr std::string_view broad_phases[] = {"brute", "quadtree"};
 
 constexpr SettingSpec specs[] = {
     {.name = "solver",
      .type = SettingType::choice,
      .choices = solvers,
-     .about = "discrete: fly, push out, reflect, several times a step"},
+     .about = "discrete: fly, push out, reflect, several times a step; continuous: every impact at its "
+              "exact time; auto: continuous while there are at most 64 balls"},
+    {.name = "max_impacts",
+     .type = SettingType::integer,
+     .initial = 1'000'000,
+     .min = 1,
+     .max = 1e9,
+     .about = "impacts that the continuous solver takes in one step before it leaves the step to the "
+              "discrete one; too few and a busy step loses its exactness"},
     {.name = "motion_iterations",
      .type = SettingType::integer,
      .initial = 4,
@@ -63,10 +71,12 @@ std::span<const SettingSpec> setting_specs() {
 }
 
 SolverSettings::SolverSettings(const Settings& settings)
-    : motion_iterations(settings.integer("motion_iterations")),
+    : solver(settings.choice("solver")),
+      motion_iterations(settings.integer("motion_iterations")),
       collision_iterations(settings.integer("collision_iterations")),
       sweep_from(settings.real("sweep_from")),
       sleep(settings.toggle("sleep")),
-      sleep_speed(settings.real("sleep_speed")) {}
+      sleep_speed(settings.real("sleep_speed")),
+      max_impacts(static_cast<std::uint64_t>(settings.integer("max_impacts"))) {}
 
 }  // namespace flipside::custom

@@ -1,6 +1,8 @@
 #pragma once
 /// The settings of this engine, read once when a world is made.
 
+#include <cstdint>
+
 #include "world/settings.hpp"
 
 namespace flipside::custom {
@@ -8,11 +10,13 @@ namespace flipside::custom {
 [[nodiscard]] std::span<const SettingSpec> setting_specs();
 
 struct SolverSettings {
+    std::string_view solver;
     int motion_iterations;
     int collision_iterations;
     double sweep_from;  ///< radii
     bool sleep;
     double sleep_speed;  ///< m/s
+    std::uint64_t max_impacts;
 
     explicit SolverSettings(const Settings& settings);
 };

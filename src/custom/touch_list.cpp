@@ -103,12 +103,14 @@ void TouchList::refresh(const Layout& layout, const Table& table, std::span<cons
     sensed_before_.reserve(sensed_.capacity());
 }
 
-void TouchList::report(double time, std::vector<Sensed>& crossed, std::vector<Event>& events) const {
+void TouchList::report_touches(double time, std::vector<Event>& events) const {
     const auto began = [&](const Contact& c) { events.push_back(event(time, EventKind::begin, c)); };
     const auto ended = [&](const Contact& c) { events.push_back(event(time, EventKind::end, c)); };
     each_missing(now_, before_, key, began);
     each_missing(before_, now_, key, ended);
+}
 
+void TouchList::report_sensors(double time, std::vector<Sensed>& crossed, std::vector<Event>& events) const {
     // What was crossed within the step began in it, and ended in it unless the ball is still there.
     const auto sensor_event = [&](EventKind kind) {
         return [=, &events](const Sensed& s) {

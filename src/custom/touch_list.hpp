@@ -31,7 +31,8 @@ class TouchList {
     [[nodiscard]] std::uint64_t narrow_tests() const { return narrow_tests_; }
     /// Reports what began and ended between the last two searches. `crossed` are the sensors that balls met
     /// in between (used up as scratch).
-    void report(double time, std::vector<Sensed>& crossed, std::vector<Event>& events) const;
+    void report_touches(double time, std::vector<Event>& events) const;
+    void report_sensors(double time, std::vector<Sensed>& crossed, std::vector<Event>& events) const;
 
   private:
     void keep_sleepers(std::span<const Ball> balls);

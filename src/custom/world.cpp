@@ -28,7 +28,8 @@ CustomWorld::CustomWorld(std::shared_ptr<const Scene> scene, const Settings& set
       table_(scene_),
       layout_(*scene_),
       broad_(make_broad_phase(*scene_, layout_, settings)),
-      solver_(*scene_, layout_, settings_),
+      discrete_(*scene_, layout_, settings_),
+      continuous_(*scene_, layout_, settings_, discrete_),
       sleep_(settings_.sleep_speed, length(scene_->gravity)),
       balls_(scene_->balls) {
     touches_.refresh(layout_, table_, balls_, *broad_, true);
@@ -43,13 +44,20 @@ void CustomWorld::step(double dt) {
 
     launch();
     sleep_.watch(balls_);
-    solver_.step(table_, balls_, dt, *broad_, record_);
+    const bool continuous = steps_continuously();
+    if (continuous && !was_continuous_) continuous_.reset(table_, balls_);
+    was_continuous_ = continuous;
+    if (continuous)
+        continuous_.step(table_, balls_, dt, *broad_, record_);
+    else
+        discrete_.step(table_, balls_, dt, *broad_, record_);
 
     const auto start = std::chrono::steady_clock::now();
     table_.advance(dt);
     lose_balls();
     touches_.refresh(layout_, table_, balls_, *broad_, false);
-    touches_.report(time(), record_.crossed, record_.events);
+    touches_.report_touches(time(), record_.events);
+    if (!continuous) touches_.report_sensors(time(), record_.crossed, record_.events);
     if (settings_.sleep) sleep_.settle(balls_, dt);
     std::ranges::sort(record_.events, [](const Event& a, const Event& b) {
         return std::tie(a.time, a.kind, a.ball, a.other, a.speed, a.impulse) <
@@ -57,6 +65,11 @@ void CustomWorld::step(double dt) {
     });
     record_.report_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     fill_statistics(broad_->tests() - tests_before);
+}
+
+bool CustomWorld::steps_continuously() const {
+    constexpr std::size_t few = 64;
+    return settings_.solver == "continuous" || (settings_.solver == "auto" && balls_.size() <= few);
 }
 
 void CustomWorld::launch() {
@@ -121,6 +134,7 @@ BallNumber CustomWorld::add(const Ball& ball) {
 bool CustomWorld::remove(BallNumber number) {
     if (std::erase_if(balls_, [&](const Ball& ball) { return ball.number == number; }) == 0) return false;
     std::erase(table_.reported_lost(), number);
+    was_continuous_ = false;
     wake_all();
     touches_.refresh(layout_, table_, balls_, *broad_, false);
     return true;
@@ -131,6 +145,7 @@ void CustomWorld::restore(const State& state) {
     balls_ = state.balls;
     record_.events.clear();
     record_.statistics = {};
+    was_continuous_ = false;
     touches_.refresh(layout_, table_, balls_, *broad_, true);
 }
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "custom/discrete_solver.hpp"
+#include "custom/continuous_solver.hpp"
 #include "custom/sleep.hpp"
 #include "world/world.hpp"
 
@@ -30,6 +30,7 @@ class CustomWorld final : public World {
     void inspect(Inspector& inspector) const override;
 
   private:
+    [[nodiscard]] bool steps_continuously() const;
     void launch();
     void lose_balls();
     void wake_all();
@@ -41,7 +42,9 @@ class CustomWorld final : public World {
     Table table_;
     Layout layout_;
     std::unique_ptr<BroadPhase> broad_;
-    DiscreteSolver solver_;
+    DiscreteSolver discrete_;
+    ContinuousSolver continuous_;
+    bool was_continuous_ = false;  ///< the last step was, and nothing was removed or restored since
     Sleep sleep_;
     TouchList touches_;
     std::vector<Ball> balls_;  ///< by rising number

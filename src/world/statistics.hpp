@@ -29,6 +29,7 @@ struct Statistics {
     std::uint64_t impacts = 0;       ///< impact events
     std::uint64_t substeps = 0;
     std::uint64_t asleep = 0;           ///< balls asleep at the end of the step
+    std::uint64_t handed_over = 0;      ///< balls that an event-ordered solver gave to a time-stepping one
     double max_penetration = 0;         ///< m, deepest overlap among contacts() at the end of the step
     std::array<StageTime, 8> stages{};  ///< in order; unused ones have an empty name
     BroadPhaseFacts broad_phase;

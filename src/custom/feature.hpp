@@ -1,0 +1,74 @@
+#pragma once
+/// The surface of the table as the continuous solver sees it: every piece taken apart into lines, arcs
+/// and rounds (points, corners, caps, circles), each with a distance whose second derivative is bounded
+/// along any smooth path. A disc of radius r touches a feature where its centre's distance is r.
+///
+/// Solid shapes are their outlines here: a centre outside can only come in through the outline.
+
+#include <cstdint>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "world/surface.hpp"
+#include "world/table.hpp"
+
+namespace flipside::custom {
+
+/// How far a curve reaches past its end. Nothing past an end where a round stands; at a smooth joint or
+/// a tangent point just past the joint's own gap and kink, so that nothing slips through.
+struct Reach {
+    bool joined = false;
+    double gap = 0;   ///< m
+    double kink = 0;  ///< rad
+
+    [[nodiscard]] double of(double radius) const { return joined ? gap + (kink + 1e-10) * radius : 0; }
+};
+
+/// Two-sided straight face.
+struct Line {
+    Vec2 start, along;  ///< unit
+    double length = 0;
+    Reach before, past;
+};
+
+/// Two-sided arc, anticlockwise between two unit directions.
+struct Bow {
+    Vec2 center;
+    double radius = 0;
+    Vec2 from, to;
+    Reach before, past;
+    bool wide = false;  ///< spans more than half a turn
+    bool full = false;  ///< has no ends
+};
+
+/// The outside of a circle; radius 0 is a point.
+struct Round {
+    Vec2 center;
+    double radius = 0;
+};
+
+struct Feature {
+    std::variant<Line, Bow, Round> is;
+    std::uint32_t piece = 0;  ///< index into the pieces given
+    PartIndex part = 0;
+};
+
+/// In the order of the pieces, so by part. Cost: linear (joints: n log n).
+[[nodiscard]] std::vector<Feature> features_of(std::span<const Piece> pieces, const Scene& scene);
+
+/// A point as seen from a feature, both in the pose of the scene file.
+struct Sight {
+    double distance = 0;  ///< m, of the point from the (endless) curve, ≥ 0
+    Vec2 normal;          ///< unit, from the curve to the point: the gradient of the distance
+    bool facing = true;   ///< the nearest point of the curve lies between its ends
+};
+[[nodiscard]] Sight look(const Feature& feature, Vec2 point, double radius);
+
+/// The feature turned into a pose.
+[[nodiscard]] Feature posed(const Feature& feature, const Pose& pose);
+
+/// Smallest box around a feature in the pose of the scene file.
+[[nodiscard]] Box bounds_of(const Feature& feature);
+
+}  // namespace flipside::custom
