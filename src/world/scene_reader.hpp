@@ -41,7 +41,7 @@ class SceneReader {
 
   private:
     /// The bit of a layer; new names get the next bit.
-    std::uint32_t layer(const Node& name);
+    std::uint32_t layer(const Node& node);
 
     Scene& scene_;
     std::map<std::string, std::uint32_t> materials_;
