@@ -1,0 +1,274 @@
+/// The real executable, as a shell would run it: exit codes, one clear line on stderr, whole and repeatable
+/// files.
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+}
+
+using Rows = std::vector<std::map<std::string, std::string>>;
+
+/// Fields by the names in the first line. No field here has quotes.
+Rows rows_of(const fs::path& csv) {
+    const auto fields = [](const std::string& line) {
+        std::vector<std::string> all(1);
+        for (const char c : line) {
+            if (c == ',')
+                all.emplace_back();
+            else
+                all.back() += c;
+        }
+        return all;
+    };
+    std::ifstream in(csv);
+    std::string line;
+    std::getline(in, line);
+    const auto names = fields(line);
+    Rows rows;
+    while (std::getline(in, line)) {
+        const auto values = fields(line);
+        EXPECT_EQ(values.size(), names.size()) << line;
+        rows.emplace_back();
+        for (std::size_t i = 0; i < names.size() && i < values.size(); ++i) rows.back()[names[i]] = values[i];
+    }
+    return rows;
+}
+
+class CommandLine : public ::testing::Test {
+  protected:
+    struct Result {
+        int code;
+        std::string out, err;
+    };
+    fs::path folder = fs::temp_directory_path() / ("flipside-cli-" + std::to_string(getpid()));
+
+    void SetUp() override { fs::create_directory(folder); }
+    void TearDown() override { fs::remove_all(folder); }
+
+    [[nodiscard]] std::string file(const std::string& name) const { return (folder / name).string(); }
+
+    [[nodiscard]] Result flipside(const std::string& arguments) const {
+        const std::string command = "env -u DISPLAY " FLIPSIDE_EXECUTABLE " " + arguments + " > " +
+                                    file("out") + " 2> " + file("err") + " < /dev/null";
+        const int status = std::system(command.c_str());
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(file("out")), text_of(file("err"))};
+    }
+
+    /// Ends with `code` and one line on stderr in which `words` are found.
+    void expect_refused(const std::string& arguments, int code, const std::string& words) const {
+        const Result result = flipside(arguments);
+        EXPECT_EQ(result.code, code) << arguments;
+        EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << arguments << ": " << result.err;
+        EXPECT_NE(result.err.find(words), std::string::npos) << arguments << ": " << result.err;
+        EXPECT_EQ(result.out, "") << arguments;
+    }
+    void expect_good(const std::string& arguments) const {
+        const Result result = flipside(arguments);
+        EXPECT_EQ(result.code, 0) << arguments << ": " << result.err;
+    }
+};
+
+TEST_F(CommandLine, BadUsageIsExitTwoAndOneLine) {
+    expect_refused("run", 2, "scene");
+    expect_refused("run drop", 2, "--engine");
+    expect_refused("run nowhere --engine custom", 2, "pinball");
+    expect_refused("run drop --engine zig", 2, "custom, box2d");
+    expect_refused("run drop --engine custom --colour red", 2, "--colour");
+    expect_refused("run drop --engine custom --seconds nan", 2, "--seconds");
+    expect_refused("run drop --engine custom --seconds -1", 2, "--seconds");
+    expect_refused("run drop --engine custom --dt 0", 2, "1/60");
+    expect_refused("run drop --engine custom --every 0", 2, "--every");
+    expect_refused("run drop --engine custom --set iterations=3", 2, "motion_iterations");
+    expect_refused("run drop --engine custom --set motion_iterations=65", 2, "from 1 to 64");
+    expect_refused("run drop --engine custom --set motion_iterations", 2, "no value");
+    expect_refused("run drop --engine custom --balls 5", 2, "drop.json");
+    expect_refused("run drop --engine custom --from " + file("none"), 2, "none");
+    expect_refused("run drop --engine custom --script " + file("none"), 2, "none");
+    expect_refused("compare drop --engines custom,custom", 2, "twice");
+    expect_refused("compare drop --set substeps=2", 2, "ENGINE.");
+    expect_refused("render drop --engine custom --out x.png --view round", 2, "overlay");
+    expect_refused("check " FLIPSIDE_SOURCE_DIR "/CMakeLists.txt", 2, "line 1");
+    expect_refused("somersault", 2, "compare");
+}
+
+TEST_F(CommandLine, WhatCannotBeDoneIsExitOne) {
+    expect_refused("run drop --engine custom --out " + file("none/x.csv"), 1, "cannot be written");
+    expect_refused("", 1, "display");
+}
+
+TEST_F(CommandLine, HelpIsNoError) {
+    for (const char* command :
+         {"", "run ", "compare ", "play ", "render ", "check ", "scenes ", "engines "}) {
+        const Result result = flipside(command + std::string("--help"));
+        EXPECT_EQ(result.code, 0) << command;
+        EXPECT_NE(result.out.find("Usage"), std::string::npos) << command;
+        EXPECT_EQ(result.err, "");
+    }
+}
+
+TEST_F(CommandLine, ListsSayWhatThereIs) {
+    const Result scenes = flipside("scenes");
+    for (const char* name : {"bowl", "box", "cradle", "drop", "pinball", "rain", "toy"})
+        EXPECT_NE(scenes.out.find(name + std::string("\n")), std::string::npos) << name;
+    const Result engines = flipside("engines");
+    EXPECT_NE(engines.out.find("motion_iterations = 4  (1 to 64)"), std::string::npos) << engines.out;
+}
+
+TEST_F(CommandLine, EveryBadSceneIsRefusedByNameAndEveryGoodOneIsNot) {
+    int bad = 0;
+    for (const auto& entry : fs::directory_iterator(FLIPSIDE_SOURCE_DIR "/tests/world/bad")) {
+        if (!entry.is_regular_file()) continue;
+        ++bad;
+        expect_refused("check '" + entry.path().string() + "'", 2, entry.path().filename().string());
+    }
+    EXPECT_GE(bad, 60);
+    for (const char* name : {"bowl", "box", "cradle", "drop", "pinball", "rain", "toy"})
+        expect_good("check " + std::string(name));
+}
+
+TEST_F(CommandLine, ATrajectoryHasItsColumnsAndEndsOnTime) {
+    expect_good("run drop --engine custom --seconds 0.25 --dt 0.1 --every 2 --out " + file("t.csv"));
+    EXPECT_EQ(text_of(file("t.csv")).substr(0, 30), "time,ball,x,y,vx,vy,angle,spin");
+    const Rows rows = rows_of(file("t.csv"));
+    ASSERT_EQ(rows.size(), 3U);  // 0, 0.2 and the shorter step's end
+    EXPECT_EQ(rows[0].at("time"), "0");
+    EXPECT_EQ(std::stod(rows[2].at("time")), 0.25);
+    for (const auto& row : rows) {
+        const double t = std::stod(row.at("time"));
+        EXPECT_NEAR(std::stod(row.at("y")), 1.0135 - 0.5 * 9.81 * t * t, 1e-12);
+        EXPECT_NEAR(std::stod(row.at("vy")), -9.81 * t, 1e-12);
+    }
+}
+
+TEST_F(CommandLine, TheFirstBounceIsAnEventAndAFigure) {
+    for (const std::string engine : {"custom", "box2d"}) {
+        expect_good("run drop --engine " + engine + " --seconds 0.6 --events " + file("e.csv") + " --stats " +
+                    file("s.json"));
+        const Rows rows = rows_of(file("e.csv"));
+        ASSERT_FALSE(rows.empty());
+        EXPECT_EQ(rows[0].at("kind"), "impact");
+        EXPECT_EQ(rows[0].at("other"), "floor");
+        EXPECT_NEAR(std::stod(rows[0].at("time")), std::sqrt(2 / 9.81), 1.0 / 60);
+        EXPECT_NEAR(std::stod(rows[0].at("ny")), 1, 1e-6);
+        const auto stats = nlohmann::json::parse(text_of(file("s.json")));
+        for (const char* key :
+             {"steps", "balls", "sim_seconds", "step_seconds", "pair_tests", "narrow_tests", "contacts",
+              "impacts", "energy_first", "energy_last", "max_penetration", "lost", "allocations"})
+            EXPECT_TRUE(stats.contains(key)) << key;
+        EXPECT_EQ(stats["steps"], 36);
+        EXPECT_EQ(stats["impacts"], 1);
+        EXPECT_EQ(stats["allocations"], 0);
+        EXPECT_NEAR(stats["energy_first"], 0.08 * 9.81 * 1.0135, 1e-9);
+    }
+}
+
+TEST_F(CommandLine, ASceneMayBeEmpty) {
+    std::ofstream(file("empty.json"))
+        << R"({"format": "flipside-scene/1", "name": "empty", "about": "Nothing at all.",
+               "bounds": {"min": [0, 0], "max": [1, 1]}, "gravity": [0, 0], "balls": [], "parts": []})";
+    for (const std::string engine : {"custom", "box2d"}) {
+        expect_good("run " + file("empty.json") + " --engine " + engine + " --out " + file("t.csv"));
+        EXPECT_EQ(text_of(file("t.csv")), "time,ball,x,y,vx,vy,angle,spin\n");
+    }
+    expect_good("compare " + file("empty.json") + " --seconds 0");
+}
+
+TEST_F(CommandLine, TheSameRunGivesTheSameBytes) {
+    for (const std::string engine : {"custom", "box2d"}) {
+        for (const std::string name : {"a", "b"})
+            expect_good("run pinball --engine " + engine + " --seconds 8 --out " + file(name + ".csv") +
+                        " --events " + file(name + "-events.csv") + " --save " + file(name + ".json"));
+        for (const std::string ending : {".csv", "-events.csv", ".json"}) {
+            EXPECT_GT(text_of(file("a" + ending)).size(), 100U);
+            EXPECT_EQ(text_of(file("a" + ending)), text_of(file("b" + ending))) << engine << ending;
+        }
+    }
+}
+
+TEST_F(CommandLine, AStateContinuesOnTheOtherEngineWithoutAJump) {
+    constexpr double radius = 0.0135;
+    for (const auto& [one, other] : {std::pair("custom", "box2d"), std::pair("box2d", "custom")}) {
+        expect_good("run pinball --seconds 5 --engine " + std::string(one) + " --out " + file("a.csv") +
+                    " --save " + file("s.json"));
+        expect_good("run pinball --seconds 1 --engine " + std::string(other) + " --from " + file("s.json") +
+                    " --out " + file("b.csv"));
+        const auto before = rows_of(file("a.csv")).back();
+        const Rows after = rows_of(file("b.csv"));
+        ASSERT_EQ(after.size(), 61U);
+        EXPECT_NEAR(std::stod(after.front().at("time")), 5, 1e-12);
+        EXPECT_NEAR(std::stod(after.back().at("time")), 6, 1e-12);
+        for (const char* key : {"x", "y"})
+            EXPECT_NEAR(std::stod(after.front().at(key)), std::stod(before.at(key)), 1e-6 * radius);
+        for (const char* key : {"vx", "vy"})
+            EXPECT_NEAR(std::stod(after.front().at(key)), std::stod(before.at(key)), 1e-6 * radius);
+    }
+}
+
+TEST_F(CommandLine, AHandOverToTheSameEngineIsNoHandOverAtAll) {
+    expect_good("run pinball --seconds 6 --engine custom --out " + file("whole.csv"));
+    expect_good("run pinball --seconds 3 --engine custom --save " + file("s.json"));
+    expect_good("run pinball --seconds 3 --engine custom --from " + file("s.json") + " --out " +
+                file("rest.csv"));
+    auto expected = rows_of(file("whole.csv")).back(), found = rows_of(file("rest.csv")).back();
+    expected.erase("time");  // 6 against 3.0000000000000004 + 3
+    found.erase("time");
+    EXPECT_EQ(found, expected);
+}
+
+TEST_F(CommandLine, AComparisonSaysWhereTheEnginesPart) {
+    const Result result =
+        flipside("compare pinball --engines custom,box2d --seconds 10 --json " + file("c.json"));
+    EXPECT_EQ(result.code, 0);
+    EXPECT_NE(result.out.find("First impact where they part"), std::string::npos);
+    EXPECT_NE(result.err.find("pinball.script.json"), std::string::npos);
+    const auto json = nlohmann::json::parse(text_of(file("c.json")));
+    ASSERT_EQ(json["engines"].size(), 2U);
+    EXPECT_EQ(json["engines"][1]["engine"], "box2d");
+    EXPECT_EQ(json["engines"][0]["steps"], 600);
+    EXPECT_GT(json["engines"][0]["cpu_seconds_per_step"], 0);
+    const auto& pair = json["pairs"].at(0);
+    EXPECT_EQ(pair["radii_apart"].size(), 600U);
+    EXPECT_TRUE(pair["first_parting"].contains("custom"));
+    EXPECT_TRUE(pair["first_parting"].contains("box2d"));
+    EXPECT_GT(pair["contacts_in_same_order"], 0);
+}
+
+TEST_F(CommandLine, AnInterruptLeavesNoFile) {
+    const std::string out = file("t.csv");
+    const pid_t child = fork();
+    if (child == 0) {
+        execl(FLIPSIDE_EXECUTABLE, "flipside", "run", "box", "--engine", "custom", "--seconds", "100000",
+              "--every", "100", "--out", out.c_str(), nullptr);
+        _exit(127);
+    }
+    const auto started = [&] {  // the file under way is there: the run has begun
+        return fs::directory_iterator(folder) != fs::directory_iterator();
+    };
+    for (int i = 0; i < 500 && !started(); ++i) usleep(10000);
+    ASSERT_TRUE(started());
+    usleep(100000);
+    kill(child, SIGINT);
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 1);
+    EXPECT_FALSE(started());
+}
+
+}  // namespace
