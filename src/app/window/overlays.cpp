@@ -28,7 +28,7 @@ class Insides : public Inspector {
         const Vec2 at = camera_.to_pixels(contact.point);
         const Vec2 normal{contact.normal.x, -contact.normal.y};
         canvas_.disc(at, canvas_.scaled(2.5), colour::warning);
-        canvas_.arrow(at, at + canvas_.scaled(18) * normal, canvas_.scaled(1.5), colour::warning);
+        canvas_.arrow(at, at + canvas_.scaled(14) * normal, canvas_.scaled(1.5), colour::warning);
     }
     void segment(Topic topic, Vec2 a, Vec2 b) override {
         canvas_.line(camera_.to_pixels(a), camera_.to_pixels(b), width_, color_of(topic));

@@ -196,7 +196,8 @@ void draw_help(const Rect& place) {
     ImGui::SetNextWindowPos(vector(place.x + place.width / 2, place.y + place.height / 2), ImGuiCond_Always,
                             {0.5F, 0.5F});
     ImGui::SetNextWindowBgAlpha(0.96F);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {24, 18});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {22, 12});
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {6, 1});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
     ImGui::Begin("help", nullptr, docked | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
     ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[1]);
@@ -217,7 +218,7 @@ void draw_help(const Rect& place) {
         ImGui::EndTable();
     }
     ImGui::End();
-    ImGui::PopStyleVar(2);
+    ImGui::PopStyleVar(3);
 }
 
 }  // namespace flipside::app

@@ -84,7 +84,10 @@ bool edit(const SettingSpec& spec, const Settings& settings, double& value) {
             break;
     }
     value = settings.real(spec.name);
-    const std::string format = "%.4g " + std::string(spec.unit);
+    // Small lengths and times read best with a prefix; the words then stand for the number itself.
+    const bool small = (spec.unit == "m" || spec.unit == "s") && std::abs(value) < 0.1;
+    const std::string unit(spec.unit);
+    const std::string format = small ? engineering(value, unit) : "%.4g " + unit;
     const bool wide = spec.min > 0 && spec.max / spec.min > 100;
     return ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &spec.min, &spec.max, format.c_str(),
                                ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat |

@@ -64,8 +64,9 @@ void Screen::draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect&
     for (const Run& run : runs) draw_balls(canvas_, camera, run, look);
     if (stage.view() == View::overlay && runs.size() == 2) draw_links(canvas_, camera, runs[0], runs[1]);
     for (const Run& run : runs) draw_marks(canvas_, camera, run, look);
-    canvas_.text({0.5 * place.width, 0.62 * place.height}, advice(runs.front().session()), Type::large,
-                 colour::text, Align::center);
+    if (look.charge == 0)
+        canvas_.text({0.5 * place.width, 0.57 * place.height}, advice(runs.front().session()), Type::large,
+                     colour::text, Align::center);
     canvas_.flush(target);
 }
 

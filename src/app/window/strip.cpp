@@ -91,7 +91,7 @@ void draw_distance(Canvas& canvas, const Rect& place, const Stage& stage) {
     if (const auto& parting = stage.parting())
         value = "parted at " + with_unit(parting->time, 2, "s") +
                 (parting->on.empty() ? "" : " on " + parting->on) + " · " + value;
-    const Axes axes{frame(canvas, place, "Apart", value), stage.time(), -12, 0.5};
+    const Axes axes{frame(canvas, place, "Apart", value), stage.time(), -12, 1.5};
     level(canvas, axes, -3, "1 mm");
     level(canvas, axes, -9, "1 nm");
     curve(canvas, axes, history, colour::text, decades);

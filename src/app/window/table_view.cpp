@@ -36,13 +36,17 @@ ShapeStyle style_of(const Canvas& canvas, const Run& run, PartIndex index, const
     return {line, colour::solid, thick};
 }
 
-/// A rollover that spins: its outline seen from the side as it turns about its own axis.
-Shape turned(const Shape& shape, double half_turns) {
-    const auto* segment = std::get_if<shape::Segment>(&shape.is);
-    if (!segment) return shape;
-    const Vec2 middle = 0.5 * (segment->a + segment->b);
-    const double width = std::cos(std::numbers::pi * half_turns);
-    return {shape::Segment{middle + width * (segment->a - middle), middle + width * (segment->b - middle)}};
+/// The plate of a spinner, seen from above: edge on while it hangs, broad as it comes round.
+void draw_spinner(Canvas& canvas, const Camera& camera, const Shape& shape, double half_turns) {
+    const auto* axle = std::get_if<shape::Segment>(&shape.is);
+    if (!axle) return;
+    const Vec2 a = camera.to_pixels(axle->a), b = camera.to_pixels(axle->b);
+    const double breadth = 0.3 * length(b - a) * std::abs(std::sin(std::numbers::pi * half_turns));
+    const Vec2 along = 0.18 * (b - a);
+    const Vec2 across = std::max(canvas.scaled(1), 0.5 * breadth) * unit(perp(b - a));
+    const Vec2 plate[] = {a + along + across, b - along + across, b - along - across, a + along - across};
+    canvas.fill(plate, blend(colour::kicker, colour::solid, half_turns > 0 ? 0.4 : 0));
+    canvas.stroke(plate, true, canvas.scaled(1), colour::kicker);
 }
 
 void draw_parts(Canvas& canvas, const Camera& camera, const Run& run, const Look& look) {
@@ -53,11 +57,8 @@ void draw_parts(Canvas& canvas, const Camera& camera, const Run& run, const Look
         draw_shape(canvas, camera, scene.parts[i].shape, pose, style_of(canvas, run, i, look));
     }
     if (!scene.rules) return;
-    for (const Rules::Spinner& spinner : scene.rules->spinners) {
-        const ShapeStyle blade{colour::kicker, colour::kicker, canvas.scaled(3)};
-        draw_shape(canvas, camera,
-                   turned(scene.parts[spinner.part].shape, session.game().spinning(spinner.part)), {}, blade);
-    }
+    for (const Rules::Spinner& spinner : scene.rules->spinners)
+        draw_spinner(canvas, camera, scene.parts[spinner.part].shape, session.game().spinning(spinner.part));
 }
 
 void draw_launcher(Canvas& canvas, const Camera& camera, const Run& run, const Look& look) {
@@ -128,7 +129,7 @@ void draw_balls(Canvas& canvas, const Camera& camera, const Run& run, const Look
         const double width = std::clamp(0.16 * radius, 1.0, canvas.scaled(3));
         canvas.ring(at, std::max(0.5, radius - 0.5 * width), width, rim);
         // Where friction makes a ball spin, a spot shows it.
-        if (ball.angle != 0 && radius > 5)
+        if (std::abs(ball.angle) > 1e-3 && radius > 5)
             canvas.disc(camera.to_pixels(ball.position + 0.6 * ball.radius * from_angle(ball.angle)),
                         0.13 * radius, colour::around);
     }
