@@ -82,7 +82,7 @@ Part turning(std::string name, Shape shape, double rate) {
 }
 
 const std::vector<Kind>& kinds() {
-    const auto one = [](Part made) { return [made](Scene& scene) { scene.parts.push_back(made); }; };
+    const auto one = [](const Part& made) { return [made](Scene& scene) { scene.parts.push_back(made); }; };
     const shape::Segment segment{{-0.06, -0.03}, {0.05, 0.04}};
     const shape::Arc arc{{0, 0}, 0.06, 0.5, 4};
     static const std::vector<Kind> all = {
