@@ -5,7 +5,6 @@
 
 #include <SFML/Graphics/RenderTexture.hpp>
 
-#include "app/window/display.hpp"
 #include "app/window/screen.hpp"
 #include "world/input_error.hpp"
 
@@ -39,7 +38,6 @@ std::vector<std::string> named_settings(const RenderOptions& options) {
 }  // namespace
 
 int render(const RenderOptions& options) {
-    require_display();
     Look look;
     look.shows = parse_shows(options.show);
     Stage stage(options.scene, options.engine, options.view, named_settings(options), options.script);

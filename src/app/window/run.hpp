@@ -17,7 +17,7 @@ struct Rates {
 };
 
 struct Sample {
-    double time, value;
+    double time = 0, value = 0;
 };
 
 class Run {

@@ -14,8 +14,8 @@ namespace flipside::app {
 
 /// The first time the two runs had a ball more than a radius apart.
 struct Parting {
-    double time;  ///< s
-    BallNumber ball;
+    double time = 0;  ///< s
+    BallNumber ball = 0;
     std::string on;  ///< what that ball had hit last; empty if nothing
 };
 

@@ -14,10 +14,10 @@
 namespace flipside::app {
 
 struct Hit {
-    double time;  ///< s
+    double time = 0;  ///< s
     Vec2 at;
-    double speed;  ///< m/s, approach
-    bool between_balls;
+    double speed = 0;  ///< m/s, approach
+    bool between_balls = false;
 };
 
 class Traces {
