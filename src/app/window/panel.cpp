@@ -185,7 +185,7 @@ ControlPlaces draw_panel(const Rect& place, Stage& stage, WindowControls& contro
     parts.time();
     if (region("Balls and table")) parts.table();
     if (region("Show")) parts.shows();
-    draw_settings(stage, places);
+    draw_settings(stage, places, controls.notice);
     draw_counts(stage);
     if (region("Load")) draw_load(load);
     ImGui::End();

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "app/window/words.hpp"
+#include "world/input_error.hpp"
 
 namespace flipside::app {
 
@@ -94,7 +95,7 @@ bool edit(const SettingSpec& spec, const Settings& settings, double& value) {
                                    (wide ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None));
 }
 
-void draw_run_settings(Stage& stage, std::size_t index, ControlPlaces& places) {
+void draw_run_settings(Stage& stage, std::size_t index, ControlPlaces& places, std::string& notice) {
     const lab::Session& session = stage.runs()[index].session();
     const std::string engine(session.engine().name);
     ImGui::PushID(engine.c_str());
@@ -114,7 +115,13 @@ void draw_run_settings(Stage& stage, std::size_t index, ControlPlaces& places) {
         tooltip(meaning);
         note(places, engine + "." + name);
         ImGui::PopID();
-        if (changed) stage.change_setting(index, name, value);
+        if (!changed) continue;
+        try {
+            stage.change_setting(index, name, value);
+            notice.clear();
+        } catch (const InputError& error) {
+            notice = error.what();
+        }
     }
     ImGui::PopID();
 }
@@ -213,8 +220,8 @@ void broad_phase(const Stage& stage) {
 
 }  // namespace
 
-void draw_settings(Stage& stage, ControlPlaces& places) {
-    for (std::size_t i = 0; i < stage.runs().size(); ++i) draw_run_settings(stage, i, places);
+void draw_settings(Stage& stage, ControlPlaces& places, std::string& notice) {
+    for (std::size_t i = 0; i < stage.runs().size(); ++i) draw_run_settings(stage, i, places, notice);
 }
 
 void draw_counts(const Stage& stage) {

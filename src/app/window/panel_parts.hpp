@@ -26,6 +26,7 @@ void label(std::string_view words, std::string_view meaning);
 /// Balls in play, tests and hits, broad phase: one column per run.
 void draw_counts(const Stage& stage);
 /// The settings of every engine on show, each under its colour, made from their descriptions.
-void draw_settings(Stage& stage, ControlPlaces& places);
+/// What an engine refuses becomes the `notice`.
+void draw_settings(Stage& stage, ControlPlaces& places, std::string& notice);
 
 }  // namespace flipside::app

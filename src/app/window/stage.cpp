@@ -139,8 +139,10 @@ void Stage::change_setting(std::size_t run, std::string_view name, double value)
     const Engine& engine = runs_[run].session().engine();
     for (auto& [owner, settings] : settings_)
         if (owner == &engine) {
-            settings.set(name, value);
-            runs_[run].change(scene_, engine, settings);
+            Settings changed = settings;
+            changed.set(name, value);
+            runs_[run].change(scene_, engine, changed);
+            settings = std::move(changed);
         }
 }
 

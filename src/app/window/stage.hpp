@@ -38,7 +38,8 @@ class Stage {
     bool press(const Control& control);
     void clear();
     void set_gravity(bool on);
-    /// Rebuilds the run's world from its state at once.
+    /// Rebuilds the run's world from its state at once. Throws InputError, and changes nothing, where the
+    /// engine refuses it.
     void change_setting(std::size_t run, std::string_view name, double value);
 
     [[nodiscard]] View view() const { return view_; }
