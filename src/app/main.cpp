@@ -2,6 +2,7 @@
 /// 0: done. 1: what was asked could not be done. 2: bad usage or bad input.
 
 #include <algorithm>
+#include <cstdio>
 #include <exception>
 #include <iostream>
 
@@ -56,9 +57,8 @@ std::vector<std::string> with_command(const CLI::App& program, std::vector<std::
     return arguments;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+/// Reads the command line and does what it asks for.
+int command_line(int argc, char** argv) {
     CLI::App program("One pinball table, two interchangeable 2D physics engines, side by side.", "flipside");
     program.set_version_flag("--version", FLIPSIDE_VERSION);
     program.footer(
@@ -82,4 +82,15 @@ int main(int argc, char** argv) {
         return fail(2, error.what());
     }
     return act(chosen);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return command_line(argc, argv);
+    } catch (...) {
+        std::fputs("flipside: out of memory\n", stderr);
+        return 1;
+    }
 }

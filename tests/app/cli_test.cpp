@@ -204,11 +204,14 @@ TEST_F(CommandLine, TheSameRunGivesTheSameBytes) {
 
 TEST_F(CommandLine, AStateContinuesOnTheOtherEngineWithoutAJump) {
     constexpr double radius = 0.0135;
+    std::ofstream(file("launch.json"))
+        << R"({"format": "flipside-script/1", "controls": [{"time": 4.5, "control": "launch"}]})";
+    const std::string table = "run pinball --script " + file("launch.json");
     for (const auto& [one, other] : {std::pair("custom", "box2d"), std::pair("box2d", "custom")}) {
-        expect_good("run pinball --seconds 5 --engine " + std::string(one) + " --out " + file("a.csv") +
-                    " --save " + file("s.json"));
-        expect_good("run pinball --seconds 1 --engine " + std::string(other) + " --from " + file("s.json") +
-                    " --out " + file("b.csv"));
+        expect_good(table + " --seconds 5 --engine " + one + " --out " + file("a.csv") + " --save " +
+                    file("s.json"));
+        expect_good(table + " --seconds 1 --engine " + other + " --from " + file("s.json") + " --out " +
+                    file("b.csv"));
         const auto before = rows_of(file("a.csv")).back();
         const Rows after = rows_of(file("b.csv"));
         ASSERT_EQ(after.size(), 61U);

@@ -23,10 +23,10 @@ struct RunOptions {
 
     void add_to(CLI::App& command, const std::string& setting_form);
     [[nodiscard]] std::shared_ptr<const Scene> load() const;
-    [[nodiscard]] double step(const Scene& scene) const;
+    [[nodiscard]] double step(const Scene& loaded) const;
     [[nodiscard]] std::optional<std::filesystem::path> script_path() const;
     /// Says on stderr when it takes the one beside the scene.
-    [[nodiscard]] Script load_script(const Scene& scene) const;
+    [[nodiscard]] Script load_script(const Scene& loaded) const;
 };
 
 /// A CLI11 check: a finite number from `min` to `max`.

@@ -1,0 +1,59 @@
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "lab/failure.hpp"
+#include "lab/run.hpp"
+
+namespace flipside::lab {
+namespace {
+
+/// A world that breaks: ball 1's spin is no number from 0.3 s on.
+class Breaking final : public World {
+  public:
+    explicit Breaking(std::span<const Ball> balls) : balls_(balls.begin(), balls.end()) {}
+
+    void step(double dt) override {
+        time_ += dt;
+        if (time_ > 0.299) balls_[1].spin = std::numeric_limits<double>::quiet_NaN();
+    }
+    void apply(const Control& /*control*/) override {}
+    BallNumber add(const Ball& /*ball*/) override { return 0; }
+    bool remove(BallNumber /*number*/) override { return false; }
+    [[nodiscard]] double time() const override { return time_; }
+    [[nodiscard]] std::span<const Ball> balls() const override { return balls_; }
+    [[nodiscard]] std::span<const PartState> parts() const override { return {}; }
+    [[nodiscard]] std::span<const Event> events() const override { return {}; }
+    [[nodiscard]] std::span<const Contact> contacts() const override { return {}; }
+    [[nodiscard]] const Statistics& statistics() const override { return statistics_; }
+    [[nodiscard]] State save() const override { return {}; }
+    void restore(const State& /*state*/) override {}
+    void inspect(Inspector& /*inspector*/) const override {}
+
+  private:
+    std::vector<Ball> balls_;
+    Statistics statistics_;
+    double time_ = 0;
+};
+
+TEST(Run, StopsAtTheFirstNumberThatIsNone) {
+    const Engine breaking{"breaking", "", {}, [](std::shared_ptr<const Scene> scene, const Settings&) {
+                              const std::shared_ptr<const Scene> held = std::move(scene);
+                              return std::unique_ptr<World>(std::make_unique<Breaking>(held->balls));
+                          }};
+    Scene scene;
+    scene.balls.resize(2);
+    scene.balls[1].number = 1;
+    Session session(std::make_shared<const Scene>(scene), breaking, Settings({}));
+    int steps = 0;
+    try {
+        run({&session, 1}, Timeline(0, 1, 0.1), {}, [&](const Session&, std::uint64_t, double) { ++steps; });
+        FAIL() << "it went on";
+    } catch (const Failure& failure) {
+        EXPECT_STREQ(failure.what(), "ball 1 is not a number any more at 0.300000 s (engine breaking)");
+    }
+    EXPECT_EQ(steps, 2);
+}
+
+}  // namespace
+}  // namespace flipside::lab
