@@ -1,12 +1,12 @@
 #include "app/real_window.hpp"
 
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <stdexcept>
 #include <thread>
 
 #include <fcntl.h>
-#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -48,6 +48,7 @@ Process::Process(const std::vector<std::string>& command, int fd) {
     if (pid_ < 0) throw std::runtime_error("cannot start " + command.front());
     if (pid_ > 0) return;
     std::vector<char*> words;
+    words.reserve(command.size() + 1);
     for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
     words.push_back(nullptr);
     if (fd >= 0) fcntl(fd, F_SETFD, 0);
@@ -117,7 +118,7 @@ void RealWindow::xdotool(const std::string& arguments) const {
 }
 
 void RealWindow::click(const Json& rect) const {
-    const auto middle = [&](int i) {
+    const auto middle = [&](std::size_t i) {
         return std::to_string(static_cast<int>(rect[i].get<double>() + 0.5 * rect[i + 2].get<double>()));
     };
     xdotool("mousemove --window " + window_ + " " + middle(0) + " " + middle(1) + " click 1");

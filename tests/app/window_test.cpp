@@ -98,15 +98,16 @@ TEST_F(Window, FlippersAreUpWhileTheirKeysAreHeld) {
     // Shift keys by their codes (50, 62): by name, xdotool would hold another shift with the right one.
     const std::pair<const char*, const char*> keys[] = {
         {"50", "left"}, {"62", "right"}, {"Left", "left"}, {"Right", "right"}};
-    for (const auto& [key, side] : keys) {
-        const std::string other = std::string(side) == "left" ? "right" : "left";
-        window->xdotool(std::string("keydown ") + key);
-        const Json up = window->wait(std::string("the flipper of ") + key, [&](const Json& s) {
+    for (const auto& entry : keys) {
+        const std::string key = entry.first, side = entry.second;
+        const std::string other = side == "left" ? "right" : "left";
+        window->xdotool("keydown " + key);
+        const Json up = window->wait("the flipper of " + key, [&](const Json& s) {
             return angle(s["panes"][0], side) > 0.3 && angle(s["panes"][1], side) > 0.3;
         });
         EXPECT_EQ(angle(up["panes"][0], other), 0);
         EXPECT_EQ(angle(up["panes"][1], other), 0);
-        window->xdotool(std::string("keyup ") + key);
+        window->xdotool("keyup " + key);
         window->wait("it to fall again", [&](const Json& s) {
             return angle(s["panes"][0], side) == 0 && angle(s["panes"][1], side) == 0;
         });
@@ -202,7 +203,8 @@ TEST_F(Window, ASecondEngineTakesOverWhatIsOnTheTable) {
 
 TEST_F(Window, LayoutFollowsTheWindow) {
     open();
-    for (const auto& [width, height] : {std::pair{1024, 640}, std::pair{1900, 1000}}) {
+    for (const auto& size : {std::pair{1024, 640}, std::pair{1900, 1000}}) {
+        const int width = size.first, height = size.second;
         window->resize(width, height);
         const Json state = window->wait("the new size", [&](const Json& s) {
             return s["layout"]["window"][0] == width && s["layout"]["window"][1] == height;
@@ -259,7 +261,7 @@ TEST_F(Window, SlowMotionAndNudge) {
     const double speed = before["panes"][0]["balls"][0]["velocity"][1];
     const Json after = window->wait(
         "the nudge", [&](const Json& s) { return s["panes"][0]["balls"][0]["velocity"][1] != speed; });
-    for (int i = 0; i < 2; ++i) {
+    for (std::size_t i = 0; i < 2; ++i) {
         const Json &was = before["panes"][i]["balls"][0]["velocity"],
                    &is = after["panes"][i]["balls"][0]["velocity"];
         EXPECT_NEAR(is[1].get<double>() - was[1].get<double>(), 0.25, 1e-5);
@@ -310,8 +312,8 @@ TEST_F(Window, AScreenshotShowsBothTablesAndTheBallsWhereTheyAre) {
     window->wait("half a second", [](const Json& s) { return s["time"] > 0.5; });
     pause();
     window->key("F12");
-    const Json state =
-        window->wait("the screenshot", [](const Json& s) { return s["last_screenshot"] != ""; });
+    const Json state = window->wait(
+        "the screenshot", [](const Json& s) { return !s["last_screenshot"].get<std::string>().empty(); });
     sf::Image image;
     ASSERT_TRUE(image.loadFromFile(state["last_screenshot"].get<std::string>()));
     ASSERT_EQ(image.getSize().x, state["layout"]["window"][0]);
@@ -319,7 +321,7 @@ TEST_F(Window, AScreenshotShowsBothTablesAndTheBallsWhereTheyAre) {
 
     const sf::Color around(0x0d, 0x0f, 0x12), ground(0x14, 0x17, 0x1c);
     const sf::Color engines[] = {{0x56, 0xb4, 0xe9}, {0xe6, 0x9f, 0x00}};
-    for (int i = 0; i < 2; ++i) {
+    for (std::size_t i = 0; i < 2; ++i) {
         const Json &rect = state["layout"]["panes"][i], &header = state["layout"]["headers"][i];
         const auto at = [&](const Json& r, double x, double y) {
             return image.getPixel(static_cast<unsigned>(r[0].get<double>() + x),

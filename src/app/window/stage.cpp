@@ -100,7 +100,7 @@ void Stage::step(double dt) {
 void Stage::compare() {
     const World& a = runs_[0].session().world();
     const World& b = runs_[1].session().world();
-    double most = 0;
+    double most = -1;
     for (const Ball& ball : a.balls()) {
         const auto other = std::ranges::lower_bound(b.balls(), ball.number, {}, &Ball::number);
         if (other == b.balls().end() || other->number != ball.number) continue;
@@ -112,7 +112,7 @@ void Stage::compare() {
         if (hit) on = hit->is_ball ? "ball " + std::to_string(hit->index) : scene_->parts[hit->index].name;
         parting_ = Parting{a.time(), ball.number, on};
     }
-    remember(distance_, {a.time(), most}, Run::history_seconds);
+    if (most >= 0) remember(distance_, {a.time(), most}, Run::history_seconds);
 }
 
 bool Stage::press(const Control& control) {

@@ -32,8 +32,8 @@ class Stage {
     /// The next engine takes over the running balls; with two runs, they exchange engines.
     void switch_engine();
     void step() { step(dt_); }
-    /// In steps of dt and one shorter one, so that it ends at `time` exactly.
-    void run_until(double time, double dt);
+    /// In steps of dt and one shorter one, so that it ends there exactly.
+    void run_until(double end, double dt);
     /// What the player does, as far as each run's rules permit it. True if any did.
     bool press(const Control& control);
     void clear();
@@ -52,7 +52,7 @@ class Stage {
     [[nodiscard]] bool gravity() const { return gravity_; }
     [[nodiscard]] bool has_gravity() const { return !(original_->gravity == Vec2{}); }
     [[nodiscard]] const std::optional<Parting>& parting() const { return parting_; }
-    /// Largest distance between the same ball in both runs over time, m.
+    /// Largest distance between the same ball in both runs over time, m; nothing while they share none.
     [[nodiscard]] const std::deque<Sample>& distance_history() const { return distance_; }
 
   private:

@@ -11,9 +11,9 @@ namespace flipside::app {
 namespace {
 
 struct Axes {
-    Rect place;          ///< px, of the curves
-    double now;          ///< s, at the right edge
-    double bottom, top;  ///< of the values
+    Rect place;                  ///< px, of the curves
+    double now = 0;              ///< s, at the right edge
+    double bottom = 0, top = 1;  ///< of the values
 
     [[nodiscard]] Vec2 at(double time, double value) const {
         const double x = 1 - (now - time) / Run::history_seconds;
@@ -69,10 +69,11 @@ void draw_energy(Canvas& canvas, const Rect& place, const Stage& stage) {
                     0.5 * (low + high) - 0.55 * span, 0.5 * (low + high) + 0.55 * span};
     if (low <= 0 && high >= 0) level(canvas, axes, 0, "0 J");
     double right = place.x + place.width - canvas.scaled(12);
-    for (auto run = stage.runs().rbegin(); run != stage.runs().rend(); ++run) {
-        const std::string value = engineering(run->energy(), "J");
+    for (std::size_t i = stage.runs().size(); i-- > 0;) {
+        const Run& run = stage.runs()[i];
+        const std::string value = engineering(run.energy(), "J");
         canvas.text({right, place.y + canvas.scaled(5)}, value, Type::small,
-                    engine_colour(run->session().engine().name), Align::right);
+                    engine_colour(run.session().engine().name), Align::right);
         right -=
             std::max(canvas.scaled(64), canvas.lettering().width(value, Type::small)) + canvas.scaled(10);
     }
@@ -87,7 +88,9 @@ double decades(double metres) {
 
 void draw_distance(Canvas& canvas, const Rect& place, const Stage& stage) {
     const auto& history = stage.distance_history();
-    std::string value = history.empty() ? "" : engineering(history.back().value, "m") + " now";
+    std::string value = history.empty() || history.back().time < stage.time()
+                            ? "no ball in both"
+                            : engineering(history.back().value, "m") + " now";
     if (const auto& parting = stage.parting())
         value = "parted at " + with_unit(parting->time, 2, "s") +
                 (parting->on.empty() ? "" : " on " + parting->on) + " · " + value;
