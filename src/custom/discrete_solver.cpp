@@ -31,14 +31,14 @@ constexpr double slop = 1e-9;
 }  // namespace
 
 DiscreteSolver::DiscreteSolver(const Scene& scene, const Layout& layout, const SolverSettings& settings)
-    : scene_(scene), layout_(layout), settings_(settings) {
+    : scene_(scene), layout_(layout), settings_(settings), near_(layout.still_proxies()) {
     for (PartIndex i = 0; i < scene.parts.size(); ++i)
         if (gate_of(scene.parts[i]) != nullptr) gates_.push_back(i);
 }
 
 void DiscreteSolver::step(Table& table, std::vector<Ball>& balls, double dt, BroadPhase& broad,
                           StepRecord& record) {
-    table_ = &table, balls_ = &balls, record_ = &record;
+    table_ = &table, balls_ = &balls, record_ = &record, dt_ = dt;
     const int iterations = settings_.motion_iterations;
     const double flight = dt / iterations;
     Stopwatch watch;
@@ -77,7 +77,8 @@ void DiscreteSolver::find_candidates(double duration, BroadPhase& broad) {
     };
     std::vector<Ball>& balls = *balls_;
     layout_.place(*table_, balls, span_.begin, span_.end, false, box_of, moving_);
-    broad.find_pairs(moving_, pairs_);
+    near_.find_pairs(
+        moving_, broad, [&](std::size_t i) { return room_of(i); }, pairs_);
 
     candidates_.clear();
     ball_pairs_.clear();
@@ -150,17 +151,41 @@ void DiscreteSolver::fly(Ball& ball, std::span<const Candidate> near, double dur
     }
 }
 
-/// The pieces within reach of a ball, by testing all of them.
+/// Where a moving proxy may get until the end of the step, with some room for what hits it meanwhile.
+Box DiscreteSolver::room_of(std::size_t moving) const {
+    const Box now = moving_[moving].box;
+    if (settings_.search_room == 0) return now;
+    const PieceIndex pieces = layout_.size() - static_cast<PieceIndex>(layout_.still_proxies().size());
+    if (moving < pieces) {
+        const auto piece = static_cast<PieceIndex>(layout_.still_proxies().size() + moving);
+        return united(now, layout_.proxy(*table_, piece, span_.begin, dt_).box);
+    }
+    const Ball& ball = (*balls_)[moving - pieces];
+    if (ball.asleep) return now;
+    const double reach = way(ball, dt_ - span_.begin) + settings_.search_room * ball.radius;
+    return united(now, bounds_of(ball.position, ball.radius + reach));
+}
+
+/// The pieces within reach of a ball, by testing all of them where the list of near ones does not do.
 std::span<const DiscreteSolver::Candidate> DiscreteSolver::look_around(const Ball& ball, double reach) {
     const Box box = bounds_of(ball.position, ball.radius + reach);
     const Proxy proxy{box, ball.layer, ball.collides_with, true, true};
     const std::vector<Proxy>& still = layout_.still_proxies();
     around_.clear();
-    for (PieceIndex i = 0; i < layout_.size(); ++i) {
+    const auto look_at = [&](PieceIndex i) {
         const Proxy& other = layout_.moves(i) ? moving_[i - still.size()] : still[i];
-        if (!may_meet(proxy, other)) continue;
+        if (!may_meet(proxy, other)) return;
         ++record_->statistics.pair_tests;
         if (overlap(box, other.box)) around_.push_back({0, i});
+    };
+    const std::size_t place =
+        moving_.size() - balls_->size() + static_cast<std::size_t>(&ball - balls_->data());
+    const Box& room = near_.room(place);
+    if (room.contains(box.min) && room.contains(box.max)) {
+        for (const Pair pair : near_.listed(place))
+            if (pair.a < layout_.size()) look_at(pair.a);
+    } else {
+        for (PieceIndex i = 0; i < layout_.size(); ++i) look_at(i);
     }
     return around_;
 }

@@ -10,6 +10,7 @@
 /// balls nothing is swept: at too few motion iterations fast balls miss each other.
 
 #include "custom/layout.hpp"
+#include "custom/near_list.hpp"
 #include "custom/response.hpp"
 #include "custom/settings.hpp"
 #include "custom/touch_list.hpp"
@@ -34,6 +35,10 @@ class DiscreteSolver {
     /// Moves the balls by dt; the table's clock stays, its gates and targets may change.
     void step(Table& table, std::vector<Ball>& balls, double dt, BroadPhase& broad, StepRecord& record);
 
+    /// The pairs found near each other in the last step; still good after it while they hold.
+    [[nodiscard]] NearList& near() { return near_; }
+    [[nodiscard]] const NearList& near() const { return near_; }
+
   private:
     /// A ball (by place) and a piece whose boxes overlap.
     struct Candidate {
@@ -51,6 +56,7 @@ class DiscreteSolver {
 
     void find_candidates(double duration, BroadPhase& broad);
     [[nodiscard]] double way(const Ball& ball, double duration) const;
+    [[nodiscard]] Box room_of(std::size_t moving) const;
     [[nodiscard]] std::span<const Candidate> look_around(const Ball& ball, double reach);
     void fly_all(double duration);
     void fly(Ball& ball, std::span<const Candidate> near, double duration);
@@ -76,7 +82,10 @@ class DiscreteSolver {
     Table* table_ = nullptr;
     std::vector<Ball>* balls_ = nullptr;
     StepRecord* record_ = nullptr;
+    double dt_ = 0;
     Span span_{};
+
+    NearList near_;
 
     // Scratch, kept to save allocations; nothing in it outlives a motion iteration.
     std::vector<Proxy> moving_;

@@ -39,9 +39,10 @@ class Layout {
         return mixed_[a * materials_ + b];
     }
 
-  private:
+    /// Of a moving piece, as in place().
     [[nodiscard]] Proxy proxy(const Table& table, PieceIndex i, double begin, double end) const;
 
+  private:
     const Scene& scene_;
     std::vector<Piece> pieces_;
     PieceIndex still_ = 0;

@@ -51,6 +51,14 @@ constexpr SettingSpec specs[] = {
      .max = 1e6,
      .about = "a ball that may sink deeper than this into a part in one flight is stopped at its "
               "surface; large values show how a plain discrete solver lets fast balls through"},
+    {.name = "search_room",
+     .type = SettingType::real,
+     .unit = "radii",
+     .initial = 1,
+     .min = 0,
+     .max = 1e3,
+     .about = "room around a ball's way within which one search for pairs serves all flights of a step; 0 "
+              "searches for every flight, as the toy does; changes the cost, never the outcome"},
     {.name = "sleep",
      .type = SettingType::toggle,
      .initial = 1,
@@ -75,6 +83,7 @@ SolverSettings::SolverSettings(const Settings& settings)
       motion_iterations(settings.integer("motion_iterations")),
       collision_iterations(settings.integer("collision_iterations")),
       sweep_from(settings.real("sweep_from")),
+      search_room(settings.real("search_room")),
       sleep(settings.toggle("sleep")),
       sleep_speed(settings.real("sleep_speed")),
       max_impacts(static_cast<std::uint64_t>(settings.integer("max_impacts"))) {}

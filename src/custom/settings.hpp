@@ -13,7 +13,8 @@ struct SolverSettings {
     std::string_view solver;
     int motion_iterations;
     int collision_iterations;
-    double sweep_from;  ///< radii
+    double sweep_from;   ///< radii
+    double search_room;  ///< radii
     bool sleep;
     double sleep_speed;  ///< m/s
     std::uint64_t max_impacts;

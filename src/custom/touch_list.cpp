@@ -66,7 +66,7 @@ void TouchList::look(const Layout& layout, const Table& table, const Ball& ball,
 }
 
 void TouchList::refresh(const Layout& layout, const Table& table, std::span<const Ball> balls,
-                        BroadPhase& broad, bool everything) {
+                        BroadPhase& broad, NearList& near, bool everything) {
     std::swap(before_, now_);
     std::swap(sensed_before_, sensed_);
     now_.clear();
@@ -77,7 +77,7 @@ void TouchList::refresh(const Layout& layout, const Table& table, std::span<cons
         return bounds_of(ball.position, ball.radius * (1 + touch_distance));
     };
     layout.place(table, balls, 0, 0, everything, box_of, moving_);
-    broad.find_pairs(moving_, pairs_);
+    near.find_pairs(moving_, broad, pairs_);
     for (const Pair pair : pairs_) {
         const Ball& ball = balls[pair.b - layout.size()];
         if (pair.a < layout.size()) {

@@ -3,6 +3,7 @@
 /// from a saved state knows the same touches as one that ran through.
 
 #include "custom/layout.hpp"
+#include "custom/near_list.hpp"
 #include "world/events.hpp"
 
 namespace flipside::custom {
@@ -22,7 +23,7 @@ class TouchList {
     /// Finds all touches now. What sleeps beside what stands still is taken over from the last time,
     /// unless `everything` says to look again.
     void refresh(const Layout& layout, const Table& table, std::span<const Ball> balls, BroadPhase& broad,
-                 bool everything);
+                 NearList& near, bool everything);
     /// One per touching pair (the deepest where there are several), by ball, then other.
     [[nodiscard]] std::span<const Contact> contacts() const { return now_; }
     /// Candidates of the last search, for those who want to see them.

@@ -32,11 +32,11 @@ CustomWorld::CustomWorld(std::shared_ptr<const Scene> scene, const Settings& set
       continuous_(*scene_, layout_, settings_, discrete_),
       sleep_(settings_.sleep_speed, length(scene_->gravity)),
       balls_(scene_->balls) {
-    touches_.refresh(layout_, table_, balls_, *broad_, true);
+    touches_.refresh(layout_, table_, balls_, *broad_, discrete_.near(), true);
 }
 
 void CustomWorld::step(double dt) {
-    const std::uint64_t tests_before = broad_->tests();
+    const std::uint64_t tests_before = box_tests();
     record_.events.clear();
     record_.crossed.clear();
     record_.statistics = {};
@@ -55,7 +55,7 @@ void CustomWorld::step(double dt) {
     const auto start = std::chrono::steady_clock::now();
     table_.advance(dt);
     lose_balls();
-    touches_.refresh(layout_, table_, balls_, *broad_, false);
+    touches_.refresh(layout_, table_, balls_, *broad_, discrete_.near(), false);
     touches_.report_touches(time(), record_.events);
     if (!continuous) touches_.report_sensors(time(), record_.crossed, record_.events);
     if (settings_.sleep) sleep_.settle(balls_, dt);
@@ -64,7 +64,11 @@ void CustomWorld::step(double dt) {
                std::tie(b.time, b.kind, b.ball, b.other, b.speed, b.impulse);
     });
     record_.report_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    fill_statistics(broad_->tests() - tests_before);
+    fill_statistics(box_tests() - tests_before);
+}
+
+std::uint64_t CustomWorld::box_tests() const {
+    return broad_->tests() + discrete_.near().tests();
 }
 
 bool CustomWorld::steps_continuously() const {
@@ -120,14 +124,14 @@ void CustomWorld::apply(const Control& control) {
     }
     if (std::holds_alternative<control::RaiseTargets>(control)) {
         wake_all();
-        touches_.refresh(layout_, table_, balls_, *broad_, false);
+        touches_.refresh(layout_, table_, balls_, *broad_, discrete_.near(), false);
     }
 }
 
 BallNumber CustomWorld::add(const Ball& ball) {
     balls_.push_back(ball);
     balls_.back().number = table_.new_number();
-    touches_.refresh(layout_, table_, balls_, *broad_, false);
+    touches_.refresh(layout_, table_, balls_, *broad_, discrete_.near(), false);
     return balls_.back().number;
 }
 
@@ -136,7 +140,7 @@ bool CustomWorld::remove(BallNumber number) {
     std::erase(table_.reported_lost(), number);
     was_continuous_ = false;
     wake_all();
-    touches_.refresh(layout_, table_, balls_, *broad_, false);
+    touches_.refresh(layout_, table_, balls_, *broad_, discrete_.near(), false);
     return true;
 }
 
@@ -146,7 +150,7 @@ void CustomWorld::restore(const State& state) {
     record_.events.clear();
     record_.statistics = {};
     was_continuous_ = false;
-    touches_.refresh(layout_, table_, balls_, *broad_, true);
+    touches_.refresh(layout_, table_, balls_, *broad_, discrete_.near(), true);
 }
 
 void CustomWorld::inspect_boxes(Inspector& inspector) const {

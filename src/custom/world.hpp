@@ -31,6 +31,7 @@ class CustomWorld final : public World {
 
   private:
     [[nodiscard]] bool steps_continuously() const;
+    [[nodiscard]] std::uint64_t box_tests() const;
     void launch();
     void lose_balls();
     void wake_all();

@@ -95,8 +95,12 @@ void Session::count(const Event& event) {
 }
 
 void Session::change(std::shared_ptr<const Scene> scene, const Engine& engine, Settings settings) {
+    State state = world_->save();
+    // What lay at rest under one gravity need not under another.
+    if (scene->gravity != scene_->gravity)
+        for (Ball& ball : state.balls) ball.asleep = false;
     std::unique_ptr<World> next = engine.make(scene, settings);
-    next->restore(world_->save());
+    next->restore(state);
     world_ = std::move(next);
     scene_ = std::move(scene);
     engine_ = &engine;

@@ -42,6 +42,23 @@ TEST(Session, FlightOnTheCustomEngineIsTheParabola) {
     EXPECT_EQ(session.totals().steps, 60U);
 }
 
+TEST(Session, AnotherGravityWakesSleepers) {
+    const auto table = [](const std::string& gravity) {
+        return scene_of(R"({"format": "flipside-scene/1", "name": "table", "about": "A ball on a floor.",
+            "bounds": {"min": [-9, -9], "max": [9, 9]}, "gravity": )" +
+                        gravity + R"(, "balls": [{"position": [0, 0.1], "radius": 0.1, "mass": 1}],
+            "parts": [{"name": "floor", "shape": {"type": "segment", "a": [-5, 0], "b": [5, 0]}}]})");
+    };
+    Session session = session_on("custom", table("[0, -9.81]"));
+    for (int k = 0; k < 60; ++k) session.step(1.0 / 60);
+    ASSERT_TRUE(session.world().balls().front().asleep);
+    session.change(session.shared_scene(), session.engine(), session.settings());
+    EXPECT_TRUE(session.world().balls().front().asleep);
+    session.change(table("[0, 9.81]"), session.engine(), session.settings());
+    session.step(1.0 / 60);
+    EXPECT_NEAR(session.world().balls().front().velocity.y, 9.81 / 60, 1e-12);
+}
+
 TEST(Session, ControlsTakeEffectAtTheirOwnTimes) {
     // Without forces the way is the sum of speed times time between the nudges, whatever the step.
     for (const std::string_view engine : {"custom", "box2d"}) {

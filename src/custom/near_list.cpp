@@ -1,0 +1,38 @@
+#include "custom/near_list.hpp"
+
+#include <algorithm>
+
+namespace flipside::custom {
+
+bool NearList::holds(std::span<const Proxy> moving) const {
+    return std::ranges::equal(moving, room_, [](const Proxy& now, const Proxy& room) {
+        return room.box.contains(now.box.min) && room.box.contains(now.box.max) &&
+               room.active >= now.active && room.ball == now.ball && room.layer == now.layer &&
+               room.collides_with == now.collides_with;
+    });
+}
+
+void NearList::sift(std::span<const Proxy> moving, std::vector<Pair>& pairs) {
+    pairs.clear();
+    const auto first = static_cast<Handle>(still_.size());
+    for (const Pair pair : listed_) {
+        const Proxy& a = pair.a < first ? still_[pair.a] : moving[pair.a - first];
+        const Proxy& b = moving[pair.b - first];
+        if (!a.active && !b.active) continue;
+        ++tests_;
+        if (overlap(a.box, b.box)) pairs.push_back(pair);
+    }
+}
+
+std::span<const Pair> NearList::listed(std::size_t moving) const {
+    const auto handle = static_cast<Handle>(still_.size() + moving);
+    const auto range = std::ranges::equal_range(listed_, handle, {}, &Pair::b);
+    return {range.begin(), range.end()};
+}
+
+void NearList::reserve(std::size_t moving, std::size_t pairs) {
+    room_.reserve(moving);
+    listed_.reserve(pairs);
+}
+
+}  // namespace flipside::custom
