@@ -16,6 +16,6 @@ if [[ -n ${DISPLAY:-}${WAYLAND_DISPLAY:-} ]]; then exec "$flipside" play pinball
 echo "There is no display: both engines play the table for 10 s, and a picture shows where they are then."
 "$flipside" compare pinball --engines custom,box2d --seconds 10
 mkdir -p out
-xvfb-run -a -s '-screen 0 1600x1000x24' "$flipside" render pinball --engine custom --view split --at 4 \
+xvfb-run -a -s '-screen 0 1600x1000x24' "$flipside" render pinball --engine custom --view split --at 1.6 --show tracks \
     --out out/pinball.png
 echo "The picture: $PWD/out/pinball.png"
