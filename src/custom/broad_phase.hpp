@@ -64,4 +64,16 @@ class BroadPhase {
 [[nodiscard]] std::unique_ptr<BroadPhase> make_quadtree(std::vector<Proxy> still, const Box& world,
                                                         int levels);
 
+/// A quadtree that splits a node of more than `capacity` proxies, `depth` times at most; what straddles a
+/// split stays above it.
+[[nodiscard]] std::unique_ptr<BroadPhase> make_adaptive_quadtree(std::vector<Proxy> still, const Box& world,
+                                                                 int capacity, int depth);
+
+/// Uniform grid over `world` of square cells, `cell` m wide; 0 fits the cell to the moving boxes as they
+/// come. What is outside counts to the cells at the border. At most 2^22 cells: too small a cell is enlarged.
+[[nodiscard]] std::unique_ptr<BroadPhase> make_grid(std::vector<Proxy> still, const Box& world, double cell);
+
+/// Sweep and prune along x.
+[[nodiscard]] std::unique_ptr<BroadPhase> make_sweep(std::vector<Proxy> still);
+
 }  // namespace flipside::custom

@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-#include "custom/broad_phase.hpp"
+#include "custom/pair_order.hpp"
 
 namespace flipside::custom {
 
@@ -48,8 +48,9 @@ class Quadtree final : public BroadPhase {
         if (std::ranges::none_of(moving, &Proxy::active)) return;
         for (const Proxy& proxy : moving) insert(proxy);
         most_in_leaf_ = most_still_in_leaf_;
-        search(0, pairs);
-        std::ranges::sort(pairs);
+        order_.start(static_cast<Handle>(still_.size()), moving.size());
+        search(0);
+        order_.finish(pairs);
         moving_ = {};
     }
 
@@ -148,13 +149,13 @@ class Quadtree final : public BroadPhase {
         });
     }
 
-    void search(Node node, std::vector<Pair>& pairs) {
+    void search(Node node) {
         if (!occupied_[node]) return;
-        if (node >= first_leaf_) return search_leaf(node - first_leaf_, pairs);
-        for (Node child = 4 * node + 1; child <= 4 * node + 4; ++child) search(child, pairs);
+        if (node >= first_leaf_) return search_leaf(node - first_leaf_);
+        for (Node child = 4 * node + 1; child <= 4 * node + 4; ++child) search(child);
     }
 
-    void search_leaf(Node leaf, std::vector<Pair>& pairs) {
+    void search_leaf(Node leaf) {
         most_in_leaf_ = std::max(most_in_leaf_, count(leaf));
         const auto first = static_cast<Handle>(still_.size());
         for (std::uint32_t i = first_moving_[leaf]; i != nobody; i = listings_[i].next) {
@@ -162,13 +163,13 @@ class Quadtree final : public BroadPhase {
             for (std::uint32_t k = still_begin_[leaf]; k < still_begin_[leaf + 1]; ++k) {
                 const Handle a = still_listed_[k];
                 if (test(still_[a], moving_[b], still_leaves_[a], moving_leaves_[b], leaf))
-                    pairs.push_back({a, first + b});
+                    order_.add(a, first + b);
             }
             // Lists grow at their front, so what follows has a lower handle.
             for (std::uint32_t j = listings_[i].next; j != nobody; j = listings_[j].next) {
                 const Handle a = listings_[j].proxy;
                 if (test(moving_[a], moving_[b], moving_leaves_[a], moving_leaves_[b], leaf))
-                    pairs.push_back({first + a, first + b});
+                    order_.add(first + a, first + b);
             }
         }
     }
@@ -204,6 +205,7 @@ class Quadtree final : public BroadPhase {
     std::vector<Leaves> moving_leaves_;
     std::vector<std::uint32_t> first_moving_;  ///< per leaf: into listings_, or nobody
     std::vector<Listing> listings_;
+    PairOrder order_;
     int most_in_leaf_ = 0;
 };
 

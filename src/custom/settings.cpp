@@ -5,7 +5,7 @@ namespace flipside::custom {
 namespace {
 
 constexpr std::string_view solvers[] = {"discrete", "continuous", "auto"};
-constexpr std::string_view broad_phases[] = {"brute", "quadtree"};
+constexpr std::string_view broad_phases[] = {"brute", "quadtree", "adaptive", "grid", "sweep", "auto"};
 
 constexpr SettingSpec specs[] = {
     {.name = "solver",
@@ -36,13 +36,34 @@ constexpr SettingSpec specs[] = {
      .type = SettingType::choice,
      .initial = 1,
      .choices = broad_phases,
-     .about = "how candidate pairs are found; changes the cost, never the outcome"},
+     .about = "how candidate pairs are found; changes the cost, never the outcome; auto: brute force for "
+              "very few shapes, an adaptive quadtree where balls differ much in size, else a grid"},
     {.name = "quadtree_levels",
      .type = SettingType::integer,
      .initial = 4,
      .min = 1,
      .max = 8,
      .about = "levels below the root; too few crowd the leaves, too many list a ball in many of them"},
+    {.name = "adaptive_capacity",
+     .type = SettingType::integer,
+     .initial = 8,
+     .min = 1,
+     .max = 1000,
+     .about = "shapes in a node before it is split; too few split for little, too many are tested in vain"},
+    {.name = "adaptive_depth",
+     .type = SettingType::integer,
+     .initial = 8,
+     .min = 1,
+     .max = 24,
+     .about = "how often the adaptive quadtree splits at most; too few crowd the leaves"},
+    {.name = "grid_cell",
+     .type = SettingType::real,
+     .unit = "m",
+     .initial = 0,
+     .min = 0,
+     .max = 1e6,
+     .about = "width of a cell of the grid, 0: fitted to the balls; too small and balls are listed in many "
+              "cells, too large and cells are crowded"},
     {.name = "sweep_from",
      .type = SettingType::real,
      .unit = "radii",

@@ -4,17 +4,12 @@
 #include <chrono>
 #include <tuple>
 
+#include "custom/choose_broad_phase.hpp"
 #include "custom/engine.hpp"
 
 namespace flipside::custom {
 
 namespace {
-
-std::unique_ptr<BroadPhase> make_broad_phase(const Scene& scene, const Layout& layout,
-                                             const Settings& settings) {
-    if (settings.choice("broad_phase") == "brute") return make_brute_force(layout.still_proxies());
-    return make_quadtree(layout.still_proxies(), scene.bounds, settings.integer("quadtree_levels"));
-}
 
 Vec2 middle(const Box& box) {
     return 0.5 * (box.min + box.max);
@@ -27,7 +22,7 @@ CustomWorld::CustomWorld(std::shared_ptr<const Scene> scene, const Settings& set
       settings_(settings),
       table_(scene_),
       layout_(*scene_),
-      broad_(make_broad_phase(*scene_, layout_, settings)),
+      broad_(make_broad_phase(*scene_, layout_.still_proxies(), settings)),
       discrete_(*scene_, layout_, settings_),
       continuous_(*scene_, layout_, settings_, discrete_),
       sleep_(settings_.sleep_speed, length(scene_->gravity)),

@@ -17,7 +17,7 @@ TEST(Allocations, NoneInAStepAfterWarmUp) {
     add_part(scene, segment({1, 3.4}, {2, 3.4})).motion = motion::Turn{{1.5, 3.4}, 2, true};
     add_part(scene, {shape::Polygon{{{3.2, 3.2}, {3.6, 3.2}, {3.4, 3.5}}}}).motion =
         motion::Turn{{3.4, 3.3}, 2, true};
-    for (const auto* broad : {"brute", "quadtree"}) {
+    for (const auto* broad : {"brute", "quadtree", "adaptive", "grid", "sweep"}) {
         const auto world = make_world(scene, {{"broad_phase", broad}});
         const State start = world->save();
         run(*world, 3);
