@@ -25,8 +25,6 @@ class Stopwatch {
 
 /// A swept ball stops this near to a surface, in radii.
 constexpr double stop_distance = 1e-7;
-/// Overlaps up to this, in radii, are rounding and left alone.
-constexpr double slop = 1e-9;
 
 }  // namespace
 
@@ -49,11 +47,7 @@ void DiscreteSolver::step(Table& table, std::vector<Ball>& balls, double dt, Bro
         fly_all(span_.duration());
         watch.lap(record.flight_seconds);
         watch_gates();
-        for (int round = 0; round < settings_.collision_iterations; ++round) {
-            const bool parts = collide_parts();
-            const bool between_balls = collide_balls();
-            if (!parts && !between_balls) break;
-        }
+        collide();
         watch_sensors();
         watch.lap(record.contact_seconds);
         ++record.statistics.substeps;
@@ -90,15 +84,6 @@ void DiscreteSolver::find_candidates(double duration, BroadPhase& broad) {
         }
         balls[b].asleep = false;  // only a part in motion is paired with a sleeper
         candidates_.push_back({b, pair.a});
-    }
-}
-
-void DiscreteSolver::each_ball(auto&& visit) {
-    for (auto first = candidates_.begin(); first != candidates_.end();) {
-        const auto last =
-            std::find_if(first, candidates_.end(), [&](const Candidate& c) { return c.ball != first->ball; });
-        visit((*balls_)[first->ball], std::span<const Candidate>(first, last));
-        first = last;
     }
 }
 
@@ -142,7 +127,8 @@ void DiscreteSolver::fly(Ball& ball, std::span<const Candidate> near, double dur
         at += soonest;
         const Piece& piece = layout_.piece(met);
         const Pose pose = table_->pose(piece.part, span_.begin + at);
-        respond_to(ball, met, touch(ball.position, ball.radius, piece, pose), at, 0);
+        double flown = 0;
+        respond_to(ball, met, touch(ball.position, ball.radius, piece, pose), at, flown);
         // Kicked faster, it leaves the surroundings that were searched for parts.
         if (way(ball, duration) > searched) {
             searched = way(ball, duration);
@@ -218,97 +204,6 @@ double DiscreteSolver::first_touch_of(const Ball& ball, PieceIndex index, double
     const Vec2 surface = cross(table_->rate(piece.part, begin + time), met.point - pose.pivot);
     const double approach = -dot(flying.velocity - surface, met.normal);
     return sinks(approach, ball, duration) ? time : never;
-}
-
-void DiscreteSolver::report(const Ball& ball, Other other, const Impact& hit, Vec2 point, double time) {
-    ++record_->statistics.impacts;
-    record_->events.push_back({table_->time() + time - hit.ago, EventKind::impact, ball.number, other, point,
-                               hit.normal, hit.speed, hit.impulse});
-}
-
-/// Answers a touch of a ball with a piece `at` seconds into this motion iteration.
-void DiscreteSolver::respond_to(Ball& ball, PieceIndex index, const Touch& touch, double at, double flown) {
-    const PartIndex part = layout_.piece(index).part;
-    const double now = span_.begin + at;
-    const Pose pose = table_->pose(part, now);
-    const Vec2 surface = cross(table_->rate(part, now), touch.point - pose.pivot);
-    const Impact hit =
-        respond(ball, touch, surface, layout_.mixed(ball.material, scene_.parts[part].material),
-                {scene_.gravity, scene_.rest_speed, flown});
-    if (!hit.happened) return push_out(ball, touch);
-    report(ball, Other::part(part), hit, touch.point, now);
-    if (scene_.parts[part].target) {
-        table_->set_down(part, true);
-        for (Ball& other : *balls_) other.asleep = false;
-    }
-}
-
-bool DiscreteSolver::collide_parts() {
-    bool any = false;
-    each_ball([&](Ball& ball, std::span<const Candidate> near) {
-        if (!ball.asleep && collide_ball_with_parts(ball, near)) any = true;
-    });
-    return any;
-}
-
-/// The deepest touch first: a ball that lies on a face is then clear of the face's ends.
-bool DiscreteSolver::collide_ball_with_parts(Ball& ball, std::span<const Candidate> near) {
-    const auto touch_now = [&](PieceIndex index) {
-        const Piece& piece = layout_.piece(index);
-        const Pose pose = table_->pose(piece.part, span_.end);
-        Touch found;
-        found.separation = never;
-        if (!stops(*table_, piece, pose, ball)) return found;
-        ++record_->statistics.narrow_tests;
-        found = touch(ball.position, ball.radius, piece, pose);
-        if (found.past_end) found.separation = never;
-        return found;
-    };
-    deep_.clear();
-    for (const Candidate& candidate : near) {
-        const double separation = touch_now(candidate.piece).separation;
-        if (separation < -slop * ball.radius) deep_.push_back({separation, candidate.piece});
-    }
-    std::ranges::sort(deep_);
-    for (const Deep& deep : deep_) {
-        const Touch found = touch_now(deep.piece);
-        if (found.separation >= 0) continue;
-        ++record_->statistics.contacts;
-        respond_to(ball, deep.piece, found, span_.duration(), span_.duration());
-    }
-    return !deep_.empty();
-}
-
-bool DiscreteSolver::collide_balls() {
-    bool any = false;
-    for (const BallPair pair : ball_pairs_) {
-        Ball &a = (*balls_)[pair.a], &b = (*balls_)[pair.b];
-        if (a.asleep && b.asleep) continue;
-        ++record_->statistics.narrow_tests;
-        const Vec2 between = a.position - b.position;
-        const double reach = a.radius + b.radius;
-        if (length_squared(between) >= (1 - slop) * reach * reach) continue;
-        ++record_->statistics.contacts;
-        any = true;
-        collide(a, b, unit(between));
-    }
-    return any;
-}
-
-void DiscreteSolver::collide(Ball& a, Ball& b, Vec2 normal) {
-    // A sleeper holds against what merely rests on it, and wakes when hit.
-    const double approach = -dot(a.velocity - b.velocity, normal);
-    const double weight = std::abs(dot(scene_.gravity, normal)) * span_.duration();
-    if (approach > settings_.sleep_speed + weight) a.asleep = b.asleep = false;
-    const bool held_a = a.asleep;
-    Ball &free = held_a ? b : a, &other = held_a ? a : b;
-    Impact hit = respond(free, other, other.asleep, layout_.mixed(a.material, b.material),
-                         {scene_.gravity, scene_.rest_speed, span_.duration()});
-    if (hit.happened) {
-        if (held_a) hit.normal = -hit.normal;
-        report(a, Other::ball(b.number), hit, b.position + b.radius * hit.normal, span_.end);
-    }
-    push_out(free, other, other.asleep);
 }
 
 /// A closed gate opens for a ball that flew in from behind, and an open one stays so while any is in it.

@@ -62,16 +62,29 @@ class DiscreteSolver {
     void fly(Ball& ball, std::span<const Candidate> near, double duration);
     [[nodiscard]] double first_touch_of(const Ball& ball, PieceIndex index, double at, double duration) const;
     [[nodiscard]] bool sinks(double approach, const Ball& ball, double duration) const;
+    // Rounds of response (discrete_contacts.cpp).
+    void collide();
+    [[nodiscard]] bool changed(std::uint32_t place) const;
     bool collide_parts();
-    bool collide_ball_with_parts(Ball& ball, std::span<const Candidate> near);
+    bool collide_ball_with_parts(std::uint32_t place, std::span<const Candidate> near);
     bool collide_balls();
-    void respond_to(Ball& ball, PieceIndex index, const Touch& touch, double at, double flown);
-    void collide(Ball& a, Ball& b, Vec2 normal);
+    void respond_to(Ball& ball, PieceIndex index, const Touch& touch, double at, double& flown);
+    void collide(BallPair pair, Vec2 normal);
     void report(const Ball& ball, Other other, const Impact& hit, Vec2 point, double time);
+    /// What a ball may lean on: a piece, or a lower ball.
+    struct Support {
+        double height;  ///< of the ball, in units of 1/|gravity|
+        std::uint32_t ball;
+        bool is_ball;
+        std::uint32_t on;  ///< a piece or a ball by place
+        friend auto operator<=>(const Support&, const Support&) = default;
+    };
+    void support_from_below();
+    void find_supports();
+    [[nodiscard]] Touch touch_of(std::uint32_t place, const Support& support, Vec2& surface);
+    bool lean(Ball& ball, const Touch& on, Vec2 surface);
     void watch_gates();
     void watch_sensors();
-    /// Visits each ball that has candidates, with them.
-    void each_ball(auto&& visit);
 
     const Scene& scene_;
     const Layout& layout_;
@@ -101,6 +114,12 @@ class DiscreteSolver {
         friend auto operator<=>(const Deep&, const Deep&) = default;
     };
     std::vector<Deep> deep_;
+    int round_ = 0;
+    std::vector<int> changed_in_;  ///< per ball, the last round that moved it
+    std::vector<double> flown_;    ///< per ball, s of free flight up to the end of the iteration
+    std::vector<Support> supports_;
+    std::vector<char> stirred_;  ///< per ball: the last round moved it, or what it leans on
+    std::vector<char> borne_;    ///< per ball: by the table, over others or at once
 };
 
 }  // namespace flipside::custom

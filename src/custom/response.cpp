@@ -90,7 +90,7 @@ Impact respond(Ball& a, Ball& b, bool held_b, const Mixed& material, const Surro
     const double speed = -dot(relative, normal);
 
     // Gravity drives a ball into the one it rests on during the flight: that much is no impact.
-    const bool resting = speed <= around.rest_speed + std::abs(dot(around.gravity, normal)) * around.flown;
+    const bool resting = speed <= around.rest_speed + std::abs(dot(around.gravity, normal)) * around.driven;
     const double out = resting ? 0 : bounce(material, speed);
     const double per_mass_b = held_b ? 0 : 1 / b.mass;
     const double per_mass = 1 / a.mass + per_mass_b;

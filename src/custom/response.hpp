@@ -11,9 +11,11 @@ namespace flipside::custom {
 struct Surroundings {
     Vec2 gravity;           ///< m/s²
     double rest_speed = 0;  ///< m/s
-    /// s: how long the balls flew before the touch was looked for. A touch within this time is answered
-    /// as if it had been found at once.
+    /// s: how long the balls flew freely before the touch was looked for. A touch within this time is
+    /// answered as if it had been found at once.
     double flown = 0;
+    /// s: how long gravity has driven them since touches were last looked for.
+    double driven = 0;
 };
 
 /// What a response did.

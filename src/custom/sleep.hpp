@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "world/ball.hpp"
+#include "world/events.hpp"
 
 namespace flipside::custom {
 
@@ -18,14 +19,19 @@ class Sleep {
     void watch(std::span<const Ball> balls);
     /// After it: puts those to sleep, with all velocity gone, that were slower than `speed` throughout and
     /// did not gain more than a thousandth of what gravity gives in free fall (a ball that turns back on
-    /// a slope does). Balls that joined in between are left alone.
-    void settle(std::span<Ball> balls, double dt) const;
+    /// a slope does). Balls that joined in between, and those that a contact squeezes by more than half a
+    /// hundredth of their radius, are left alone.
+    void settle(std::span<Ball> balls, std::span<const Contact> contacts, double dt);
 
   private:
     struct Before {
         BallNumber number = 0;
         Vec2 position, velocity;
+        double radius = 0;  ///< m
+        bool squeezed = false;
     };
+    void squeeze(BallNumber number, double overlap);
+
     double speed_, gravity_;
     std::vector<Before> before_;
 };

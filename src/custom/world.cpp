@@ -53,7 +53,7 @@ void CustomWorld::step(double dt) {
     touches_.refresh(layout_, table_, balls_, *broad_, discrete_.near(), false);
     touches_.report_touches(time(), record_.events);
     if (!continuous) touches_.report_sensors(time(), record_.crossed, record_.events);
-    if (settings_.sleep) sleep_.settle(balls_, dt);
+    if (settings_.sleep) sleep_.settle(balls_, contacts(), dt);
     std::ranges::sort(record_.events, [](const Event& a, const Event& b) {
         return std::tie(a.time, a.kind, a.ball, a.other, a.speed, a.impulse) <
                std::tie(b.time, b.kind, b.ball, b.other, b.speed, b.impulse);

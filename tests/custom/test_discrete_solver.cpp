@@ -275,5 +275,62 @@ TEST(DiscreteSolver, ColumnOfThreeComesToRest) {
     for (const Contact& contact : world->contacts()) EXPECT_GT(contact.separation, -1e-3);
 }
 
+/// Runs until all sleep; the deepest overlap among the contacts then, in radii of 0.1 m.
+double settle(World& world, double seconds) {
+    for (int i = 0; i < 60 * seconds && world.statistics().asleep < world.balls().size(); ++i)
+        world.step(1.0 / 60);
+    EXPECT_EQ(world.statistics().asleep, world.balls().size());
+    double deepest = 0;
+    for (const Contact& contact : world.contacts()) deepest = std::max(deepest, -contact.separation / 0.1);
+    return deepest;
+}
+
+TEST(DiscreteSolver, ColumnOfTenFallsAsleepWhereItStands) {
+    Scene scene = empty_scene({0, -9.8});
+    scene.rest_speed = 0.1;
+    for (int i = 0; i < 10; ++i) add_ball(scene, {0, 0.101 + 0.201 * i});
+    add_part(scene, segment({-1, 0}, {1, 0}), {"", 0.5, 0, 0});
+    scene.materials[0].restitution = std::sqrt(0.5);
+    const auto world = make_world(scene, {{"solver", "discrete"}});
+    EXPECT_LT(settle(*world, 5), 1e-3);
+    for (std::size_t i = 0; i < 10; ++i)
+        EXPECT_NEAR(world->balls()[i].position.y, 0.1 + 0.2 * static_cast<double>(i), 1e-6);
+}
+
+TEST(DiscreteSolver, HeapsComeToRestWithoutSinkingOrGainingEnergy) {
+    const auto fall = [](Scene scene, int balls, double low) {
+        scene.rest_speed = 0.1;
+        scene.materials[0].restitution = std::sqrt(0.5);
+        for (int i = 0; i < balls; ++i)
+            add_ball(scene, {-1.38 + 0.21 * (i % 14) + 0.001 * (i % 7), low + 0.205 * (i / 14)});
+        const auto world = make_world(scene, {{"solver", "discrete"}});
+        const double before = energy(*world, scene);
+        EXPECT_LT(settle(*world, 20), 0.01);
+        EXPECT_LT(energy(*world, scene), before);
+        for (const Ball& ball : world->balls()) EXPECT_GT(ball.position.y, 0.09);
+    };
+    Scene pit = empty_scene({0, -9.8});
+    add_part(pit, {shape::Polyline{{{-1.5, 90}, {-1.5, 1.5}, {0, 0}, {1.5, 1.5}, {1.5, 90}}, false}},
+             {"", 0.7, 0, 0});
+    fall(pit, 50, 1.8);
+    Scene bin = empty_scene({0, -9.8});
+    add_part(bin, {shape::Polyline{{{-1.5, 90}, {-1.5, 0}, {1.5, 0}, {1.5, 90}}, false}}, {"", 0.7, 0, 0});
+    fall(bin, 200, 0.3);
+}
+
+TEST(DiscreteSolver, SmallPileThatNothingHoldsStillComesApart) {
+    // Three balls without friction: the upper one drives the lower two apart. It takes rounds enough to
+    // balance their forces: when those are used up, slow slip counts as rest.
+    Scene scene = empty_scene({0, -9.8});
+    add_ball(scene, {-0.1, 0.1});
+    add_ball(scene, {0.1, 0.1});
+    add_ball(scene, {0, 0.1 + 0.2 * std::sqrt(0.75)});
+    add_part(scene, segment({-9, 0}, {9, 0}), {"", 0.5, 0, 0});
+    const auto world = make_world(scene, {{"solver", "discrete"}, {"collision_iterations", "32"}});
+    run(*world, 1);
+    EXPECT_LT(world->balls()[0].position.x, -0.2);
+    EXPECT_GT(world->balls()[1].position.x, 0.2);
+}
+
 }  // namespace
 }  // namespace flipside::custom::test

@@ -21,7 +21,7 @@ TEST(Sleep, SlowAndUndrivenFallsAsleep) {
     std::vector<Ball> balls{ball_of(0, {0.001, 0}), ball_of(1, {0.02, 0}), ball_of(2, {})};
     sleep.watch(balls);
     balls[2].velocity = {0, -0.005};  // turning back on a slope
-    sleep.settle(balls, 0.01);
+    sleep.settle(balls, {}, 0.01);
     EXPECT_TRUE(balls[0].asleep);
     EXPECT_EQ(balls[0].velocity, Vec2{});
     EXPECT_FALSE(balls[1].asleep);
@@ -33,9 +33,22 @@ TEST(Sleep, NewcomersAreLeftAlone) {
     std::vector<Ball> balls{ball_of(3, {})};
     sleep.watch(balls);
     balls = {ball_of(3, {}), ball_of(4, {})};
-    sleep.settle(balls, 0.01);
+    sleep.settle(balls, {}, 0.01);
     EXPECT_TRUE(balls[0].asleep);
     EXPECT_FALSE(balls[1].asleep);
+}
+
+TEST(Sleep, ASqueezedBallStaysAwake) {
+    Sleep sleep(0.01, 10);
+    std::vector<Ball> balls{ball_of(0, {}), ball_of(1, {}), ball_of(2, {})};
+    sleep.watch(balls);
+    const Contact deep{0, Other::ball(2), {}, {}, -0.01 * 0.1},
+        shallow{1, Other::part(0), {}, {}, -0.001 * 0.1};
+    const Contact contacts[] = {deep, shallow};
+    sleep.settle(balls, contacts, 0.01);
+    EXPECT_FALSE(balls[0].asleep);
+    EXPECT_TRUE(balls[1].asleep);
+    EXPECT_FALSE(balls[2].asleep);
 }
 
 Scene row_of_balls(int count) {
