@@ -1,7 +1,8 @@
 // Uniform grid, for many things of like size. A moving proxy that fits into a cell ("small") is listed
 // once, in the cell of its middle, by a counting sort that leaves the proxies themselves in order of cells.
 // Two small ones that overlap are then in the same or in neighbouring cells, so each looks at the rest of
-// its cell with the next one in the row, and at three cells of the row above: two runs of memory.
+// its cell with the next one in the row, and at three cells of the row above, so far as it reaches: two
+// runs of memory.
 //
 // What is still or does not fit ("wide") is listed in every cell that it or its margin of half a cell
 // overlaps, so a small proxy finds all of them in its one cell. Still proxies are listed once, unless
@@ -44,6 +45,10 @@ struct Division {
     [[nodiscard]] Cells under(const Box& box) const {
         return {column(box.min.x), row(box.min.y), column(box.max.x), row(box.max.y)};
     }
+    /// The lower left one of a cell.
+    [[nodiscard]] Vec2 corner(std::uint32_t column, std::uint32_t row) const {
+        return {origin.x + column * size, origin.y + row * size};
+    }
     [[nodiscard]] Cell at(std::uint32_t column, std::uint32_t row) const { return row * columns + column; }
     [[nodiscard]] Cell count() const { return columns * rows; }
     void each(const Cells& cells, auto&& visit) const {
@@ -65,6 +70,7 @@ class Grid final : public BroadPhase {
         : still_(std::move(still)), world_(world), automatic_(cell == 0) {
         const Vec2 size = world.max - world.min;
         constexpr double most_cells = 1 << 22;
+        if (automatic_) make_room(16);
         divide(automatic_ ? std::max(size.x, size.y) : std::max(cell, smallest_cell(most_cells)));
     }
 
@@ -93,7 +99,7 @@ class Grid final : public BroadPhase {
     void inspect(Inspector& inspector) const override {
         for (std::uint32_t y = 0; y < cells_.rows; ++y)
             for (std::uint32_t x = 0; x < cells_.columns; ++x) {
-                const Vec2 low = cells_.origin + cells_.size * Vec2{double(x), double(y)};
+                const Vec2 low = cells_.corner(x, y);
                 const Cell cell = cells_.at(x, y);
                 std::uint32_t count = still_begin_[cell + 1] - still_begin_[cell];
                 if (!begin_.empty()) count += begin_[cell + 1] - begin_[cell];
@@ -144,14 +150,20 @@ class Grid final : public BroadPhase {
     }
 
     /// Makes sure that typical boxes fit and that there are not many more cells than proxies. The cell
-    /// stays while it is at most three times too large, since a change lists what is still anew.
+    /// stays while boxes fit on average and it is at most three times too large, since a change lists what
+    /// is still anew.
     void fit_cell(std::span<const Proxy> moving) {
         if (moving.size() > room_) make_room(std::bit_ceil(moving.size()));
-        double sum = 0;
-        for (const Proxy& proxy : moving) sum += side(proxy.box);
+        double sum = 0, most = 0;
+        for (const Proxy& proxy : moving) {
+            const double length = side(proxy.box);
+            sum += length;
+            most = std::max(most, length);
+        }
         const auto count = static_cast<double>(moving.size());
-        const double least = std::max(1.1 * sum / count, smallest_cell(4 * count + 256));
-        if (least > cells_.size || 3 * least < cells_.size) divide(1.1 * least);
+        const double mean = sum / count, fewest = smallest_cell(4 * count + 256);
+        const double wanted = std::max((1 + 1e-9) / fits * std::min(most, 1.5 * mean), fewest);
+        if (std::max(mean / fits, fewest) > cells_.size || 3 * wanted < cells_.size) divide(wanted);
     }
 
     /// Lists what is still in the smallest cells that there will be for so many moving proxies, so that no
@@ -160,6 +172,9 @@ class Grid final : public BroadPhase {
         room_ = moving;
         divide(smallest_cell(4 * static_cast<double>(moving) + 256));
         begin_.reserve(cells_.count() + 1);
+        home_.reserve(moving);
+        entries_.reserve(moving);
+        wide_.reserve(moving);
         still_listed_.reserve(2 * still_listed_.size());
     }
 
@@ -209,6 +224,7 @@ class Grid final : public BroadPhase {
     void sort_small() {
         begin_.assign(cells_.count() + 1, 0);
         home_.clear();
+        Vec2 largest;
         for (Handle i = 0; i < moving_.size(); ++i) {
             const Box& box = moving_[i].box;
             ++tests_;
@@ -218,10 +234,12 @@ class Grid final : public BroadPhase {
                 home_.push_back({nobody, nobody});
                 continue;
             }
+            largest = {std::max(largest.x, size.x), std::max(largest.y, size.y)};
             home_.push_back({cells_.column(0.5 * box.min.x + 0.5 * box.max.x),
                              cells_.row(0.5 * box.min.y + 0.5 * box.max.y)});
             ++begin_[cells_.at(home_.back().column, home_.back().row)];
         }
+        reach_ = 0.5 * largest + 1e-6 * Vec2{cells_.size, cells_.size};
         std::uint32_t sum = 0, most = 0;
         for (std::uint32_t& count : begin_) {
             most = std::max(most, count);
@@ -243,11 +261,15 @@ class Grid final : public BroadPhase {
             const Wide& wide = wide_[listings_[k].wide];
             test(entry.proxy, entry.handle, proxy(wide), wide.handle);
         }
-        const Cell past = cell + (entry.column + 1 < cells_.columns ? 1 : 0);
-        test(entry, i + 1, begin_[past + 1]);
-        if (entry.row + 1 == cells_.rows) return;
-        const Cell before = cell - (entry.column > 0 ? 1 : 0);
-        test(entry, begin_[before + cells_.columns], begin_[past + cells_.columns + 1]);
+        // Neighbours whose middles the largest small box around can have.
+        const Box& box = entry.proxy.box;
+        const Vec2 low = cells_.corner(entry.column, entry.row);
+        const bool left = entry.column > 0 && box.min.x - reach_.x <= low.x;
+        const bool right = entry.column + 1 < cells_.columns && box.max.x + reach_.x >= low.x + cells_.size;
+        const bool above = entry.row + 1 < cells_.rows && box.max.y + reach_.y >= low.y + cells_.size;
+        const Cell past = cell + (right ? 2 : 1);
+        test(entry, i + 1, begin_[past]);
+        if (above) test(entry, begin_[cell - (left ? 1 : 0) + cells_.columns], begin_[past + cells_.columns]);
     }
 
     /// A wide one against what is still and the wide ones before it.
@@ -295,6 +317,7 @@ class Grid final : public BroadPhase {
     std::vector<Home> home_;            ///< per moving proxy; nobody for the wide
     std::vector<std::uint32_t> begin_;  ///< per cell and one more: where its part of entries_ begins
     std::vector<Entry> entries_;
+    Vec2 reach_;  ///< half of the largest small box, and room for rounding
     std::vector<Wide> wide_;
     std::vector<std::uint32_t> first_wide_;  ///< per cell: into listings_, or nobody
     std::vector<Listing> listings_;
