@@ -34,7 +34,7 @@ constexpr SettingSpec specs[] = {
      .about = "rounds of response after each flight; too few and piles stick as if rough"},
     {.name = "broad_phase",
      .type = SettingType::choice,
-     .initial = 1,
+     .initial = 5,
      .choices = broad_phases,
      .about = "how candidate pairs are found; changes the cost, never the outcome; auto: brute force for "
               "very few shapes, an adaptive quadtree where balls differ much in size, else a grid"},

@@ -105,6 +105,7 @@ TEST_F(CommandLine, BadUsageIsExitTwoAndOneLine) {
     expect_refused("compare drop --set substeps=2", 2, "ENGINE.");
     expect_refused("render drop --engine custom --out x.png --view round", 2, "overlay");
     expect_refused("check " FLIPSIDE_SOURCE_DIR "/CMakeLists.txt", 2, "line 1");
+    expect_refused("pairs --most 5", 2, "32");
     expect_refused("somersault", 2, "compare");
 }
 
@@ -115,7 +116,7 @@ TEST_F(CommandLine, WhatCannotBeDoneIsExitOne) {
 
 TEST_F(CommandLine, HelpIsNoError) {
     for (const char* command :
-         {"", "run ", "compare ", "play ", "render ", "check ", "scenes ", "engines "}) {
+         {"", "run ", "compare ", "play ", "render ", "check ", "scenes ", "engines ", "pairs "}) {
         const Result result = flipside(command + std::string("--help"));
         EXPECT_EQ(result.code, 0) << command;
         EXPECT_NE(result.out.find("Usage"), std::string::npos) << command;

@@ -62,7 +62,7 @@ bool all_asleep(const World& world) {
 }
 
 TEST(Sleep, TableOfAHundredSleepersMakesNoTests) {
-    for (const auto* broad : {"brute", "quadtree"}) {
+    for (const auto* broad : {"brute", "quadtree", "adaptive", "grid", "sweep"}) {
         const auto world = make_world(row_of_balls(100), {{"broad_phase", broad}});
         run(*world, 0.1);
         ASSERT_TRUE(all_asleep(*world));

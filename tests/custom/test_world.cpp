@@ -272,6 +272,11 @@ TEST(World, BroadPhaseChangesNoBit) {
     expect_same(*brute, *tree);
     EXPECT_LT(tree->statistics().pair_tests, brute->statistics().pair_tests);
     EXPECT_EQ(tree->statistics().broad_phase.leaves, 64);
+    for (const auto* other : {"adaptive", "grid", "sweep", "auto"}) {
+        const auto world = make_world(rich_scene(), {{"broad_phase", other}});
+        run(*world, 5);
+        expect_same(*brute, *world);
+    }
 }
 
 TEST(World, ShowsItsInsides) {
@@ -290,7 +295,7 @@ TEST(World, ShowsItsInsides) {
     add_ball(scene, {0, 0.1});
     add_ball(scene, {5, 5});
     add_part(scene, segment({-1, 0}, {1, 0}));
-    const auto world = make_world(scene, {{"quadtree_levels", "2"}});
+    const auto world = make_world(scene, {{"broad_phase", "quadtree"}, {"quadtree_levels", "2"}});
     world->step(1.0 / 60);
     world->inspect(counter);
     EXPECT_EQ(counter.boxes, 3 + 2);  // a face, two ends, two balls
