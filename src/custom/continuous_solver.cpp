@@ -71,7 +71,7 @@ void ContinuousSolver::step(Table& table, std::vector<Ball>& balls, double dt, B
     for (int attempts = 1; !attempt(broad); ++attempts) {
         roll_back(events);
         if (attempts >= most_attempts)
-            for (Place i = 0; i < movers_.size(); ++i) movers_[i].handed_over = true;
+            for (Mover& mover : movers_) mover.handed_over = true;
     }
     finish();
 }

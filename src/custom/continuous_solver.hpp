@@ -89,7 +89,7 @@ class ContinuousSolver {
     // Resting contacts (continuous_predict.cpp).
     struct Grip {
         Hold hold;
-        bool pressed;
+        bool pressed = false;
     };
     void find_grips(Place i, double time);
     void take_hold(Place i, double time);

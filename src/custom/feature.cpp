@@ -119,7 +119,7 @@ class Taker {
 
 struct Looker {
     Vec2 point;
-    double radius;
+    double radius = 0;
 
     Sight operator()(const Line& line) const {
         const Vec2 from_start = point - line.start;

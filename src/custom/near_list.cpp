@@ -26,8 +26,8 @@ void NearList::sift(std::span<const Proxy> moving, std::vector<Pair>& pairs) {
 
 std::span<const Pair> NearList::listed(std::size_t moving) const {
     const auto handle = static_cast<Handle>(still_.size() + moving);
-    const auto range = std::ranges::equal_range(listed_, handle, {}, &Pair::b);
-    return {range.begin(), range.end()};
+    return {std::ranges::lower_bound(listed_, handle, {}, &Pair::b),
+            std::ranges::upper_bound(listed_, handle, {}, &Pair::b)};
 }
 
 void NearList::reserve(std::size_t moving, std::size_t pairs) {

@@ -28,8 +28,8 @@ struct Moving {
 
 /// What the search needs to know at one instant.
 struct Gap {
-    double value, slope;
-    double k;                   ///< bound on −f'' …
+    double value = 0, slope = 0;
+    double k = 0;               ///< bound on −f'' …
     double trusted = INFINITY;  ///< … for this long, s
     double outside = 0;         ///< surely not between the feature's ends for this long, s
 };
@@ -43,7 +43,7 @@ Gap gap_to_disc(const Moving& q, Vec2 center, double reach) {
 
 struct GapTo {
     Moving q;
-    double radius;
+    double radius = 0;
 
     Gap operator()(const Line& line) const {
         const Vec2 from_start = q.at - line.start;

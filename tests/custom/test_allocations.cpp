@@ -10,8 +10,10 @@ namespace {
 
 TEST(Allocations, NoneInAStepAfterWarmUp) {
     Scene scene = empty_scene({0, -2});
-    for (int i = 0; i < 100; ++i)
-        add_ball(scene, {0.3 * (i % 10), 0.3 * (i / 10)}, {i % 7 - 3.0, i % 5 - 2.0});
+    for (int i = 0; i < 100; ++i) {
+        const int row = i / 10, column = i % 10;
+        add_ball(scene, {0.3 * column, 0.3 * row}, {i % 7 - 3.0, i % 5 - 2.0});
+    }
     add_part(scene, {shape::Polyline{{{-0.5, -0.5}, {4, -0.5}, {4, 4}, {-0.5, 4}}, true}});
     add_part(scene, segment({1, 3.5}, {3, 3.6})).sensor = true;
     add_part(scene, segment({1, 3.4}, {2, 3.4})).motion = motion::Turn{{1.5, 3.4}, 2, true};

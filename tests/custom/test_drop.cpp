@@ -34,11 +34,11 @@ TEST(Drop, FirstThreeApexesAreExact) {
         const auto world = make_world(drop(0.8, radius));
         const std::vector<double> heights = apexes(*world, radius, 3.0);
         ASSERT_GE(heights.size(), 3U);
-        for (int i = 0; i < 3; ++i) {
-            const double exact = std::pow(0.64, i + 1);
-            std::printf("radius %g apex %d: %.9f m, error %.2e m\n", radius, i + 1, heights[i],
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double exact = std::pow(0.64, static_cast<double>(i + 1));
+            std::printf("radius %g apex %zu: %.9f m, error %.2e m\n", radius, i + 1, heights[i],
                         heights[i] - exact);
-            EXPECT_NEAR(heights[static_cast<std::size_t>(i)], exact, 1e-6);
+            EXPECT_NEAR(heights[i], exact, 1e-6);
         }
     }
 }
