@@ -116,8 +116,8 @@ class Grid final : public BroadPhase {
     /// A small proxy, in order of cells.
     struct Entry {
         Proxy proxy;
-        Handle handle;
-        std::uint32_t column, row;
+        Handle handle = 0;
+        std::uint32_t column = 0, row = 0;
     };
     /// A moving proxy that does not fit into a cell.
     struct Wide {

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "custom/choose_broad_phase.hpp"
+#include "custom/enclosing.hpp"
 #include "custom/engine.hpp"
 
 namespace flipside::custom {
@@ -152,6 +153,22 @@ void CustomWorld::inspect_boxes(Inspector& inspector) const {
     for (PieceIndex i = 0; i < layout_.size(); ++i)
         inspector.box(Topic::boxes, bounds_of(layout_.piece(i), table_.pose(layout_.piece(i).part)));
     for (const Ball& ball : balls_) inspector.box(Topic::boxes, bounds_of(ball.position, ball.radius));
+    inspect_turning_bounds(inspector);
+}
+
+/// Of moving parts also the bounds that turn with them: circle and rectangle.
+void CustomWorld::inspect_turning_bounds(Inspector& inspector) const {
+    std::vector<Vec2> outline;
+    for (PartIndex part = 0; part < scene_->parts.size(); ++part) {
+        if (!Table::moves(scene_->parts[part])) continue;
+        outline.clear();
+        for (const Piece& piece : layout_.pieces())
+            if (piece.part == part) append_outline(piece, table_.pose(part), outline);
+        const Disc disc = enclosing_disc(outline);
+        inspector.circle(Topic::boxes, disc.center, disc.radius);
+        const auto corners = enclosing_rectangle(outline).corners();
+        for (std::size_t i = 0; i < 4; ++i) inspector.segment(Topic::boxes, corners[i], corners[(i + 1) % 4]);
+    }
 }
 
 void CustomWorld::inspect(Inspector& inspector) const {

@@ -37,6 +37,7 @@ class CustomWorld final : public World {
     void wake_all();
     void fill_statistics(std::uint64_t pair_tests);
     void inspect_boxes(Inspector& inspector) const;
+    void inspect_turning_bounds(Inspector& inspector) const;
 
     std::shared_ptr<const Scene> scene_;
     SolverSettings settings_;

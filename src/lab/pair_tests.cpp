@@ -65,9 +65,10 @@ std::shared_ptr<const Scene> toy_scene(int balls) {
     Dice dice(static_cast<std::uint64_t>(balls));
     for (int i = 0; i < balls; ++i) {
         const int place = 13 * i % 32;  // of 8 × 4, far apart at first
+        const int column = place % 8, row = place / 8;
         Ball ball;
         ball.number = static_cast<BallNumber>(i);
-        ball.position = {(place % 8 + 0.5) * play_box.x / 8, (0.5 + place / 8) * play_box.y / 4};
+        ball.position = {(column + 0.5) * play_box.x / 8, (row + 0.5) * play_box.y / 4};
         ball.velocity = speed * dice.direction();
         ball.radius = radius;
         ball.mass = 1;

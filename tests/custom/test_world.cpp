@@ -281,24 +281,27 @@ TEST(World, BroadPhaseChangesNoBit) {
 
 TEST(World, ShowsItsInsides) {
     struct Counter final : Inspector {
-        int boxes = 0, cells = 0, pairs = 0, contacts = 0, sleepers = 0;
+        int boxes = 0, cells = 0, pairs = 0, contacts = 0, sleepers = 0, discs = 0, sides = 0;
         [[nodiscard]] bool wants(Topic) const override { return true; }
         void box(Topic, const Box&) override { ++boxes; }
         void cell(const Box&, int) override { ++cells; }
         void pair(Vec2, Vec2) override { ++pairs; }
         void contact(const Contact&) override { ++contacts; }
-        void segment(Topic, Vec2, Vec2) override {}
-        void circle(Topic, Vec2, double) override { ++sleepers; }
+        void segment(Topic, Vec2, Vec2) override { ++sides; }
+        void circle(Topic topic, Vec2, double) override { ++(topic == Topic::sleep ? sleepers : discs); }
         void text(Topic, Vec2, std::string_view) override {}
     } counter;
     Scene scene = empty_scene({0, -9.81});
     add_ball(scene, {0, 0.1});
     add_ball(scene, {5, 5});
     add_part(scene, segment({-1, 0}, {1, 0}));
+    add_part(scene, segment({-9, 9}, {-8, 9})).motion = motion::Turn{{-8, 9}, 1, true};
     const auto world = make_world(scene, {{"broad_phase", "quadtree"}, {"quadtree_levels", "2"}});
     world->step(1.0 / 60);
     world->inspect(counter);
-    EXPECT_EQ(counter.boxes, 3 + 2);  // a face, two ends, two balls
+    EXPECT_EQ(counter.boxes, 2 * 3 + 2);  // two faces with two ends each, two balls
+    EXPECT_EQ(counter.discs, 1);          // around the part that turns
+    EXPECT_EQ(counter.sides, 4);
     EXPECT_EQ(counter.cells, 16);
     EXPECT_EQ(counter.pairs, 1);
     EXPECT_EQ(counter.contacts, 1);
