@@ -33,8 +33,8 @@ void DiscreteSolver::report(const Ball& ball, Other other, const Impact& hit, Ve
 void DiscreteSolver::respond_to(Ball& ball, PieceIndex index, const Touch& touch, double at, double& flown) {
     const PartIndex part = layout_.piece(index).part;
     const double now = span_.begin + at;
-    const Pose pose = table_->pose(part, now);
-    const Vec2 surface = cross(table_->rate(part, now), touch.point - pose.pivot);
+    const Pose pose = layout_.pose(*table_, index, now);
+    const Vec2 surface = cross(layout_.rate(*table_, index, now), touch.point - pose.pivot);
     const Impact hit =
         respond(ball, touch, surface, layout_.mixed(ball.material, scene_.parts[part].material),
                 {scene_.gravity, scene_.rest_speed, flown, span_.duration()});
@@ -84,10 +84,10 @@ bool DiscreteSolver::collide_ball_with_parts(std::uint32_t place, std::span<cons
     Ball& ball = (*balls_)[place];
     const auto touch_now = [&](PieceIndex index) {
         const Piece& piece = layout_.piece(index);
-        const Pose pose = table_->pose(piece.part, span_.end);
+        const Pose pose = layout_.pose(*table_, index, span_.end);
         Touch found;
         found.separation = never;
-        if (!stops(*table_, piece, pose, ball)) return found;
+        if (!layout_.stops(*table_, index, pose, ball)) return found;
         ++record_->statistics.narrow_tests;
         found = touch(ball.position, ball.radius, piece, pose);
         if (found.past_end) found.separation = never;
@@ -145,22 +145,26 @@ void DiscreteSolver::collide(BallPair pair, Vec2 normal) {
     push_out(free, other, other.asleep);
 }
 
-/// Lists what each awake ball can lean on: parts, and lower balls. By the height of the upper ball.
+/// Lists what each awake ball of a heap can lean on: lower balls that it touches, and parts. By the height
+/// of the upper ball.
 void DiscreteSolver::find_supports() {
     supports_.clear();
     const auto height = [&](const Ball& ball) { return -dot(ball.position, scene_.gravity); };
-    for (const Candidate& candidate : candidates_) {
-        const Ball& ball = (*balls_)[candidate.ball];
-        if (!ball.asleep) supports_.push_back({height(ball), candidate.ball, false, candidate.piece});
-    }
+    in_heap_.assign(stirred_.begin(), stirred_.end());
     for (const BallPair pair : ball_pairs_) {
         const Ball &a = (*balls_)[pair.a], &b = (*balls_)[pair.b];
         const double reach = a.radius + b.radius + leaning * std::min(a.radius, b.radius);
         if (length_squared(a.position - b.position) >= reach * reach) continue;
+        in_heap_[pair.a] = in_heap_[pair.b] = true;
         const bool a_above = std::tuple(height(a), pair.a) > std::tuple(height(b), pair.b);
         const auto [upper, lower] = a_above ? std::pair(pair.a, pair.b) : std::pair(pair.b, pair.a);
         const Ball& leans = (*balls_)[upper];
         if (!leans.asleep) supports_.push_back({height(leans), upper, true, lower});
+    }
+    for (const Candidate& candidate : candidates_) {
+        const Ball& ball = (*balls_)[candidate.ball];
+        if (in_heap_[candidate.ball] && !ball.asleep)
+            supports_.push_back({height(ball), candidate.ball, false, candidate.piece});
     }
     std::ranges::sort(supports_);
 }
@@ -170,11 +174,11 @@ void DiscreteSolver::find_supports() {
 /// which hold as if they had infinite mass (shock propagation: Guendelman, Bridson, Fedkiw 2003, "Nonconvex
 /// rigid bodies with stacking"). Only balls that the last round moved are touched, and those upon them.
 void DiscreteSolver::support_from_below() {
-    find_supports();
-    borne_.assign(balls_->size(), false);
     stirred_.resize(balls_->size());
     std::ranges::transform(changed_in_, stirred_.begin(),
                            [&](int round) { return round >= settings_.collision_iterations; });
+    find_supports();
+    borne_.assign(balls_->size(), false);
     for (auto first = supports_.begin(); first != supports_.end();) {
         const std::uint32_t place = first->ball;
         const auto last =
@@ -210,11 +214,11 @@ Touch DiscreteSolver::touch_of(std::uint32_t place, const Support& support, Vec2
         return touch(ball.position, ball.radius, lower.position, lower.radius);
     }
     const Piece& piece = layout_.piece(support.on);
-    const Pose pose = table_->pose(piece.part, span_.end);
-    if (!stops(*table_, piece, pose, ball)) return far;
+    const Pose pose = layout_.pose(*table_, support.on, span_.end);
+    if (!layout_.stops(*table_, support.on, pose, ball)) return far;
     ++record_->statistics.narrow_tests;
     const Touch on = touch(ball.position, ball.radius, piece, pose);
-    surface = cross(table_->rate(piece.part, span_.end), on.point - pose.pivot);
+    surface = cross(layout_.rate(*table_, support.on, span_.end), on.point - pose.pivot);
     return on.past_end ? far : on;
 }
 
@@ -222,7 +226,7 @@ Touch DiscreteSolver::touch_of(std::uint32_t place, const Support& support, Vec2
 /// during the next flight is none, and slip that is about as slow is taken for rest: the rounds
 /// leave that much behind where the true forces of a heap balance. False when nothing changed.
 bool DiscreteSolver::lean(Ball& ball, const Touch& on, Vec2 surface) {
-    const double gain = length(scene_.gravity) * span_.duration();
+    const double gain = pull_ * span_.duration();
     const double pressing = -dot(scene_.gravity, on.normal) * span_.duration();
     const Vec2 relative = ball.velocity - surface;
     const double closing = -dot(relative, on.normal);

@@ -29,7 +29,11 @@ constexpr double stop_distance = 1e-7;
 }  // namespace
 
 DiscreteSolver::DiscreteSolver(const Scene& scene, const Layout& layout, const SolverSettings& settings)
-    : scene_(scene), layout_(layout), settings_(settings), near_(layout.still_proxies()) {
+    : scene_(scene),
+      layout_(layout),
+      settings_(settings),
+      pull_(length(scene.gravity)),
+      near_(layout.still_proxies()) {
     for (PartIndex i = 0; i < scene.parts.size(); ++i)
         if (gate_of(scene.parts[i]) != nullptr) gates_.push_back(i);
 }
@@ -56,7 +60,7 @@ void DiscreteSolver::step(Table& table, std::vector<Ball>& balls, double dt, Bro
 
 /// The farthest a ball can get.
 double DiscreteSolver::way(const Ball& ball, double duration) const {
-    return (length(ball.velocity) + length(scene_.gravity) * duration) * duration;
+    return (length(ball.velocity) + pull_ * duration) * duration;
 }
 
 void DiscreteSolver::find_candidates(double duration, BroadPhase& broad) {
@@ -126,7 +130,7 @@ void DiscreteSolver::fly(Ball& ball, std::span<const Candidate> near, double dur
         if (soonest == never) return;
         at += soonest;
         const Piece& piece = layout_.piece(met);
-        const Pose pose = table_->pose(piece.part, span_.begin + at);
+        const Pose pose = layout_.pose(*table_, met, span_.begin + at);
         double flown = 0;
         respond_to(ball, met, touch(ball.position, ball.radius, piece, pose), at, flown);
         // Kicked faster, it leaves the surroundings that were searched for parts.
@@ -148,8 +152,10 @@ Box DiscreteSolver::room_of(std::size_t moving) const {
     }
     const Ball& ball = (*balls_)[moving - pieces];
     if (ball.asleep) return now;
-    const double reach = way(ball, dt_ - span_.begin) + settings_.search_room * ball.radius;
-    return united(now, bounds_of(ball.position, ball.radius + reach));
+    const double left = dt_ - span_.begin;
+    const Vec2 end = Flight(scene_.gravity, scene_.damping, left).position(ball);
+    const Box way = united(bounds_of(ball.position, ball.radius), bounds_of(end, ball.radius));
+    return united(now, grown(way, settings_.search_room * ball.radius));
 }
 
 /// The pieces within reach of a ball, by testing all of them where the list of near ones does not do.
@@ -181,11 +187,11 @@ std::span<const DiscreteSolver::Candidate> DiscreteSolver::look_around(const Bal
 double DiscreteSolver::first_touch_of(const Ball& ball, PieceIndex index, double at, double duration) const {
     const Piece& piece = layout_.piece(index);
     const double begin = span_.begin + at;
-    const Pose pose = table_->pose(piece.part, begin);
-    const double rate = layout_.moves(index) ? table_->rate(piece.part, begin) : 0;
-    const double own = length(ball.velocity) + length(scene_.gravity) * duration;
+    const Pose pose = layout_.pose(*table_, index, begin);
+    const double rate = layout_.rate(*table_, index, begin);
+    const double own = length(ball.velocity) + pull_ * duration;
     const double speed = own + std::abs(rate) * (length(ball.position - pose.pivot) + own * duration);
-    if (!sinks(speed, ball, duration) || !stops(*table_, piece, pose, ball)) return never;
+    if (!sinks(speed, ball, duration) || !layout_.stops(*table_, index, pose, ball)) return never;
 
     std::uint64_t& tests = record_->statistics.narrow_tests;
     const auto touch_at = [&](double time, Ball& flying) {
@@ -201,7 +207,7 @@ double DiscreteSolver::first_touch_of(const Ball& ball, PieceIndex index, double
     if (time == never) return never;
     const Touch met = touch_at(time, flying);
     if (met.past_end && gate_of(scene_.parts[piece.part]) != nullptr) return never;
-    const Vec2 surface = cross(table_->rate(piece.part, begin + time), met.point - pose.pivot);
+    const Vec2 surface = cross(layout_.rate(*table_, index, begin + time), met.point - pose.pivot);
     const double approach = -dot(flying.velocity - surface, met.normal);
     return sinks(approach, ball, duration) ? time : never;
 }

@@ -89,6 +89,7 @@ class DiscreteSolver {
     const Scene& scene_;
     const Layout& layout_;
     SolverSettings settings_;
+    double pull_;  ///< m/s², amount of gravity
     std::vector<PartIndex> gates_;
 
     // Of the step being made.
@@ -119,6 +120,7 @@ class DiscreteSolver {
     std::vector<double> flown_;    ///< per ball, s of free flight up to the end of the iteration
     std::vector<Support> supports_;
     std::vector<char> stirred_;  ///< per ball: the last round moved it, or what it leans on
+    std::vector<char> in_heap_;  ///< per ball: stirred, or touches a ball
     std::vector<char> borne_;    ///< per ball: by the table, over others or at once
 };
 

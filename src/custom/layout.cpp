@@ -13,6 +13,10 @@ Layout::Layout(const Scene& scene)
         const Part& part = scene.parts[pieces_[i].part];
         still_proxies_.push_back({bounds_of(pieces_[i]), part.layer, part.collides_with, false, false});
     }
+    for (const Piece& piece : pieces_) {
+        const Part& part = scene.parts[piece.part];
+        always_stops_.push_back(!part.sensor && !part.target && gate_of(part) == nullptr);
+    }
     for (const Material& a : scene.materials)
         for (const Material& b : scene.materials) mixed_.push_back(mix(a, b));
 }

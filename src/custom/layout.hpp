@@ -11,6 +11,10 @@ namespace flipside::custom {
 
 using PieceIndex = std::uint32_t;
 
+/// Whether a piece answers a ball now: no sensor, no target that is down, no gate that lets this ball
+/// through. A gate only stops what comes from the side to which its normal points.
+[[nodiscard]] bool stops(const Table& table, const Piece& piece, const Pose& pose, const Ball& ball);
+
 class Layout {
   public:
     explicit Layout(const Scene& scene);
@@ -19,6 +23,17 @@ class Layout {
     [[nodiscard]] std::span<const Piece> pieces() const { return pieces_; }
     [[nodiscard]] PieceIndex size() const { return static_cast<PieceIndex>(pieces_.size()); }
     [[nodiscard]] bool moves(PieceIndex i) const { return i >= still_; }
+    /// Pose and rate (rad/s) of a piece `ahead` seconds from now; cheap for what is still.
+    [[nodiscard]] Pose pose(const Table& table, PieceIndex i, double ahead) const {
+        return moves(i) ? table.pose(pieces_[i].part, ahead) : Pose{};
+    }
+    [[nodiscard]] double rate(const Table& table, PieceIndex i, double ahead) const {
+        return moves(i) ? table.rate(pieces_[i].part, ahead) : 0;
+    }
+    /// The same as stops() above; cheap for most pieces.
+    [[nodiscard]] bool stops(const Table& table, PieceIndex i, const Pose& pose, const Ball& ball) const {
+        return always_stops_[i] || custom::stops(table, pieces_[i], pose, ball);
+    }
     /// Of the still pieces, by index.
     [[nodiscard]] const std::vector<Proxy>& still_proxies() const { return still_proxies_; }
 
@@ -47,12 +62,9 @@ class Layout {
     std::vector<Piece> pieces_;
     PieceIndex still_ = 0;
     std::vector<Proxy> still_proxies_;
+    std::vector<char> always_stops_;  ///< per piece: of no sensor, target or gate
     std::size_t materials_;
     std::vector<Mixed> mixed_;
 };
-
-/// Whether a piece answers a ball now: no sensor, no target that is down, no gate that lets this ball
-/// through. A gate only stops what comes from the side to which its normal points.
-[[nodiscard]] bool stops(const Table& table, const Piece& piece, const Pose& pose, const Ball& ball);
 
 }  // namespace flipside::custom

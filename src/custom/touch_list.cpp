@@ -54,9 +54,9 @@ void TouchList::keep_sleepers(std::span<const Ball> balls) {
 
 void TouchList::look(const Layout& layout, const Table& table, const Ball& ball, PieceIndex index) {
     const Piece& piece = layout.piece(index);
-    const Pose pose = table.pose(piece.part);
+    const Pose pose = layout.pose(table, index, 0);
     const bool sensor = table.scene().parts[piece.part].sensor;
-    if (!sensor && !stops(table, piece, pose, ball)) return;
+    if (!sensor && !layout.stops(table, index, pose, ball)) return;
     ++narrow_tests_;
     const Touch found = touch(ball.position, ball.radius, piece, pose);
     if (found.past_end) return;
