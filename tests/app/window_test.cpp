@@ -19,8 +19,9 @@ class Window : public testing::Test {
     static void SetUpTestSuite() { display = std::make_unique<VirtualDisplay>(); }
     static void TearDownTestSuite() { display.reset(); }
 
-    void open(const std::string& scene = "pinball", const std::string& view = "split") {
-        window = std::make_unique<RealWindow>(std::vector<std::string>{scene, "--view", view});
+    void open(const std::string& scene = "pinball", const std::string& view = "split", int height = 800) {
+        window = std::make_unique<RealWindow>(
+            std::vector<std::string>{scene, "--view", view, "--height", std::to_string(height)});
     }
     void TearDown() override {
         if (!window) return;
@@ -229,7 +230,7 @@ TEST_F(Window, HelpOpensAndEscapeClosesItAndThenTheWindow) {
 }
 
 TEST_F(Window, ClicksOnThePanelDoWhatTheySay) {
-    open();
+    open("pinball", "split", 1080);  // no setting is scrolled out of sight
     click("Boxes");
     window->wait("boxes", [](const Json& s) { return s["show"]["boxes"] == true; });
     click("Gravity");
