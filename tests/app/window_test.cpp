@@ -50,9 +50,22 @@ class Window : public testing::Test {
         return window->wait("view " + view, [&](const Json& s) { return s["view"] == view; });
     }
     void click(const std::string& control) {
-        const Json state = window->now();
+        const Json state = scroll_to(control);
         ASSERT_TRUE(state["controls"].contains(control)) << control << " is not to be seen";
         window->click(state["controls"][control]);
+    }
+    /// Turns the wheel over the panel, down to its end and up again, until a control is to be seen.
+    Json scroll_to(const std::string& control) {
+        Json state = window->now();
+        for (const char* wheel : {"5", "4"})
+            for (int turn = 0; turn < 30 && !state["controls"].contains(control); ++turn) {
+                const Json panel = state["layout"]["panel"];
+                window->xdotool("mousemove " + std::to_string(panel[0].get<int>() + 4) + ' ' +
+                                std::to_string(panel[1].get<int>() + panel[3].get<int>() / 2) + " click " +
+                                wheel);
+                state = window->now();
+            }
+        return state;
     }
 
     static inline std::unique_ptr<VirtualDisplay> display;
