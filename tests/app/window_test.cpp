@@ -19,9 +19,8 @@ class Window : public testing::Test {
     static void SetUpTestSuite() { display = std::make_unique<VirtualDisplay>(); }
     static void TearDownTestSuite() { display.reset(); }
 
-    void open(const std::string& scene = "pinball", const std::string& view = "split", int height = 800) {
-        window = std::make_unique<RealWindow>(
-            std::vector<std::string>{scene, "--view", view, "--height", std::to_string(height)});
+    void open(const std::string& scene = "pinball", const std::string& view = "split") {
+        window = std::make_unique<RealWindow>(std::vector<std::string>{scene, "--view", view});
     }
     void TearDown() override {
         if (!window) return;
@@ -243,7 +242,7 @@ TEST_F(Window, HelpOpensAndEscapeClosesItAndThenTheWindow) {
 }
 
 TEST_F(Window, ClicksOnThePanelDoWhatTheySay) {
-    open("pinball", "split", 1080);  // no setting is scrolled out of sight
+    open();
     click("Boxes");
     window->wait("boxes", [](const Json& s) { return s["show"]["boxes"] == true; });
     click("Gravity");
