@@ -28,7 +28,8 @@ Disc disc_on(Vec2 a, Vec2 b, Vec2 c) {
     const Vec2 ab = b - a, ac = c - a;
     const double twice_area = cross(ab, ac);
     if (std::abs(twice_area) <= 1e-14 * length(ab) * length(ac))
-        return std::ranges::max({disc_on(a, b), disc_on(b, c), disc_on(a, c)}, {}, &Disc::radius);
+        return std::max({disc_on(a, b), disc_on(b, c), disc_on(a, c)},
+                        [](const Disc& x, const Disc& y) { return x.radius < y.radius; });
     const Vec2 to_center =
         (-perp(ab) * length_squared(ac) + perp(ac) * length_squared(ab)) / (-2 * twice_area);
     return {a + to_center, length(to_center)};
