@@ -19,7 +19,9 @@ void ContinuousSolver::advance(Place i, double time) {
     const Path& path = movers_[i].way.path;
     ball.position = path.position(time);
     ball.velocity = path.velocity(time);
-    ball.angle += ball.spin * (time - path.start);
+    const double spin = movers_[i].way.spin_at(ball.spin, time);
+    ball.angle += (ball.spin + spin) / 2 * (time - path.start);  // exact where the spin changes evenly
+    ball.spin = spin;
 }
 
 /// Handles the next event of a ball.

@@ -30,6 +30,8 @@ void ContinuousSolver::set_out(Place i, double time) {
     ++mover.changes;
     mover.held = nullptr;
     mover.way.until = never_touch;
+    mover.way.spin_rate = 0;
+    mover.way.roll = {};
     Path& path = mover.way.path;
     path.start = time;
     path.swings = false;
@@ -75,7 +77,8 @@ void ContinuousSolver::find_grips(Place i, double time) {
         const Vec2 normal = pose.angle == 0 ? sight.normal : rotated(sight.normal, pose.angle);
         if (const shape::Gate* gate = gate_of(scene_.parts[feature.part]))
             if (table_->parts()[feature.part].open || dot(sight.normal, gate->normal) < 0) continue;
-        const Hold hold = hold_at(feature, turning, ball, normal, time, drive_);
+        Hold hold = hold_at(feature, turning, ball, normal, time, drive_);
+        hold.friction = layout_.mixed(ball.material, scene_.parts[feature.part].material).friction;
         const Vec2 relative = ball.velocity - hold.surface_velocity;
         const double still =
             1e-12 * length(relative) + grip_hop * std::sqrt(ball.radius * std::max(0.0, hold.force));
@@ -88,7 +91,7 @@ void ContinuousSolver::find_grips(Place i, double time) {
 /// Chooses what the ball rests on among its grips: the one whose force keeps it off all others, or all
 /// together where no single one does.
 void ContinuousSolver::take_hold(Place i, double time) {
-    const Ball& ball = (*balls_)[i];
+    Ball& ball = (*balls_)[i];
     Mover& mover = movers_[i];
     int pressed = 0;
     bool moving = false;
@@ -105,6 +108,8 @@ void ContinuousSolver::take_hold(Place i, double time) {
         return hold(grip.hold, ball, time, dt_, drive_, mover.way);
     }
     if (pressed < 2 || moving) return;
+    // Rubbed from two sides, a spinning ball is taken to stop at once.
+    if (std::ranges::any_of(grips_, [](const Grip& grip) { return grip.hold.friction > 0; })) ball.spin = 0;
     mover.held = grips_.front().hold.feature;
     mover.way.path.flight = {ball.position, {}, {}, 0};
 }
@@ -137,18 +142,19 @@ void ContinuousSolver::predict_features(Place i, double time) {
     const Ball& ball = (*balls_)[i];
     Mover& mover = movers_[i];
     const Path& path = mover.way.path;
+    for (const Sensed& in : inside_)
+        if (in.ball == ball.number)
+            offer(mover, sense_time(in.sensor, ball, path, time, true), Next::sense, in.sensor);
     PartIndex sensed = ~0U;
     for (const FeatureIndex f : mover.near.list()) {
         if (!overlap(mover.box, ranges_[f])) continue;
         const Feature& feature = features_[f];
         const Part& part = scene_.parts[feature.part];
-        const bool in_gate =
-            !part.sensor && !pieces_[feature.part].empty() && inside(ball.number, feature.part);
-        if (part.sensor || in_gate) {
+        if (!pieces_[feature.part].empty() && inside(ball.number, feature.part)) continue;
+        if (part.sensor) {
             if (feature.part == sensed || !layers_meet(ball, part)) continue;
             sensed = feature.part;
-            const double t = sense_time(sensed, ball, path, time, in_gate || inside(ball.number, sensed));
-            offer(mover, t, Next::sense, sensed);
+            offer(mover, sense_time(sensed, ball, path, time, false), Next::sense, sensed);
             continue;
         }
         if (&feature == mover.held || ignores(feature, ball)) continue;

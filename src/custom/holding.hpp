@@ -8,6 +8,10 @@
 /// integration of ODEs by means of high-order Taylor methods") and used only as long as its last terms are
 /// below 1e-17 of the ball's radius. Cost: about 2 µs per series.
 ///
+/// With friction the ball slides under Coulomb's force until the slip is gone, and then rolls (with two
+/// thirds of the acceleration, for a disc) as long as a third of what drives it stays below µ times the
+/// normal force. The switch is an event like any other.
+///
 /// The contact lets go when the force that keeps the ball on the surface changes sign, and ends where the
 /// face ends.
 
@@ -31,6 +35,8 @@ struct Hold {
     Vec2 normal;            ///< unit, from the surface to the ball
     Vec2 surface_velocity;  ///< where they touch
     double force = 0;       ///< per mass, needed along the normal to keep the ball on the surface, m/s²
+    double driven = 0;      ///< per mass, what acts along perp(normal) but for friction, m/s²
+    double friction = 0;    ///< µ between the two
 };
 
 /// The hold of a ball that touches the feature at `time`; `normal` as look() and the pose give it.
@@ -40,7 +46,13 @@ struct Hold {
 struct HeldPath {
     Path path;
     double until = never_touch;  ///< must be looked at again then; never_touch if not before t1
-    bool lets_go = false;        ///< because the contact ends there
+    double spin_rate = 0;        ///< rad/s², of a ball that slides along a still line
+    Vec2 roll;                   ///< of one that rolls there: its spin is this times its velocity
+    std::array<double, taylor_order + 1> spins{};  ///< of one that swings: the series of its spin
+
+    /// The spin at `time` of a ball that began the path with `spin`.
+    [[nodiscard]] double spin_at(double spin, double time) const;
+    bool lets_go = false;  ///< because the contact ends there
 };
 
 /// The path of a held ball from `time`; its normal speed against the surface is taken out.
