@@ -10,6 +10,8 @@ namespace {
 constexpr double graze = 1e-9;
 /// So many events of a ball at one instant cannot be put in order.
 constexpr int most_at_once = 200;
+/// Events less than this part of the step apart are at one instant.
+constexpr double instant = 1e-12;
 
 }  // namespace
 
@@ -28,9 +30,13 @@ void ContinuousSolver::advance(Place i, double time) {
 void ContinuousSolver::handle(Place i) {
     Mover& mover = movers_[i];
     const double time = mover.next_time;
-    mover.stalled = time == mover.last_time ? mover.stalled + 1 : 0;
+    mover.stalled = time <= mover.last_time + instant * dt_ ? mover.stalled + 1 : 0;
     mover.last_time = time;
     if (mover.stalled > most_at_once) return hand_over(i);
+    if (++events_ > settings_.max_impacts) {
+        for (Place j = 0; j < movers_.size(); ++j) hand_over(j);
+        return;
+    }
     mover.left = nullptr;
     switch (mover.next) {
         case Next::feature:
@@ -91,7 +97,6 @@ void ContinuousSolver::hit_feature(Place i, double time) {
     const Touch touch{point, normal, 0, 0, false};
     const Impact impact = respond(ball, touch, surface, layout_.mixed(ball.material, part.material),
                                   {scene_.gravity, scene_.rest_speed, 0});
-    if (++impacts_ > settings_.max_impacts) return hand_over(i);
     if (impact.happened) {
         ++record_->statistics.impacts;
         report(time, EventKind::impact, ball, Other::part(index), impact, point);
@@ -125,10 +130,6 @@ void ContinuousSolver::hit_ball(Place i, double time) {
     movers_[j].left = nullptr;
     const Impact impact =
         respond(a, b, false, layout_.mixed(a.material, b.material), {scene_.gravity, scene_.rest_speed, 0});
-    if (++impacts_ > settings_.max_impacts) {
-        hand_over(i);
-        return hand_over(j);
-    }
     if (impact.happened) {
         ++record_->statistics.impacts;
         report(time, EventKind::impact, a, Other::ball(b.number), impact,

@@ -99,9 +99,13 @@ void ContinuousSolver::take_hold(Place i, double time) {
         pressed += grip.pressed;
         moving = moving || grip.hold.turning->rate_at(time) != 0;
         if (!grip.pressed) continue;
+        const Vec2 tangent = perp(grip.hold.normal);
+        const Vec2 along = dot(ball.velocity - grip.hold.surface_velocity, tangent) * tangent;
         const bool enough = std::ranges::all_of(grips_, [&](const Grip& other) {
-            const double left = other.hold.force - grip.hold.force * dot(other.hold.normal, grip.hold.normal);
-            return left <= 1e-9 * grip.hold.force;
+            // On nearly flat joints forces cannot tell the faces apart: then the way it goes does.
+            const double cosine = dot(other.hold.normal, grip.hold.normal);
+            return other.hold.force - grip.hold.force * cosine <= 1e-9 * grip.hold.force &&
+                   (cosine < 1 - 1e-6 || dot(along, other.hold.normal) >= 0);
         });
         if (!enough) continue;
         mover.held = grip.hold.feature;

@@ -79,7 +79,7 @@ void ContinuousSolver::step(Table& table, std::vector<Ball>& balls, double dt, B
 /// Tries to make the step. False where more balls have to be handed over first.
 bool ContinuousSolver::attempt(BroadPhase& broad) {
     spoilt_ = false;
-    impacts_ = 0;
+    events_ = 0;
     run_discrete(broad);
     prepare_movers();
     find_piles();
@@ -206,9 +206,40 @@ void ContinuousSolver::finish() {
             advance(i, dt_);
     }
     record_->statistics.handed_over = handed;
-    std::erase_if(balls, [&](const Ball& ball) {
-        return movers_[static_cast<std::size_t>(&ball - balls.data())].lost;
-    });
+    if (std::ranges::any_of(movers_, &Mover::lost)) {
+        std::erase_if(balls, [&](const Ball& ball) {
+            return movers_[static_cast<std::size_t>(&ball - balls.data())].lost;
+        });
+        std::erase_if(movers_, [](const Mover& mover) { return mover.lost; });
+    }
+    find_pairs();
+}
+
+void ContinuousSolver::find_pairs() {
+    pairs_.clear();
+    const std::vector<Ball>& balls = *balls_;
+    const auto touching_box = [](const Ball& ball) {
+        return bounds_of(ball.position, ball.radius * (1 + touch_distance));
+    };
+    for (Place i = 0; i < balls.size(); ++i) {
+        const Ball& ball = balls[i];
+        const Handle handle = layout_.size() + i;
+        const Box box = touching_box(ball);
+        const std::size_t first = pairs_.size();
+        if (!ball.asleep) {
+            record_->statistics.pair_tests += movers_[i].near.cover(box, ranges_);
+            for (const FeatureIndex f : movers_[i].near.list()) {
+                if (!overlap(box, ranges_[f]) || !layers_meet(ball, scene_.parts[features_[f].part]))
+                    continue;
+                const Pair pair{features_[f].piece, handle};
+                if (pairs_.size() == first || pairs_.back() != pair) pairs_.push_back(pair);
+            }
+        }
+        for (Place j = 0; j < i; ++j)
+            if (!(ball.asleep && balls[j].asleep) && layers_meet(ball, balls[j]) &&
+                overlap(box, touching_box(balls[j])))
+                pairs_.push_back({layout_.size() + j, handle});
+    }
 }
 
 }  // namespace flipside::custom

@@ -29,6 +29,8 @@ class ContinuousSolver {
     /// removed (or kept and noted as reported).
     void step(Table& table, std::vector<Ball>& balls, double dt, BroadPhase& broad, StepRecord& record);
 
+    /// Pairs of pieces and awake balls that are near each other after a step, as a broad phase gives them.
+    [[nodiscard]] std::span<const Pair> near_pairs() const { return pairs_; }
     /// Forgets what it noted of sensors and gates: they are found anew from where the balls are.
     void reset(const Table& table, std::span<const Ball> balls);
 
@@ -72,6 +74,7 @@ class ContinuousSolver {
     void run_discrete(BroadPhase& broad);
     void roll_back(std::size_t events);
     void finish();
+    void find_pairs();
     void hand_over(Place i);
 
     // Predictions (continuous_predict.cpp).
@@ -122,7 +125,7 @@ class ContinuousSolver {
     std::vector<Ball>* balls_ = nullptr;
     StepRecord* record_ = nullptr;
     double dt_ = 0;
-    std::uint64_t impacts_ = 0;
+    std::uint64_t events_ = 0;
     bool spoilt_ = false;  ///< this attempt found balls to hand over
 
     // Scratch, kept to save allocations.
@@ -133,6 +136,7 @@ class ContinuousSolver {
     std::vector<Ball> at_start_, handed_;
     std::vector<PartState> parts_at_start_;
     std::size_t reported_at_start_ = 0;
+    std::vector<Pair> pairs_;
     std::vector<Sensed> inside_at_start_;
 };
 

@@ -18,7 +18,7 @@ constexpr SettingSpec specs[] = {
      .initial = 1'000'000,
      .min = 1,
      .max = 1e9,
-     .about = "impacts that the continuous solver takes in one step before it leaves the step to the "
+     .about = "events that the continuous solver handles in one step before it leaves the step to the "
               "discrete one; too few and a busy step loses its exactness"},
     {.name = "motion_iterations",
      .type = SettingType::integer,

@@ -65,20 +65,37 @@ void TouchList::look(const Layout& layout, const Table& table, const Ball& ball,
         now_.push_back({ball.number, Other::part(piece.part), found.point, found.normal, found.separation});
 }
 
-void TouchList::refresh(const Layout& layout, const Table& table, std::span<const Ball> balls,
-                        BroadPhase& broad, NearList& near, bool everything) {
+void TouchList::begin() {
     std::swap(before_, now_);
     std::swap(sensed_before_, sensed_);
     now_.clear();
     sensed_.clear();
     narrow_tests_ = 0;
+}
+
+void TouchList::refresh(const Layout& layout, const Table& table, std::span<const Ball> balls,
+                        BroadPhase& broad, NearList& near, bool everything) {
+    begin();
     if (!everything) keep_sleepers(balls);
     const auto box_of = [](const Ball& ball) {
         return bounds_of(ball.position, ball.radius * (1 + touch_distance));
     };
     layout.place(table, balls, 0, 0, everything, box_of, moving_);
     near.find_pairs(moving_, broad, pairs_);
-    for (const Pair pair : pairs_) {
+    look_at(layout, table, balls, pairs_);
+}
+
+void TouchList::refresh(const Layout& layout, const Table& table, std::span<const Ball> balls,
+                        std::span<const Pair> candidates) {
+    begin();
+    keep_sleepers(balls);
+    pairs_.assign(candidates.begin(), candidates.end());
+    look_at(layout, table, balls, pairs_);
+}
+
+void TouchList::look_at(const Layout& layout, const Table& table, std::span<const Ball> balls,
+                        std::span<const Pair> candidates) {
+    for (const Pair pair : candidates) {
         const Ball& ball = balls[pair.b - layout.size()];
         if (pair.a < layout.size()) {
             look(layout, table, ball, pair.a);

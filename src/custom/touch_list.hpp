@@ -24,6 +24,9 @@ class TouchList {
     /// unless `everything` says to look again.
     void refresh(const Layout& layout, const Table& table, std::span<const Ball> balls, BroadPhase& broad,
                  NearList& near, bool everything);
+    /// The same from given candidates, ordered as the broad phase orders them.
+    void refresh(const Layout& layout, const Table& table, std::span<const Ball> balls,
+                 std::span<const Pair> candidates);
     /// One per touching pair (the deepest where there are several), by ball, then other.
     [[nodiscard]] std::span<const Contact> contacts() const { return now_; }
     /// Candidates of the last search, for those who want to see them.
@@ -36,6 +39,9 @@ class TouchList {
     void report_sensors(double time, std::vector<Sensed>& crossed, std::vector<Event>& events) const;
 
   private:
+    void begin();
+    void look_at(const Layout& layout, const Table& table, std::span<const Ball> balls,
+                 std::span<const Pair> candidates);
     void keep_sleepers(std::span<const Ball> balls);
     void look(const Layout& layout, const Table& table, const Ball& ball, PieceIndex index);
 

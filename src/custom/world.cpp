@@ -50,8 +50,12 @@ void CustomWorld::step(double dt) {
 
     const auto start = std::chrono::steady_clock::now();
     table_.advance(dt);
-    lose_balls();
-    touches_.refresh(layout_, table_, balls_, *broad_, discrete_.near(), false);
+    if (continuous) {
+        touches_.refresh(layout_, table_, balls_, continuous_.near_pairs());
+    } else {
+        lose_balls();
+        touches_.refresh(layout_, table_, balls_, *broad_, discrete_.near(), false);
+    }
     touches_.report_touches(time(), record_.events);
     if (!continuous) touches_.report_sensors(time(), record_.crossed, record_.events);
     if (settings_.sleep) sleep_.settle(balls_, contacts(), dt);
