@@ -13,6 +13,8 @@ constexpr double grip_gap = 1e-9;
 constexpr double grip_hop = 1e-9;
 /// How far a ball must be out of a sensor to have left it, in radii.
 constexpr double sense_gap = 1e-9;
+/// The least way between two looks for a sensor's border, in radii.
+constexpr double sense_step = 1e-2;
 
 }  // namespace
 
@@ -102,16 +104,19 @@ void ContinuousSolver::take_hold(Place i, double time) {
         const Vec2 tangent = perp(grip.hold.normal);
         const Vec2 along = dot(ball.velocity - grip.hold.surface_velocity, tangent) * tangent;
         const bool enough = std::ranges::all_of(grips_, [&](const Grip& other) {
+            if (&other == &grip) return true;
             // On nearly flat joints forces cannot tell the faces apart: then the way it goes does.
             const double cosine = dot(other.hold.normal, grip.hold.normal);
             return other.hold.force - grip.hold.force * cosine <= 1e-9 * grip.hold.force &&
-                   (cosine < 1 - 1e-6 || dot(along, other.hold.normal) >= 0);
+                   (cosine < 1 - 1e-6 ||
+                    dot(along, other.hold.normal) >= -speed_rounding / 2 * length(along));
         });
         if (!enough) continue;
         mover.held = grip.hold.feature;
         return hold(grip.hold, ball, time, dt_, drive_, mover.way);
     }
-    if (pressed < 2 || moving) return;
+    const double slow = 1e-6 * std::sqrt(ball.radius * length(drive_.gravity));
+    if (pressed < 2 || moving || length(ball.velocity) > slow) return;
     // Rubbed from two sides, a spinning ball is taken to stop at once.
     if (std::ranges::any_of(grips_, [](const Grip& grip) { return grip.hold.friction > 0; })) ball.spin = 0;
     mover.held = grips_.front().hold.feature;
@@ -208,22 +213,33 @@ void ContinuousSolver::predict_loss(Place i, double time) {
     }
 }
 
-/// When a ball enters a sensor, or leaves it (or a gate): by steps that no speed can outrun.
+/// When a ball enters a sensor, or leaves it (or a gate): by steps that no speed can outrun, but not less
+/// than a small part of a radius each, and then by halving. A brush shallower than that may pass unnoticed.
 double ContinuousSolver::sense_time(PartIndex part, const Ball& ball, const Path& path, double time,
                                     bool inside) const {
     const Turning& turning = turnings_[part];
-    const double own = path.max_speed(dt_), smallest = 1e-13 * ball.radius;
-    for (double t = time; t <= dt_;) {
+    const double own = path.max_speed(dt_), w = std::abs(turning.rate);
+    const auto left_at = [&](double t) {
         const Vec2 p = path.position(t);
         const Pose pose = turning.pose(t);
         double separation = INFINITY;
         for (const PieceIndex piece : pieces_[part])
             separation = std::min(separation, touch(p, ball.radius, layout_.piece(piece), pose).separation);
-        const double far = turning.still() ? 0 : length(p - pose.pivot) + own * (dt_ - t);
-        const double speed = own + std::abs(turning.rate) * far;
-        const double left = inside ? sense_gap * ball.radius - separation : separation;
-        if (left <= smallest) return t;
-        t += left / speed;
+        return inside ? sense_gap * ball.radius - separation : separation;
+    };
+    const double far = w == 0 ? 0 : length(path.position(time) - turning.begin.pivot) + own * (dt_ - time);
+    const double speed = own + w * far;
+    double before = time;
+    for (double t = time; t <= dt_;) {
+        const double left = left_at(t);
+        if (left <= 0) {
+            for (double middle = (before + t) / 2; before < middle && middle < t; middle = (before + t) / 2)
+                (left_at(middle) <= 0 ? t : before) = middle;
+            return t;
+        }
+        before = t;
+        if (t >= dt_) break;
+        t = std::min(dt_, t + std::max(left, sense_step * ball.radius) / speed);
     }
     return never_touch;
 }

@@ -125,6 +125,9 @@ void ContinuousSolver::come_out(Place i) {
             const Piece& piece = layout_.piece(features_[f].piece);
             if (!overlap(here, ranges_[f]) || ignores(features_[f], ball)) continue;
             const Pose pose = table_->pose(piece.part);
+            if (std::holds_alternative<Bow>(features_[f].is) &&
+                look(features_[f], pose.undo(ball.position), ball.radius).distance > ball.radius)
+                continue;
             if (!stops(*table_, piece, pose, ball)) continue;
             const Touch touch_now = touch(ball.position, ball.radius, piece, pose);
             if (touch_now.past_end || touch_now.separation >= deepest.separation) continue;
@@ -230,6 +233,11 @@ void ContinuousSolver::find_pairs() {
             record_->statistics.pair_tests += movers_[i].near.cover(box, ranges_);
             for (const FeatureIndex f : movers_[i].near.list()) {
                 if (!overlap(box, ranges_[f]) || !layers_meet(ball, scene_.parts[features_[f].part]))
+                    continue;
+                // The box of an arc is mostly empty.
+                if (std::holds_alternative<Bow>(features_[f].is) &&
+                    look(features_[f], table_->pose(features_[f].part, dt_).undo(ball.position), ball.radius)
+                            .distance > ball.radius * (1 + touch_distance))
                     continue;
                 const Pair pair{features_[f].piece, handle};
                 if (pairs_.size() == first || pairs_.back() != pair) pairs_.push_back(pair);

@@ -10,6 +10,7 @@ constexpr std::string_view broad_phases[] = {"brute", "quadtree", "adaptive", "g
 constexpr SettingSpec specs[] = {
     {.name = "solver",
      .type = SettingType::choice,
+     .initial = 2,
      .choices = solvers,
      .about = "discrete: fly, push out, reflect, several times a step; continuous: every impact at its "
               "exact time; auto: continuous while there are at most 64 balls"},

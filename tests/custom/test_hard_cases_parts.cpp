@@ -99,7 +99,8 @@ TEST(HardCases, SensorIsCrossedOnce) {
         const double dt = 1.0 / 60;
         while (world->time() < 4 / speed + dt) {
             world->step(dt);
-            events.insert(events.end(), world->events().begin(), world->events().end());
+            for (const Event& event : world->events())
+                if (event.kind != EventKind::lost) events.push_back(event);
         }
         ASSERT_EQ(events.size(), 4U);
         const double exact[] = {0.9, 1.1, 2.6, 3.4};
