@@ -42,9 +42,11 @@ inline Shape segment(Vec2 a, Vec2 b) {
     return {shape::Segment{a, b}};
 }
 
+/// On the discrete solver unless the settings say otherwise.
 inline std::unique_ptr<World> make_world(
     const Scene& scene, std::initializer_list<std::pair<std::string_view, std::string_view>> settings = {}) {
     Settings values(engine().settings);
+    values.set("solver", "discrete");
     for (const auto& [name, value] : settings) values.set(name, value);
     return engine().make(std::make_shared<const Scene>(scene), values);
 }

@@ -312,7 +312,7 @@ TEST(World, KnowsItsSettingsAndRefusesOthers) {
     Settings settings(engine().settings);
     EXPECT_EQ(settings.integer("motion_iterations"), 4);
     EXPECT_EQ(settings.integer("collision_iterations"), 6);
-    EXPECT_EQ(settings.choice("solver"), "discrete");
+    EXPECT_EQ(settings.choice("solver"), "auto");
     EXPECT_THROW(settings.set("broad_phase", "magic"), std::runtime_error);
     EXPECT_THROW(settings.set("motion_iterations", "65"), std::runtime_error);
 }

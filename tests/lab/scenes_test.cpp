@@ -284,7 +284,7 @@ std::vector<Shot> shots() {
     all.push_back({"lane-b", {0.242, 0.98}, {0, -0.2}});
     all.push_back({"lane-c", {0.29, 0.98}, {0, -0.2}});
     all.push_back({"arch", {0.502, 0.3}, {0, 3}});
-    all.push_back({"gate", {0.503, 0.95}, {0, -1}});
+    all.push_back({"gate", {0.495, 0.92}, {0, -1}});
     return all;
 }
 

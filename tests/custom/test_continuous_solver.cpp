@@ -1,0 +1,146 @@
+// The continuous solver on whole scenes: no dependence on dt, continuation from a saved state, friction of
+// held contacts. Its answers in single cases are in test_hard_cases*.cpp.
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "custom/scenes.hpp"
+#include "world/scene_file.hpp"
+
+namespace flipside::custom::test {
+namespace {
+
+constexpr double g = 9.81;
+
+Scene pinball() {
+    return load_scene(std::string(FLIPSIDE_SOURCE_DIR) + "/assets/scenes/pinball.json");
+}
+
+std::unique_ptr<World> continuous(const Scene& scene) {
+    return make_world(scene, {{"solver", "continuous"}});
+}
+
+void add_launched(World& world, const Scene& scene, Vec2 position, Vec2 velocity) {
+    Ball ball = scene.launcher->ball;
+    ball.position = position;
+    ball.velocity = velocity;
+    world.add(ball);
+}
+
+// Before chaos sets in the trajectory is the same to 1e-9 radii whatever the step.
+TEST(ContinuousSolver, StepSizeDoesNotMatter) {
+    const Scene scene = pinball();
+    const std::pair<Vec2, Vec2> starts[] = {
+        {{0.162, 0.86}, {0.1, -0.5}}, {{0.25, 0.7}, {1, 0.3}}, {{0.055, 0.33}, {0, -0.2}}};
+    for (const auto& [position, velocity] : starts) {
+        std::vector<Vec2> ends;
+        std::uint64_t impacts = 0;
+        for (const int rate : {30, 60, 1000}) {
+            const auto world = continuous(scene);
+            add_launched(*world, scene, position, velocity);
+            world->apply(control::Flip{Side::left, true});
+            impacts = 0;
+            for (int i = 0; i < rate * 6 / 10; ++i) {
+                world->step(1.0 / rate);
+                impacts += world->statistics().impacts;
+            }
+            ends.push_back(world->balls()[0].position);
+        }
+        const double r = scene.launcher->ball.radius;
+        std::printf("%llu impacts: 1/30 differs by %.1e r, 1/1000 by %.1e r\n",
+                    static_cast<unsigned long long>(impacts), length(ends[0] - ends[1]) / r,
+                    length(ends[2] - ends[1]) / r);
+        EXPECT_LE(length(ends[0] - ends[1]), 1e-9 * r);
+        EXPECT_LE(length(ends[2] - ends[1]), 1e-9 * r);
+    }
+}
+
+// A world restored in mid-run goes on with the same bits.
+TEST(ContinuousSolver, ContinuesFromASavedState) {
+    const Scene scene = pinball();
+    const auto drive = [](World& world, int step) {
+        if (step % 40 == 0) world.apply(control::Flip{Side::left, true});
+        if (step % 40 == 12) world.apply(control::Flip{Side::left, false});
+        world.step(1.0 / 60);
+    };
+    for (const int balls : {1, 4}) {
+        auto through = continuous(scene);
+        for (int i = 0; i < balls; ++i)
+            add_launched(*through, scene, {0.12 + 0.06 * i, 0.85}, {0.2 * (i % 3) - 0.2, 0});
+        for (int step = 0; step < 600; ++step) {
+            if (step % 20 != 0) {
+                drive(*through, step);
+                continue;
+            }
+            const auto restored = continuous(scene);
+            restored->restore(through->save());
+            drive(*through, step);
+            drive(*restored, step);
+            ASSERT_TRUE(std::ranges::equal(through->balls(), restored->balls())) << "step " << step;
+        }
+    }
+}
+
+// A disc on an incline rolls with ⅔·g·sin α when tan α ≤ 3µ, and slides with g·(sin α − µ·cos α) above.
+TEST(ContinuousSolver, RollsOrSlidesDownAnIncline) {
+    for (const double alpha : {0.2, 0.7}) {
+        for (const double dt : {1.0 / 30, 1.0 / 1000}) {
+            const double friction = 0.15;
+            Scene scene = empty_scene(g * Vec2{std::sin(alpha), -std::cos(alpha)});
+            scene.materials[0].friction = 1;
+            add_part(scene, segment({-1, 0}, {90, 0}), {"", 0, friction * friction, 0});
+            add_ball(scene, {0, 0.1});
+            const auto world = continuous(scene);
+            run(*world, 1, dt);
+            const bool rolls = std::tan(alpha) <= 3 * friction;
+            const double a =
+                rolls ? 2.0 / 3 * g * std::sin(alpha) : g * (std::sin(alpha) - friction * std::cos(alpha));
+            EXPECT_NEAR(world->balls()[0].position.x, a / 2, 1e-12 * a / dt);
+            EXPECT_NEAR(world->balls()[0].velocity.x, a, 1e-12 * a / dt);
+            const double spin = rolls ? -a / 0.1 : -2 * friction * g * std::cos(alpha) / 0.1;
+            EXPECT_NEAR(world->balls()[0].spin, spin, 1e-11 * std::abs(spin) / dt);
+        }
+    }
+}
+
+// Thrown without spin along a rough floor it rolls at 2v₀/3 after v₀/(3µg).
+TEST(ContinuousSolver, SlidingTurnsIntoRolling) {
+    const double friction = 0.2, v = 3, switches = v / (3 * friction * g);
+    Scene scene = empty_scene({0, -g});
+    scene.materials[0].friction = 1;
+    add_part(scene, segment({-1, 0}, {90, 0}), {"", 0, friction * friction, 0});
+    add_ball(scene, {0, 0.1}, {v, 0});
+    const auto world = continuous(scene);
+    run(*world, 2);
+    const Ball& ball = world->balls()[0];
+    const double x = v * switches - friction * g * switches * switches / 2 + 2 * v / 3 * (2 - switches);
+    EXPECT_NEAR(ball.velocity.x, 2 * v / 3, 1e-12);
+    EXPECT_NEAR(ball.spin, -2 * v / 3 / 0.1, 1e-10);
+    EXPECT_NEAR(ball.position.x, x, 1e-11);
+}
+
+// A ball lying on a flipper is carried up by it, never through it, and thrown off or rests at the stop.
+TEST(ContinuousSolver, RidesAMovingPart) {
+    Scene scene = empty_scene({0, -g});
+    Part& part = add_part(scene, {shape::Flipper{{0, 0}, 1, 0.1, 0.1, 0}}, {"", 0, 0, 0});
+    part.motion = motion::Flip{Side::left, 0.3, 0.5, 0.5};
+    add_ball(scene, {0.5, 0.2});
+    std::vector<Vec2> ends;
+    for (const double dt : {1.0 / 30, 1.0 / 240}) {
+        const auto world = continuous(scene);
+        world->apply(control::Flip{Side::left, true});
+        for (int i = 0; i < std::lround(0.3 / dt); ++i) {
+            world->step(dt);
+            const Vec2 p = rotated(world->balls()[0].position, -world->parts()[0].angle);
+            EXPECT_NEAR(p.y, 0.2, 1e-12);
+        }
+        ends.push_back(world->balls()[0].position);
+    }
+    EXPECT_LE(length(ends[0] - ends[1]), 1e-11);
+    EXPECT_LT(ends[0].x, 0.5);  // it slides down the raised side
+}
+
+}  // namespace
+}  // namespace flipside::custom::test
