@@ -71,7 +71,8 @@ class BroadPhase {
 
 /// Uniform grid over `world` of square cells, `cell` m wide; 0 fits the cell to the moving boxes as they
 /// come. What is outside counts to the cells at the border. At most 2^22 cells: too small a cell is enlarged.
-[[nodiscard]] std::unique_ptr<BroadPhase> make_grid(std::vector<Proxy> still, const Box& world, double cell);
+[[nodiscard]] std::unique_ptr<BroadPhase> make_grid(const std::vector<Proxy>& still, const Box& world,
+                                                    double cell);
 
 /// Sweep and prune along x.
 [[nodiscard]] std::unique_ptr<BroadPhase> make_sweep(std::vector<Proxy> still);

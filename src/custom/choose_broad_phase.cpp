@@ -32,7 +32,7 @@ std::unique_ptr<BroadPhase> make_broad_phase(const Scene& scene, std::vector<Pro
         return make_adaptive_quadtree(std::move(still), scene.bounds, settings.integer("adaptive_capacity"),
                                       settings.integer("adaptive_depth"));
     if (kind == "sweep") return make_sweep(std::move(still));
-    return make_grid(std::move(still), scene.bounds, settings.real("grid_cell"));
+    return make_grid(still, scene.bounds, settings.real("grid_cell"));
 }
 
 }  // namespace flipside::custom

@@ -20,6 +20,7 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "custom/pair_order.hpp"
 
@@ -66,8 +67,8 @@ struct Division {
 
 class Grid final : public BroadPhase {
   public:
-    Grid(std::vector<Proxy> still, const Box& world, double cell)
-        : still_(std::move(still)), world_(world), automatic_(cell == 0) {
+    Grid(std::span<const Proxy> still, const Box& world, double cell) : world_(world), automatic_(cell == 0) {
+        for (const Proxy& proxy : still) still_.push_back({proxy, first_moving(), {}});
         const Vec2 size = world.max - world.min;
         constexpr double most_cells = 1 << 22;
         if (automatic_) make_room(16);
@@ -113,6 +114,11 @@ class Grid final : public BroadPhase {
     /// What is at most this part of a cell is small; the rest is room for rounding.
     static constexpr double fits = 0.99;
 
+    struct Still {
+        Proxy proxy;
+        Handle handle = 0;
+        Cells listed;  ///< with the margin
+    };
     /// A small proxy, in order of cells.
     struct Entry {
         Proxy proxy;
@@ -191,16 +197,18 @@ class Grid final : public BroadPhase {
     }
 
     void list_still() {
-        still_cells_.clear();
+        for (Still& still : still_) still.listed = with_margin(still.proxy.box);
+        // Neighbours in the world become neighbours in memory.
+        std::ranges::sort(still_, {}, [](const Still& still) {
+            return std::tuple(still.listed.bottom, still.listed.left, still.handle);
+        });
         still_begin_.assign(cells_.count() + 1, 0);
-        for (const Proxy& proxy : still_) {
-            still_cells_.push_back(with_margin(proxy.box));
-            cells_.each(still_cells_.back(), [&](auto x, auto y) { ++still_begin_[cells_.at(x, y)]; });
-        }
+        for (const Still& still : still_)
+            cells_.each(still.listed, [&](auto x, auto y) { ++still_begin_[cells_.at(x, y)]; });
         std::inclusive_scan(still_begin_.begin(), still_begin_.end(), still_begin_.begin());
         still_listed_.resize(still_begin_.back());
-        for (Handle i = first_moving(); i-- > 0;)
-            cells_.each(still_cells_[i],
+        for (auto i = first_moving(); i-- > 0;)
+            cells_.each(still_[i].listed,
                         [&](auto x, auto y) { still_listed_[--still_begin_[cells_.at(x, y)]] = i; });
     }
 
@@ -256,7 +264,7 @@ class Grid final : public BroadPhase {
         const Entry& entry = entries_[i];
         const Cell cell = cells_.at(entry.column, entry.row);
         for (std::uint32_t k = still_begin_[cell]; k < still_begin_[cell + 1]; ++k)
-            test(entry.proxy, entry.handle, still_[still_listed_[k]], still_listed_[k]);
+            test(entry.proxy, entry.handle, still_[still_listed_[k]].proxy, still_[still_listed_[k]].handle);
         for (std::uint32_t k = first_wide_[cell]; k != nobody; k = listings_[k].next) {
             const Wide& wide = wide_[listings_[k].wide];
             test(entry.proxy, entry.handle, proxy(wide), wide.handle);
@@ -282,8 +290,8 @@ class Grid final : public BroadPhase {
         cells_.each(wide.cells, [&](auto x, auto y) {
             const Cell cell = cells_.at(x, y);
             for (std::uint32_t k = still_begin_[cell]; k < still_begin_[cell + 1]; ++k)
-                if (const Handle a = still_listed_[k]; first_shared(still_cells_[a], x, y))
-                    test(own, wide.handle, still_[a], a);
+                if (const Still& still = still_[still_listed_[k]]; first_shared(still.listed, x, y))
+                    test(own, wide.handle, still.proxy, still.handle);
             for (std::uint32_t k = first_wide_[cell]; k != nobody; k = listings_[k].next)
                 if (const Wide& other = wide_[listings_[k].wide];
                     other.handle < wide.handle && first_shared(other.listed, x, y))
@@ -301,14 +309,13 @@ class Grid final : public BroadPhase {
         if (overlap(a.box, b.box)) order_.add(handle_a, handle_b);
     }
 
-    std::vector<Proxy> still_;
+    std::vector<Still> still_;  ///< in order of cells
     Box world_;
     bool automatic_;
     std::size_t room_ = 0;  ///< moving proxies for which there is room without allocation
     Division cells_;
-    std::vector<Cells> still_cells_;          ///< per still proxy, with the margin
-    std::vector<std::uint32_t> still_begin_;  ///< per cell and one more: where its part begins of
-    std::vector<Handle> still_listed_;
+    std::vector<std::uint32_t> still_begin_;   ///< per cell and one more: where its part begins of
+    std::vector<std::uint32_t> still_listed_;  ///< into still_
 
     struct Home {
         std::uint32_t column, row;
@@ -327,8 +334,8 @@ class Grid final : public BroadPhase {
 
 }  // namespace
 
-std::unique_ptr<BroadPhase> make_grid(std::vector<Proxy> still, const Box& world, double cell) {
-    return std::make_unique<Grid>(std::move(still), world, cell);
+std::unique_ptr<BroadPhase> make_grid(const std::vector<Proxy>& still, const Box& world, double cell) {
+    return std::make_unique<Grid>(still, world, cell);
 }
 
 }  // namespace flipside::custom

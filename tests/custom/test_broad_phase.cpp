@@ -41,7 +41,7 @@ std::vector<Kind> kinds() {
                  }});
     for (const double cell : {0.0, 0.1, 0.5, 1.0, 3.0, 100.0})
         all.push_back({"grid " + std::to_string(cell),
-                       [=](auto still) { return make_grid(std::move(still), world, cell); }});
+                       [=](const auto& still) { return make_grid(still, world, cell); }});
     return all;
 }
 
@@ -141,7 +141,7 @@ TEST(BroadPhase, TestsOfManyBallsGrowWithTheirNumber) {
         broad->find_pairs(moving, pairs);
         return static_cast<double>(broad->tests()) / (side * side);
     };
-    const Make grid = [](auto still) { return make_grid(std::move(still), world, 0); };
+    const Make grid = [](const auto& still) { return make_grid(still, world, 0); };
     const Make adaptive = [](auto still) { return make_adaptive_quadtree(std::move(still), world, 8, 12); };
     EXPECT_LT(tests_per_ball(grid, 141), 3);
     EXPECT_LT(tests_per_ball(grid, 141), 1.1 * tests_per_ball(grid, 30));
