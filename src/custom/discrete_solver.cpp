@@ -38,6 +38,19 @@ DiscreteSolver::DiscreteSolver(const Scene& scene, const Layout& layout, const S
         if (gate_of(scene.parts[i]) != nullptr) gates_.push_back(i);
 }
 
+void DiscreteSolver::reserve(std::size_t balls) {
+    make_room(moving_, layout_.size() + balls);
+    make_room(started_, balls);
+    make_room(candidates_, balls, contacts_per_ball);
+    make_room(ball_pairs_, balls, contacts_per_ball);
+    make_room(supports_, balls, contacts_per_ball);
+    make_room(around_, layout_.size());
+    make_room(deep_, layout_.size());
+    make_room(changed_in_, balls);
+    make_room(flown_, balls);
+    for (auto* marks : {&stirred_, &in_heap_, &borne_}) make_room(*marks, balls);
+}
+
 void DiscreteSolver::step(Table& table, std::vector<Ball>& balls, double dt, BroadPhase& broad,
                           StepRecord& record) {
     table_ = &table, balls_ = &balls, record_ = &record, dt_ = dt;

@@ -35,6 +35,9 @@ class DiscreteSolver {
     /// Moves the balls by dt; the table's clock stays, its gates and targets may change.
     void step(Table& table, std::vector<Ball>& balls, double dt, BroadPhase& broad, StepRecord& record);
 
+    /// Makes room for so many balls.
+    void reserve(std::size_t balls);
+
     /// The pairs found near each other in the last step; still good after it while they hold.
     [[nodiscard]] NearList& near() { return near_; }
     [[nodiscard]] const NearList& near() const { return near_; }

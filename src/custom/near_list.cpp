@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "custom/room.hpp"
+
 namespace flipside::custom {
 
 bool NearList::holds(std::span<const Proxy> moving) const {
@@ -14,6 +16,7 @@ bool NearList::holds(std::span<const Proxy> moving) const {
 
 void NearList::sift(std::span<const Proxy> moving, std::vector<Pair>& pairs) {
     pairs.clear();
+    make_room(pairs, listed_.capacity());
     const auto first = static_cast<Handle>(still_.size());
     for (const Pair pair : listed_) {
         const Proxy& a = pair.a < first ? still_[pair.a] : moving[pair.a - first];
@@ -28,11 +31,6 @@ std::span<const Pair> NearList::listed(std::size_t moving) const {
     const auto handle = static_cast<Handle>(still_.size() + moving);
     return {std::ranges::lower_bound(listed_, handle, {}, &Pair::b),
             std::ranges::upper_bound(listed_, handle, {}, &Pair::b)};
-}
-
-void NearList::reserve(std::size_t moving, std::size_t pairs) {
-    room_.reserve(moving);
-    listed_.reserve(pairs);
 }
 
 }  // namespace flipside::custom

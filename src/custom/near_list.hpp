@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "custom/broad_phase.hpp"
+#include "custom/room.hpp"
 
 namespace flipside::custom {
 
@@ -21,6 +22,7 @@ class NearList {
     void find_pairs(std::span<const Proxy> moving, BroadPhase& broad, auto&& roomy,
                     std::vector<Pair>& pairs) {
         if (!holds(moving)) {
+            make_room(room_, moving.size());
             room_.assign(moving.begin(), moving.end());
             for (std::size_t i = 0; i < moving.size(); ++i) room_[i].box = roomy(i);
             broad.find_pairs(room_, listed_);
@@ -41,7 +43,6 @@ class NearList {
     [[nodiscard]] std::span<const Pair> listed(std::size_t moving) const;
     /// Box tests by sifting since the start.
     [[nodiscard]] std::uint64_t tests() const { return tests_; }
-    void reserve(std::size_t moving, std::size_t pairs);
 
   private:
     [[nodiscard]] bool holds(std::span<const Proxy> moving) const;

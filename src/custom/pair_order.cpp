@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <numeric>
 
+#include "custom/room.hpp"
+
 namespace flipside::custom {
 
 void PairOrder::start(Handle first, std::size_t moving) {
     first_ = first;
     found_.clear();
+    make_room(found_, moving, pairs_per_ball);
+    make_room(end_, moving);
     end_.assign(moving, 0);
 }
 
@@ -15,6 +19,7 @@ void PairOrder::finish(std::vector<Pair>& pairs) {
     for (const Pair& pair : found_) ++end_[pair.b - first_];
     // Where each one's pairs begin; filling them in moves that to where they end.
     std::exclusive_scan(end_.begin(), end_.end(), end_.begin(), 0U);
+    make_room(pairs, found_.capacity());
     pairs.resize(found_.size());
     for (const Pair& pair : found_) pairs[end_[pair.b - first_]++] = pair;
     auto begin = pairs.begin();

@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "custom/pair_order.hpp"
+#include "custom/room.hpp"
 
 namespace flipside::custom {
 
@@ -43,6 +44,7 @@ class Quadtree final : public BroadPhase {
         pairs.clear();
         clear(0);
         listings_.clear();
+        make_room(listings_, moving.size(), pairs_per_ball);
         moving_leaves_.clear();
         moving_ = moving;
         if (std::ranges::none_of(moving, &Proxy::active)) return;

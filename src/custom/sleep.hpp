@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "custom/room.hpp"
 #include "world/ball.hpp"
 #include "world/events.hpp"
 
@@ -15,6 +16,8 @@ class Sleep {
     /// `speed` in m/s; `gravity` in m/s² is its amount.
     Sleep(double speed, double gravity) : speed_(speed), gravity_(gravity) {}
 
+    /// Makes room for so many balls.
+    void reserve(std::size_t balls) { make_room(before_, balls); }
     /// Before a step: remembers the balls.
     void watch(std::span<const Ball> balls);
     /// After it: puts those to sleep, with all velocity gone, that were slower than `speed` throughout and

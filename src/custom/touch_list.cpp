@@ -44,6 +44,11 @@ void each_missing(const std::vector<T>& these, const std::vector<T>& those, auto
 
 }  // namespace
 
+void TouchList::reserve(std::size_t balls) {
+    for (auto* list : {&before_, &now_}) make_room(*list, balls, touches_per_ball);
+    for (auto* list : {&sensed_before_, &sensed_}) make_room(*list, balls, touches_per_ball);
+}
+
 void TouchList::keep_sleepers(std::span<const Ball> balls) {
     for (const Contact& contact : before_)
         if (sleeps(balls, contact.ball) && (!contact.other.is_ball || sleeps(balls, contact.other.index)))

@@ -38,6 +38,9 @@ class TouchList {
     void report_touches(double time, std::vector<Event>& events) const;
     void report_sensors(double time, std::vector<Sensed>& crossed, std::vector<Event>& events) const;
 
+    /// Makes room for so many balls.
+    void reserve(std::size_t balls);
+
   private:
     void begin();
     void look_at(const Layout& layout, const Table& table, std::span<const Ball> balls,

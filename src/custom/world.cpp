@@ -28,7 +28,18 @@ CustomWorld::CustomWorld(std::shared_ptr<const Scene> scene, const Settings& set
       continuous_(*scene_, layout_, settings_, discrete_),
       sleep_(settings_.sleep_speed, length(scene_->gravity)),
       balls_(scene_->balls) {
+    make_room();
     touches_.refresh(layout_, table_, balls_, *broad_, discrete_.near(), true);
+}
+
+/// Lists grow here, when balls join, and hardly ever in a step.
+void CustomWorld::make_room() {
+    custom::make_room(balls_, balls_.size() + 1);
+    discrete_.reserve(balls_.size());
+    touches_.reserve(balls_.size());
+    sleep_.reserve(balls_.size());
+    custom::make_room(record_.events, balls_.size(), touches_per_ball);
+    custom::make_room(record_.crossed, balls_.size(), touches_per_ball);
 }
 
 void CustomWorld::step(double dt) {
@@ -83,6 +94,7 @@ void CustomWorld::launch() {
         } else {
             balls_.push_back(launched->ball);
             balls_.back().number = table_.new_number();
+            make_room();
         }
     }
 }
@@ -131,6 +143,7 @@ void CustomWorld::apply(const Control& control) {
 BallNumber CustomWorld::add(const Ball& ball) {
     balls_.push_back(ball);
     balls_.back().number = table_.new_number();
+    make_room();
     touches_.refresh(layout_, table_, balls_, *broad_, discrete_.near(), false);
     return balls_.back().number;
 }
@@ -150,6 +163,7 @@ void CustomWorld::restore(const State& state) {
     record_.events.clear();
     record_.statistics = {};
     was_continuous_ = false;
+    make_room();
     touches_.refresh(layout_, table_, balls_, *broad_, discrete_.near(), true);
 }
 

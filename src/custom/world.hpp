@@ -33,6 +33,7 @@ class CustomWorld final : public World {
     [[nodiscard]] bool steps_continuously() const;
     [[nodiscard]] std::uint64_t box_tests() const;
     void launch();
+    void make_room();
     void lose_balls();
     void wake_all();
     void fill_statistics(std::uint64_t pair_tests);

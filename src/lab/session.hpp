@@ -22,7 +22,9 @@ struct Totals {
     std::uint64_t lost = 0;
     std::uint64_t strays = 0;    ///< lost, but not through the lower edge of a scene with rules (its drain)
     double max_penetration = 0;  ///< m, deepest at the end of any step
-    std::uint64_t allocations = 0;  ///< by World::step after the first `warm_up_steps` steps
+    /// By World::step after the first `warm_up_steps` steps. An engine's lists grow when balls join, and a
+    /// launch is part of a step: where more balls are launched than ever before, it counts here.
+    std::uint64_t allocations = 0;
 };
 inline constexpr std::uint64_t warm_up_steps = 60;
 

@@ -30,5 +30,20 @@ TEST(Allocations, NoneInAStepAfterWarmUp) {
     }
 }
 
+TEST(Allocations, NoneInAHeapThatWasNeverSeenBefore) {
+    Scene scene = empty_scene({0, -9.8});
+    scene.materials[0].restitution = 0.7;
+    for (int i = 0; i < 200; ++i)
+        add_ball(scene, {0.25 * (i % 10), 0.5 + 0.3 * (i / 10)}, {std::sin(3.0 * i), 0});
+    add_part(scene, {shape::Polyline{{{-0.2, 90}, {-0.2, 0}, {2.5, 0}, {2.5, 90}}, false}}, {"", 0.7, 0, 0});
+    for (const auto* broad : {"quadtree", "grid"}) {
+        const auto world = make_world(scene, {{"broad_phase", broad}, {"solver", "discrete"}});
+        run(*world, 0.1);
+        const std::size_t before = allocations();
+        run(*world, 4);
+        EXPECT_EQ(allocations(), before) << broad;
+    }
+}
+
 }  // namespace
 }  // namespace flipside::custom::test
