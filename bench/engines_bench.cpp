@@ -1,0 +1,170 @@
+// The bespoke engine against Box2D in one process, step by step in turn, so that what else the machine
+// does meets both alike. Times are CPU time of World::step per ball and step; beside them what the speed
+// was bought with: overlap of what touches, balls lost, and energy where it must stay the same.
+//
+//   flipside_bench [--benchmark_filter=rain/1000]
+//
+// Counters: ours, box2d (ns per ball and step), ratio (box2d / ours); overlap_*: median over the contacts
+// at the end of steps, in radii; lost_*: balls; drift_*: relative change of energy (gas alone).
+// Box2D runs with continuous collision between balls (its defaults: best error) and in rain also without
+// (its best speed there).
+
+#include <algorithm>
+#include <cmath>
+
+#include <benchmark/benchmark.h>
+
+#include "lab/assets.hpp"
+#include "lab/engines.hpp"
+#include "lab/session.hpp"
+#include "world/scene_file.hpp"
+
+namespace {
+
+using namespace flipside;
+
+std::shared_ptr<const Scene> shared(Scene scene) {
+    return std::make_shared<const Scene>(std::move(scene));
+}
+
+lab::Session session(const std::shared_ptr<const Scene>& scene, std::string_view engine,
+                     const std::vector<std::string>& changes = {}) {
+    const Engine& used = lab::engine_named(engine);
+    const Engine* const one[] = {&used};
+    return {scene, used, lab::settings_for(used, *scene, lab::parse_changes(changes, one))};
+}
+
+/// One engine's run and what is noted of it.
+struct Runner {
+    lab::Session session;
+    double first_energy;
+    std::vector<double> overlaps;  ///< radii, of contacts at the end of steps
+    std::uint64_t ball_steps = 0;
+
+    explicit Runner(lab::Session made)
+        : session(std::move(made)), first_energy(lab::energy(session.world(), session.scene())) {}
+
+    void step(double dt) {
+        session.step(dt);
+        const World& world = session.world();
+        ball_steps += world.balls().size();
+        const double radius = world.balls().empty() ? 1 : world.balls().front().radius;
+        for (const Contact& contact : world.contacts())
+            overlaps.push_back(std::max(0.0, -contact.separation / radius));
+    }
+    [[nodiscard]] double nanoseconds() const {
+        return 1e9 * session.totals().step_seconds /
+               static_cast<double>(std::max<std::uint64_t>(1, ball_steps));
+    }
+    [[nodiscard]] double median_overlap() {
+        if (overlaps.empty()) return 0;
+        const auto middle = overlaps.begin() + static_cast<std::ptrdiff_t>(overlaps.size() / 2);
+        std::ranges::nth_element(overlaps, middle);
+        return *middle;
+    }
+    [[nodiscard]] double drift() const {
+        return (lab::energy(session.world(), session.scene()) - first_energy) / first_energy;
+    }
+};
+
+void race(benchmark::State& state, Runner& ours, Runner& theirs, double seconds, bool keeps_energy) {
+    constexpr double dt = 1.0 / 60;
+    const auto steps = static_cast<int>(std::lround(seconds / dt));
+    for (auto _ : state)
+        for (int i = 0; i < steps; ++i) {
+            ours.step(dt);
+            theirs.step(dt);
+        }
+    auto& counters = state.counters;
+    counters["ours"] = ours.nanoseconds();
+    counters["box2d"] = theirs.nanoseconds();
+    counters["ratio"] = theirs.nanoseconds() / ours.nanoseconds();
+    counters["overlap_ours"] = ours.median_overlap();
+    counters["overlap_box2d"] = theirs.median_overlap();
+    counters["lost_ours"] = static_cast<double>(ours.session.totals().strays);
+    counters["lost_box2d"] = static_cast<double>(theirs.session.totals().strays);
+    if (!keeps_energy) return;
+    counters["drift_ours"] = ours.drift();
+    counters["drift_box2d"] = theirs.drift();
+}
+
+void rain(benchmark::State& state, const char* bullets) {
+    const auto balls = static_cast<int>(state.range(0));
+    const auto scene = shared(load_scene(lab::scene_file("rain"), balls));
+    Runner ours(session(scene, "custom")),
+        theirs(session(scene, "box2d", {std::string("bullets=") + bullets}));
+    // Box2D takes minutes per second of 100,000 balls: there a tenth of a second must do.
+    race(state, ours, theirs, balls > 10'000 ? 0.1 : 2, false);
+}
+
+/// Balls of 27 mm let go over the middle of the pinball table.
+void pinball(benchmark::State& state, const char* solver) {
+    Scene scene = load_scene(lab::scene_file("pinball"));
+    const int balls = static_cast<int>(state.range(0));
+    const Vec2 middle = 0.5 * (scene.bounds.min + scene.bounds.max);
+    scene.balls.clear();
+    for (int i = 0; i < balls; ++i) {
+        Ball ball = scene.launcher->ball;
+        ball.number = static_cast<BallNumber>(i);
+        ball.position = middle + Vec2{0.031 * (i % 4) - 0.05, 0.1 + 0.031 * (i / 4)};
+        ball.velocity = 1.5 * from_angle(1 + i);
+        scene.balls.push_back(ball);
+    }
+    const auto table = shared(std::move(scene));
+    Runner ours(session(table, "custom", {std::string("solver=") + solver})), theirs(session(table, "box2d"));
+    race(state, ours, theirs, 3, false);
+}
+
+/// Elastic gas: a fifth of a walled square is covered with balls, no gravity.
+Scene gas_of(int balls) {
+    constexpr double radius = 0.1, covered = 0.2, pi = 3.14159265358979;
+    const double side = std::sqrt(balls * pi * radius * radius / covered);
+    const int columns = static_cast<int>(std::ceil(std::sqrt(balls)));
+    Scene scene;
+    scene.name = "gas";
+    scene.bounds = {{-1, -1}, {side + 1, side + 1}};
+    scene.materials = {{"elastic", 1, 0, 0}};
+    for (int i = 0; i < balls; ++i) {
+        Ball ball;
+        ball.number = static_cast<BallNumber>(i);
+        ball.position = side / columns * Vec2{i % columns + 0.5, i / columns + 0.5};
+        ball.velocity = (0.5 + (i * 7 % 10) / 10.0) * from_angle(2.4 * i);
+        ball.radius = radius;
+        ball.mass = 1;
+        scene.balls.push_back(ball);
+    }
+    Part walls;
+    walls.name = "walls";
+    walls.shape = {shape::Polyline{{{0, 0}, {side, 0}, {side, side}, {0, side}}, true}};
+    scene.parts.push_back(walls);
+    return scene;
+}
+
+void gas(benchmark::State& state) {
+    const auto scene = shared(gas_of(static_cast<int>(state.range(0))));
+    Runner ours(session(scene, "custom", {"broad_phase=auto"})), theirs(session(scene, "box2d"));
+    race(state, ours, theirs, 6, true);
+}
+
+BENCHMARK_CAPTURE(rain, bullets, "on")->Arg(1000)->Arg(5000)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(rain, plain, "off")
+    ->Arg(1000)
+    ->Arg(5000)
+    ->Arg(100'000)
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(pinball, discrete, "discrete")
+    ->Arg(1)
+    ->Arg(8)
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(pinball, continuous, "continuous")
+    ->Arg(1)
+    ->Arg(8)
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(gas)->Arg(500)->Arg(5000)->Iterations(1)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();
