@@ -51,7 +51,6 @@ void DiscreteSolver::respond_to(Ball& ball, PieceIndex index, const Touch& touch
 /// one has moved it. Where the rounds do not suffice, in heaps, support comes from below.
 void DiscreteSolver::collide() {
     changed_in_.assign(balls_->size(), 0);
-    flown_.assign(balls_->size(), span_.duration());
     for (round_ = 1; round_ <= settings_.collision_iterations; ++round_) {
         const bool parts = collide_parts();
         const bool between_balls = collide_balls();
@@ -115,6 +114,10 @@ bool DiscreteSolver::collide_balls() {
         Ball &a = (*balls_)[pair.a], &b = (*balls_)[pair.b];
         if (a.asleep && b.asleep) continue;
         ++record_->statistics.narrow_tests;
+        if (round_ == 1 && !a.asleep && !b.asleep && turn_back(pair)) {
+            any = true;
+            continue;
+        }
         const Vec2 between = a.position - b.position;
         const double reach = a.radius + b.radius;
         if (length_squared(between) >= (1 - slop) * reach * reach) continue;
@@ -124,6 +127,25 @@ bool DiscreteSolver::collide_balls() {
         collide(pair, unit(between));
     }
     return any;
+}
+
+/// Answers the touch of two balls that passed through each other in this flight.
+bool DiscreteSolver::turn_back(BallPair pair) {
+    Ball &a = (*balls_)[pair.a], &b = (*balls_)[pair.b];
+    const double ago = passed_through(a, b, std::min(flown_[pair.a], flown_[pair.b]));
+    if (ago == never) return false;
+    a.position -= ago * a.velocity;
+    b.position -= ago * b.velocity;
+    Impact hit = respond(a, b, false, layout_.mixed(a.material, b.material),
+                         {scene_.gravity, scene_.rest_speed, 0, 0});
+    hit.ago = ago;
+    if (hit.happened) report(a, Other::ball(b.number), hit, b.position + b.radius * hit.normal, span_.end);
+    a.position += ago * a.velocity;
+    b.position += ago * b.velocity;
+    flown_[pair.a] = flown_[pair.b] = ago;
+    changed_in_[pair.a] = changed_in_[pair.b] = round_;
+    ++record_->statistics.contacts;
+    return true;
 }
 
 void DiscreteSolver::collide(BallPair pair, Vec2 normal) {

@@ -108,6 +108,7 @@ void DiscreteSolver::fly_all(double duration) {
     std::vector<Ball>& balls = *balls_;
     const Flight flight(scene_.gravity, scene_.damping, duration);
     started_.clear();
+    flown_.assign(balls.size(), duration);
     auto next = candidates_.begin();
     for (std::uint32_t i = 0; i < balls.size(); ++i) {
         started_.push_back(balls[i].position);
@@ -146,6 +147,7 @@ void DiscreteSolver::fly(Ball& ball, std::span<const Candidate> near, double dur
         const Pose pose = layout_.pose(*table_, met, span_.begin + at);
         double flown = 0;
         respond_to(ball, met, touch(ball.position, ball.radius, piece, pose), at, flown);
+        flown_[static_cast<std::size_t>(&ball - balls_->data())] = duration - at;
         // Kicked faster, it leaves the surroundings that were searched for parts.
         if (way(ball, duration) > searched) {
             searched = way(ball, duration);

@@ -6,8 +6,8 @@
 ///
 /// Flight is exact (flight.hpp), and impacts act from the moment of touch (response.hpp), so what a single
 /// ball does is good to rounding off straight surfaces and to second order off curved ones. A ball that
-/// could sink deep into a part during one flight is stopped at the surface instead (sweep.hpp). Between
-/// balls nothing is swept: at too few motion iterations fast balls miss each other.
+/// could sink deep into a part during one flight is stopped at the surface instead (sweep.hpp). Two balls
+/// that passed through each other in one flight are turned back to where they touched.
 
 #include "custom/layout.hpp"
 #include "custom/near_list.hpp"
@@ -72,6 +72,7 @@ class DiscreteSolver {
     bool collide_ball_with_parts(std::uint32_t place, std::span<const Candidate> near);
     bool collide_balls();
     void respond_to(Ball& ball, PieceIndex index, const Touch& touch, double at, double& flown);
+    bool turn_back(BallPair pair);
     void collide(BallPair pair, Vec2 normal);
     void report(const Ball& ball, Other other, const Impact& hit, Vec2 point, double time);
     /// What a ball may lean on: a piece, or a lower ball.

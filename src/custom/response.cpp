@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "custom/sweep.hpp"
+
 namespace flipside::custom {
 
 namespace {
@@ -111,6 +113,18 @@ Impact respond(Ball& a, Ball& b, bool held_b, const Mixed& material, const Surro
     b.velocity += change_b;
     b.position += ago * change_b;
     return impact;
+}
+
+double passed_through(const Ball& a, const Ball& b, double flown) {
+    // The later root of |x − v·t| = reach, counted backwards: when they came together.
+    const Vec2 x = a.position - b.position, v = a.velocity - b.velocity;
+    const double reach = a.radius + b.radius, parting = dot(x, v), speed_squared = length_squared(v);
+    const double inside = parting * parting - speed_squared * (length_squared(x) - reach * reach);
+    if (parting <= 0 || inside <= 0) return never;
+    const double ago = (parting + std::sqrt(inside)) / speed_squared;
+    // Those that touched when the flight began were answered then.
+    constexpr double same_moment = 1e-6;
+    return ago < (1 - same_moment) * flown ? ago : never;
 }
 
 void push_out(Ball& ball, const Touch& touch) {

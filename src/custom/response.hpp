@@ -39,6 +39,10 @@ struct Impact {
 [[nodiscard]] Impact respond(Ball& a, Ball& b, bool held_b, const Mixed& material,
                              const Surroundings& around);
 
+/// How long ago two balls that now part touched on their way through each other, when they flew straight
+/// for `flown` seconds; infinite if they did not.
+[[nodiscard]] double passed_through(const Ball& a, const Ball& b, double flown);
+
 /// Moves overlapping things apart, by position only.
 void push_out(Ball& ball, const Touch& touch);
 /// The same for balls, shared by inverse mass; b stays where it is when held.
