@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds Release and runs every test. With --all, as on every change, then also the gates:
-# formatting, clang-tidy, and every test again under the address and undefined-behaviour sanitizers.
+# formatting, clang-tidy, the same bits from gcc and clang, optimised and not, and every test again under the address and
+# undefined-behaviour sanitizers.
 set -euo pipefail
 cd "$(dirname "$0")"
 source scripts/packages.sh
 case "${*:-}" in
     '') gates=false what="builds Release, runs every test" ;;
-    --all) gates=true what="builds Release, runs every test, then format, clang-tidy and the sanitizers" ;;
+    --all) gates=true what="builds Release, runs every test, then format, clang-tidy, golden bits and the sanitizers" ;;
     *) echo "usage: $0 [--all]" >&2 && exit 2 ;;
 esac
 jobs=$(nproc)
@@ -28,6 +29,11 @@ ctest --preset release -j "$jobs"
 if $gates; then
     stage "clang-tidy"
     sources | xargs -n 1 -P "$jobs" clang-tidy-14 -p build/release --quiet 2> >(grep -v 'warnings generated' >&2)
+    for preset in debug clang clang-debug; do
+        stage "same bits: $preset"
+        build "$preset" test_golden
+        "build/$preset/tests/golden/test_golden" --gtest_brief=1
+    done
     stage "sanitizer build"
     build sanitize
     stage "tests under the sanitizers"

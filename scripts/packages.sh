@@ -12,7 +12,7 @@ build_packages=(
     xvfb xauth libgl1-mesa-dri                 # pictures without a display
     xdotool                                    # keys and clicks for the window's tests
 )
-gate_packages=(clang-format-14 clang-tidy-14)  # only ./test.sh --all
+gate_packages=(clang-format-14 clang-tidy-14 clang-14)  # only ./test.sh --all
 
 missing_packages() {
     local package

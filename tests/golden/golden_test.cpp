@@ -1,0 +1,105 @@
+/// The same scene, settings and script give the same bits, whatever compiled the program: the state of each
+/// scene after 600 steps of the custom engine, as a checksum of its JSON (which holds every double exactly).
+/// The table is the same for every build, so two builds that pass it agree with each other.
+///
+/// A change of the engine's arithmetic changes these on purpose; then take over what the test prints.
+
+#include <algorithm>
+#include <ostream>
+
+#include <boost/crc.hpp>
+#include <gtest/gtest.h>
+
+#include "lab/assets.hpp"
+#include "lab/engines.hpp"
+#include "lab/session.hpp"
+#include "world/scene_file.hpp"
+#include "world/script_file.hpp"
+#include "world/state_file.hpp"
+
+namespace flipside::lab {
+namespace {
+
+constexpr int steps = 600;
+
+struct Golden {
+    const char* scene;
+    const char* solver;
+    std::uint32_t checksum;
+};
+
+/// Rain, with its 320 balls, is for the discrete solver.
+constexpr Golden golden[] = {
+    {"bowl", "discrete", 0x2e5b386d},    {"bowl", "continuous", 0x424b4315},
+    {"box", "discrete", 0x27805379},     {"box", "continuous", 0x3dd830e5},
+    {"cradle", "discrete", 0xd683be77},  {"cradle", "continuous", 0xd5b383c4},
+    {"drop", "discrete", 0x47d10993},    {"drop", "continuous", 0x47d10993},
+    {"pinball", "discrete", 0x11b8be02}, {"pinball", "continuous", 0x9a1d49fe},
+    {"rain", "discrete", 0x5341d9a4},    {"toy", "discrete", 0xb0411b62},
+    {"toy", "continuous", 0x8b85d847},
+};
+
+void PrintTo(const Golden& g, std::ostream* out) {
+    *out << g.scene << ' ' << g.solver;
+}
+
+/// A scene under its own script, on the custom engine.
+class Replay {
+  public:
+    Replay(const std::string& scene, std::string_view solver)
+        : scene_(std::make_shared<const Scene>(load_scene(scene_file(scene)))), session_(start(solver)) {
+        if (const auto file = script_beside(scene_file(scene))) script_ = load_script(*file, *scene_);
+    }
+    void steps(int count) {
+        for (int i = 0; i < count; ++i) session_.step(step_for(*scene_), script_, next_);
+    }
+    /// Goes on in a new world, made from the saved state alone.
+    void save_and_restore() { session_ = session_.fork(); }
+    [[nodiscard]] std::uint32_t checksum() const {
+        const std::string text = to_json(session_.world().save(), *scene_);
+        boost::crc_32_type crc;
+        crc.process_bytes(text.data(), text.size());
+        return crc.checksum();
+    }
+
+  private:
+    [[nodiscard]] Session start(std::string_view solver) const {
+        const Engine& custom = engine_named("custom");
+        Settings settings = settings_for(custom, *scene_);
+        settings.set("solver", solver);
+        return {scene_, custom, settings};
+    }
+
+    std::shared_ptr<const Scene> scene_;
+    Session session_;
+    Script script_;
+    std::size_t next_ = 0;
+};
+
+class GoldenHash : public testing::TestWithParam<Golden> {};
+
+TEST_P(GoldenHash, SameBitsInEveryBuild) {
+    Replay run(GetParam().scene, GetParam().solver);
+    run.steps(steps);
+    EXPECT_EQ(run.checksum(), GetParam().checksum) << std::hex << "0x" << run.checksum();
+}
+
+TEST_P(GoldenHash, SameBitsAfterSaveAndRestoreInMidRun) {
+    Replay run(GetParam().scene, GetParam().solver);
+    run.steps(steps / 2 - 7);
+    run.save_and_restore();
+    run.steps(steps / 2 + 7);
+    EXPECT_EQ(run.checksum(), GetParam().checksum) << std::hex << "0x" << run.checksum();
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, GoldenHash, testing::ValuesIn(golden), [](const auto& test) {
+    return std::string(test.param.scene) + "_" + test.param.solver;
+});
+
+TEST(GoldenHashes, CoverEveryScene) {
+    for (const std::string& name : scene_names())
+        EXPECT_TRUE(std::ranges::any_of(golden, [&](const Golden& g) { return g.scene == name; })) << name;
+}
+
+}  // namespace
+}  // namespace flipside::lab
