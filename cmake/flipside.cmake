@@ -29,20 +29,20 @@ if(FLIPSIDE_SANITIZE)
     target_link_options(flipside_options INTERFACE -fsanitize=address,undefined)
 endif()
 
-# flipside_library(NAME [LINKS ...]): the sources of the current folder as target flipside_NAME.
+# flipside_library(NAME [LINKS ...]): the sources of the current folder and below as target flipside_NAME.
 # Headers are included as "NAME/file.hpp".
 function(flipside_library name)
     cmake_parse_arguments(ARG "" "" "LINKS;PRIVATE_LINKS" ${ARGN})
-    file(GLOB sources CONFIGURE_DEPENDS *.cpp *.hpp)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp *.hpp)
     add_library(flipside_${name} STATIC ${sources})
     target_include_directories(flipside_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
     target_link_libraries(flipside_${name} PUBLIC ${ARG_LINKS} PRIVATE flipside_options ${ARG_PRIVATE_LINKS})
 endfunction()
 
-# flipside_tests(NAME [LINKS ...]): the sources of the current folder as test program test_NAME.
+# flipside_tests(NAME [LINKS ...]): the sources of the current folder and below as test program test_NAME.
 function(flipside_tests name)
     cmake_parse_arguments(ARG "" "" "LINKS" ${ARGN})
-    file(GLOB sources CONFIGURE_DEPENDS *.cpp *.hpp)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp *.hpp)
     add_executable(test_${name} ${sources})
     target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
     target_compile_definitions(test_${name} PRIVATE FLIPSIDE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")

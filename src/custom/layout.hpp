@@ -4,8 +4,8 @@
 
 #include <span>
 
-#include "custom/broad_phase.hpp"
-#include "custom/narrow_phase.hpp"
+#include "custom/broad_phase/broad_phase.hpp"
+#include "custom/geometry/narrow_phase.hpp"
 
 namespace flipside::custom {
 

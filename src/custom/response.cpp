@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "custom/sweep.hpp"
+#include "custom/geometry/sweep.hpp"
 
 namespace flipside::custom {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Collision response: what a touch does to the balls. Knows no shapes and no broad phase.
 
-#include "custom/narrow_phase.hpp"
+#include "custom/geometry/narrow_phase.hpp"
 #include "world/ball.hpp"
 #include "world/scene.hpp"
 

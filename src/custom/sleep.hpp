@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "custom/room.hpp"
+#include "custom/broad_phase/room.hpp"
 #include "world/ball.hpp"
 #include "world/events.hpp"
 

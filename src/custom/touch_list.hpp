@@ -2,8 +2,8 @@
 /// Which balls touch what at an instant. It follows from the state of a world alone, so a world continued
 /// from a saved state knows the same touches as one that ran through.
 
+#include "custom/broad_phase/near_list.hpp"
 #include "custom/layout.hpp"
-#include "custom/near_list.hpp"
 #include "world/events.hpp"
 
 namespace flipside::custom {

@@ -4,9 +4,9 @@
 #include <chrono>
 #include <tuple>
 
-#include "custom/choose_broad_phase.hpp"
-#include "custom/enclosing.hpp"
+#include "custom/broad_phase/choose_broad_phase.hpp"
 #include "custom/engine.hpp"
+#include "custom/geometry/enclosing.hpp"
 
 namespace flipside::custom {
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "custom/continuous_solver.hpp"
+#include "custom/continuous/continuous_solver.hpp"
 #include "custom/sleep.hpp"
 #include "world/world.hpp"
 

@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "custom/broad_phase.hpp"
+#include "custom/broad_phase/broad_phase.hpp"
 #include "lab/cpu_clock.hpp"
 #include "lab/engines.hpp"
 

@@ -21,8 +21,8 @@
 #include <box2d/b2_polygon_shape.h>
 #include <gtest/gtest.h>
 
-#include "custom/narrow_phase.hpp"
-#include "custom/polygon_contact.hpp"
+#include "custom/geometry/narrow_phase.hpp"
+#include "custom/geometry/polygon_contact.hpp"
 
 namespace flipside::box2d::test {
 namespace {

@@ -1,0 +1,38 @@
+#include "custom/broad_phase/choose_broad_phase.hpp"
+
+#include <algorithm>
+
+namespace flipside::custom {
+
+namespace {
+
+/// Up to this many pairs to look at, testing all is cheaper than any order among them.
+constexpr std::size_t few_pairs = 64;
+/// Largest ball to smallest from which one cell does not suit them all.
+constexpr double mixed_sizes = 16;
+
+}  // namespace
+
+std::string_view choose_broad_phase(const Scene& scene, std::size_t still_pieces) {
+    const std::size_t balls = scene.balls.size();
+    if (!scene.launcher && balls * (balls + still_pieces) <= few_pairs) return "brute";
+    const auto [least, most] = std::ranges::minmax_element(scene.balls, {}, &Ball::radius);
+    if (least != scene.balls.end() && most->radius > mixed_sizes * least->radius) return "adaptive";
+    return "grid";
+}
+
+std::unique_ptr<BroadPhase> make_broad_phase(const Scene& scene, std::vector<Proxy> still,
+                                             const Settings& settings) {
+    std::string_view kind = settings.choice("broad_phase");
+    if (kind == "auto") kind = choose_broad_phase(scene, still.size());
+    if (kind == "brute") return make_brute_force(std::move(still));
+    if (kind == "quadtree")
+        return make_quadtree(std::move(still), scene.bounds, settings.integer("quadtree_levels"));
+    if (kind == "adaptive")
+        return make_adaptive_quadtree(std::move(still), scene.bounds, settings.integer("adaptive_capacity"),
+                                      settings.integer("adaptive_depth"));
+    if (kind == "sweep") return make_sweep(std::move(still));
+    return make_grid(still, scene.bounds, settings.real("grid_cell"));
+}
+
+}  // namespace flipside::custom

@@ -1,0 +1,33 @@
+#include "custom/broad_phase/pair_order.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "custom/broad_phase/room.hpp"
+
+namespace flipside::custom {
+
+void PairOrder::start(Handle first, std::size_t moving) {
+    first_ = first;
+    found_.clear();
+    make_room(found_, moving, pairs_per_ball);
+    make_room(end_, moving);
+    end_.assign(moving, 0);
+}
+
+void PairOrder::finish(std::vector<Pair>& pairs) {
+    for (const Pair& pair : found_) ++end_[pair.b - first_];
+    // Where each one's pairs begin; filling them in moves that to where they end.
+    std::exclusive_scan(end_.begin(), end_.end(), end_.begin(), 0U);
+    make_room(pairs, found_.capacity());
+    pairs.resize(found_.size());
+    for (const Pair& pair : found_) pairs[end_[pair.b - first_]++] = pair;
+    auto begin = pairs.begin();
+    for (const std::uint32_t end : end_) {
+        const auto next = pairs.begin() + end;
+        if (next - begin > 1) std::sort(begin, next);
+        begin = next;
+    }
+}
+
+}  // namespace flipside::custom

@@ -1,0 +1,32 @@
+#include "custom/continuous/candidates.hpp"
+
+#include <algorithm>
+
+namespace flipside::custom {
+
+Box range_of(const Feature& feature, const Table& table) {
+    const Box box = bounds_of(feature);
+    if (!Table::moves(table.scene().parts[feature.part])) return box;
+    const Vec2 pivot = table.pose(feature.part).pivot;
+    const double dx = std::max(box.max.x - pivot.x, pivot.x - box.min.x);
+    const double dy = std::max(box.max.y - pivot.y, pivot.y - box.min.y);
+    return bounds_of(pivot, std::sqrt(dx * dx + dy * dy));
+}
+
+Box bounds_of(const Path& path, double radius, double end) {
+    const double t = end - path.start;
+    if (!path.swings) return grown(path.flight.bounds(t), radius);
+    return bounds_of(path.flight.position, path.top_speed * t + radius);
+}
+
+std::uint64_t Candidates::cover(const Box& box, std::span<const Box> feature_ranges) {
+    if (fat_.contains(box.min) && fat_.contains(box.max)) return 0;
+    const Vec2 size = box.max - box.min;
+    fat_ = grown(box, size.x + size.y);
+    list_.clear();
+    for (FeatureIndex i = 0; i < feature_ranges.size(); ++i)
+        if (overlap(fat_, feature_ranges[i])) list_.push_back(i);
+    return feature_ranges.size();
+}
+
+}  // namespace flipside::custom

@@ -1,0 +1,202 @@
+#include <algorithm>
+
+#include "custom/continuous/continuous_solver.hpp"
+
+namespace flipside::custom {
+
+namespace {
+
+/// An approach slower than this part of the speed is a joint's or rounding's: the ball slides on.
+constexpr double graze = 1e-9;
+/// So many events of a ball at one instant cannot be put in order.
+constexpr int most_at_once = 200;
+/// Events less than this part of the step apart are at one instant.
+constexpr double instant = 1e-12;
+
+}  // namespace
+
+/// Moves a ball along its path.
+void ContinuousSolver::advance(Place i, double time) {
+    Ball& ball = (*balls_)[i];
+    const Path& path = movers_[i].way.path;
+    ball.position = path.position(time);
+    ball.velocity = path.velocity(time);
+    const double spin = movers_[i].way.spin_at(ball.spin, time);
+    ball.angle += (ball.spin + spin) / 2 * (time - path.start);  // exact where the spin changes evenly
+    ball.spin = spin;
+}
+
+/// Handles the next event of a ball.
+void ContinuousSolver::handle(Place i) {
+    Mover& mover = movers_[i];
+    const double time = mover.next_time;
+    mover.stalled = time <= mover.last_time + instant * dt_ ? mover.stalled + 1 : 0;
+    mover.last_time = time;
+    if (mover.stalled > most_at_once) return hand_over(i);
+    if (++events_ > settings_.max_impacts) {
+        for (Place j = 0; j < movers_.size(); ++j) hand_over(j);
+        return;
+    }
+    mover.left = nullptr;
+    switch (mover.next) {
+        case Next::feature:
+            if (ignores(features_[mover.met], (*balls_)[i])) return predict(i, time);
+            return hit_feature(i, time);
+        case Next::ball:
+            if (movers_[mover.met].changes != mover.met_changes) return predict(i, time);
+            return hit_ball(i, time);
+        case Next::look_again:
+            advance(i, time);
+            if (mover.way.lets_go) mover.left = mover.held;
+            return go_on(i, time);
+        case Next::sense:
+            return sense(i, time);
+        case Next::leave_bounds:
+            return lose(i, time);
+        case Next::nothing:
+            return;
+    }
+}
+
+void ContinuousSolver::go_on(Place i, double time) {
+    set_out(i, time);
+    predict(i, time);
+}
+
+void ContinuousSolver::report(double time, EventKind kind, const Ball& ball, Other other,
+                              const Impact& impact, Vec2 point) {
+    record_->events.push_back({table_->time() + time, kind, ball.number, other, point, impact.normal,
+                               impact.speed, impact.impulse});
+}
+
+void ContinuousSolver::hit_feature(Place i, double time) {
+    Ball& ball = (*balls_)[i];
+    const Feature& feature = features_[movers_[i].met];
+    const PartIndex index = feature.part;
+    const Part& part = scene_.parts[index];
+    const Turning& turning = turnings_[index];
+    const Pose pose = turning.pose(time);
+    advance(i, time);
+    const Sight sight = look(feature, pose.undo(ball.position), ball.radius);
+    if (const shape::Gate* gate = gate_of(part))
+        if (table_->parts()[index].open || dot(sight.normal, gate->normal) < 0) {
+            table_->set_open(index, true);
+            set_inside(ball.number, index, true);
+            release(index, time);
+            return go_on(i, time);
+        }
+    const Vec2 normal = pose.angle == 0 ? sight.normal : rotated(sight.normal, pose.angle);
+    const Vec2 point = ball.position - sight.distance * normal;
+    const Vec2 surface = cross(turning.rate_at(time), point - pose.pivot);
+    const Vec2 relative = ball.velocity - surface;
+    ball.asleep = false;
+    if (const double closing = -dot(relative, normal); closing <= graze * length(relative)) {
+        if (closing > 0) ball.velocity += closing * normal;
+        return go_on(i, time);
+    }
+    const Touch touch{point, normal, 0, 0, false};
+    const Impact impact = respond(ball, touch, surface, layout_.mixed(ball.material, part.material),
+                                  {scene_.gravity, scene_.rest_speed, 0});
+    if (impact.happened) {
+        ++record_->statistics.impacts;
+        report(time, EventKind::impact, ball, Other::part(index), impact, point);
+        if (part.target) {
+            table_->set_down(index, true);
+            release(index, time);
+        }
+    }
+    go_on(i, time);
+}
+
+/// What lay on a part goes on without it.
+void ContinuousSolver::release(PartIndex part, double time) {
+    for (Place j = 0; j < movers_.size(); ++j) {
+        Ball& ball = (*balls_)[j];
+        if (movers_[j].handed_over || movers_[j].lost) continue;
+        if (!ball.asleep && (movers_[j].held == nullptr || movers_[j].held->part != part)) continue;
+        if (!ball.asleep) advance(j, time);
+        ball.asleep = false;
+        go_on(j, time);
+    }
+}
+
+void ContinuousSolver::hit_ball(Place i, double time) {
+    const Place j = movers_[i].met;
+    const Place low = std::min(i, j), high = std::max(i, j);
+    Ball &a = (*balls_)[low], &b = (*balls_)[high];
+    advance(low, time);
+    advance(high, time);
+    a.asleep = b.asleep = false;
+    movers_[j].left = nullptr;
+    const Impact impact =
+        respond(a, b, false, layout_.mixed(a.material, b.material), {scene_.gravity, scene_.rest_speed, 0});
+    if (impact.happened) {
+        ++record_->statistics.impacts;
+        report(time, EventKind::impact, a, Other::ball(b.number), impact,
+               b.position + b.radius * impact.normal);
+    }
+    set_out(i, time);
+    set_out(j, time);
+    if (!impact.happened) {
+        // A slow touch of balls that are driven together lasts.
+        const Vec2 n = unit(a.position - b.position);
+        const double pressed =
+            dot(movers_[low].way.path.acceleration(time) - movers_[high].way.path.acceleration(time), n);
+        if (pressed < -1e-9 * length(scene_.gravity)) {
+            hand_over(i);
+            return hand_over(j);
+        }
+    }
+    predict(i, time);
+    predict(j, time);
+}
+
+void ContinuousSolver::lose(Place i, double time) {
+    Ball& ball = (*balls_)[i];
+    const Vec2 p = movers_[i].way.path.position(time);
+    report(time, EventKind::lost, ball, {}, {}, p);
+    if (scene_.keep_lost) {
+        table_->reported_lost().push_back(ball.number);
+        return predict(i, time);
+    }
+    movers_[i].lost = true;
+    ++movers_[i].changes;
+    for (PartIndex part = 0; part < pieces_.size(); ++part)
+        if (inside(ball.number, part)) {
+            set_inside(ball.number, part, false);
+            if (scene_.parts[part].sensor)
+                report(time, EventKind::sensor_end, ball, Other::part(part), {}, {});
+        }
+}
+
+bool ContinuousSolver::inside(BallNumber ball, PartIndex part) const {
+    return std::ranges::binary_search(inside_, Sensed{ball, part});
+}
+
+void ContinuousSolver::set_inside(BallNumber ball, PartIndex part, bool is_inside) {
+    const Sensed sensed{ball, part};
+    const auto at = std::ranges::lower_bound(inside_, sensed);
+    const bool was = at != inside_.end() && *at == sensed;
+    if (is_inside && !was) inside_.insert(at, sensed);
+    if (!is_inside && was) inside_.erase(at);
+}
+
+/// A ball enters or leaves a sensor, or leaves a gate.
+void ContinuousSolver::sense(Place i, double time) {
+    const Ball& ball = (*balls_)[i];
+    const PartIndex part = movers_[i].met;
+    const bool enters = !inside(ball.number, part);
+    set_inside(ball.number, part, enters);
+    if (scene_.parts[part].sensor) {
+        const EventKind kind = enters ? EventKind::sensor_begin : EventKind::sensor_end;
+        report(time, kind, ball, Other::part(part), {}, {});
+    } else if (std::ranges::none_of(inside_, [&](const Sensed& s) { return s.sensor == part; })) {
+        table_->set_open(part, false);
+        // Who counted on an open gate looks again.
+        for (Place j = 0; j < movers_.size(); ++j)
+            if (j != i && !movers_[j].handed_over && !movers_[j].lost) predict(j, time);
+    }
+    predict(i, time);
+}
+
+}  // namespace flipside::custom

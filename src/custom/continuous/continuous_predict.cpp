@@ -1,0 +1,247 @@
+#include <algorithm>
+#include <functional>
+
+#include "custom/continuous/continuous_solver.hpp"
+
+namespace flipside::custom {
+
+namespace {
+
+/// A gap up to this, in radii, is contact for a ball that does not move along the normal.
+constexpr double grip_gap = 1e-9;
+/// Hops shorter than this, in units of √(r/a), do not happen: the contact holds.
+constexpr double grip_hop = 1e-9;
+/// How far a ball must be out of a sensor to have left it, in radii.
+constexpr double sense_gap = 1e-9;
+/// The least way between two looks for a sensor's border, in radii.
+constexpr double sense_step = 1e-2;
+
+}  // namespace
+
+/// Whether the feature lets the ball through now.
+bool ContinuousSolver::ignores(const Feature& feature, const Ball& ball) const {
+    const Part& part = scene_.parts[feature.part];
+    return part.sensor || table_->parts()[feature.part].down || !layers_meet(ball, part);
+}
+
+/// Finds the path of a ball from where it is: along what it rests on, or free.
+void ContinuousSolver::set_out(Place i, double time) {
+    Ball& ball = (*balls_)[i];
+    Mover& mover = movers_[i];
+    if (ball.asleep && beside_moving_part(i)) ball.asleep = false;
+    ++mover.changes;
+    mover.held = nullptr;
+    mover.way.until = never_touch;
+    mover.way.spin_rate = 0;
+    mover.way.roll = {};
+    Path& path = mover.way.path;
+    path.start = time;
+    path.swings = false;
+    path.flight = {ball.position, ball.velocity, ball.asleep ? Vec2{} : drive_.gravity,
+                   ball.asleep ? 0 : drive_.drag};
+    mover.box = bounds_of(path, ball.radius, dt_);
+    record_->statistics.pair_tests += mover.near.cover(mover.box, ranges_);
+    if (ball.asleep) return;
+    find_grips(i, time);
+    if (!grips_.empty()) {
+        take_hold(i, time);
+        mover.box = bounds_of(path, ball.radius, dt_);
+        record_->statistics.pair_tests += mover.near.cover(mover.box, ranges_);
+    }
+}
+
+bool ContinuousSolver::beside_moving_part(Place i) {
+    const Ball& ball = (*balls_)[i];
+    const Box here = bounds_of(ball.position, ball.radius * (1 + touch_distance));
+    record_->statistics.pair_tests += movers_[i].near.cover(here, ranges_);
+    return std::ranges::any_of(movers_[i].near.list(), [&](FeatureIndex f) {
+        return !turnings_[features_[f].part].still() && overlap(here, ranges_[f]);
+    });
+}
+
+/// What the ball touches without moving along the normal.
+void ContinuousSolver::find_grips(Place i, double time) {
+    grips_.clear();
+    const Ball& ball = (*balls_)[i];
+    const Mover& mover = movers_[i];
+    const Box here = bounds_of(ball.position, ball.radius * (1 + 1e-6));
+    for (const FeatureIndex f : mover.near.list()) {
+        if (!overlap(here, ranges_[f])) continue;
+        const Feature& feature = features_[f];
+        if (&feature == mover.left || ignores(feature, ball)) continue;
+        const Turning& turning = turnings_[feature.part];
+        const Pose pose = turning.pose(time);
+        ++record_->statistics.narrow_tests;
+        const Sight sight = look(feature, pose.undo(ball.position), ball.radius);
+        const double gap = sight.distance - ball.radius;
+        if (!sight.facing || gap > grip_gap * ball.radius + gap_rounding(ball.position, ball.radius))
+            continue;
+        const Vec2 normal = pose.angle == 0 ? sight.normal : rotated(sight.normal, pose.angle);
+        if (const shape::Gate* gate = gate_of(scene_.parts[feature.part]))
+            if (table_->parts()[feature.part].open || dot(sight.normal, gate->normal) < 0) continue;
+        Hold hold = hold_at(feature, turning, ball, normal, time, drive_);
+        hold.friction = layout_.mixed(ball.material, scene_.parts[feature.part].material).friction;
+        const Vec2 relative = ball.velocity - hold.surface_velocity;
+        const double still =
+            1e-12 * length(relative) + grip_hop * std::sqrt(ball.radius * std::max(0.0, hold.force));
+        if (std::abs(dot(relative, normal)) > still) continue;
+        const double scale = length(drive_.gravity) + length_squared(relative) / ball.radius;
+        grips_.push_back({hold, hold.force > 1e-12 * scale});
+    }
+}
+
+/// Chooses what the ball rests on among its grips: the one whose force keeps it off all others, or all
+/// together where no single one does.
+void ContinuousSolver::take_hold(Place i, double time) {
+    Ball& ball = (*balls_)[i];
+    Mover& mover = movers_[i];
+    int pressed = 0;
+    bool moving = false;
+    for (const Grip& grip : grips_) {
+        pressed += grip.pressed;
+        moving = moving || grip.hold.turning->rate_at(time) != 0;
+        if (!grip.pressed) continue;
+        const Vec2 tangent = perp(grip.hold.normal);
+        const Vec2 along = dot(ball.velocity - grip.hold.surface_velocity, tangent) * tangent;
+        const bool enough = std::ranges::all_of(grips_, [&](const Grip& other) {
+            if (&other == &grip) return true;
+            // On nearly flat joints forces cannot tell the faces apart: then the way it goes does.
+            const double cosine = dot(other.hold.normal, grip.hold.normal);
+            return other.hold.force - grip.hold.force * cosine <= 1e-9 * grip.hold.force &&
+                   (cosine < 1 - 1e-6 ||
+                    dot(along, other.hold.normal) >= -speed_rounding / 2 * length(along));
+        });
+        if (!enough) continue;
+        mover.held = grip.hold.feature;
+        return hold(grip.hold, ball, time, dt_, drive_, mover.way);
+    }
+    const double slow = 1e-6 * std::sqrt(ball.radius * length(drive_.gravity));
+    if (pressed < 2 || moving || length(ball.velocity) > slow) return;
+    // Rubbed from two sides, a spinning ball is taken to stop at once.
+    if (std::ranges::any_of(grips_, [](const Grip& grip) { return grip.hold.friction > 0; })) ball.spin = 0;
+    mover.held = grips_.front().hold.feature;
+    mover.way.path.flight = {ball.position, {}, {}, 0};
+}
+
+void ContinuousSolver::offer(Mover& mover, double time, Next next, std::uint32_t met,
+                             std::uint32_t met_changes) {
+    if (!(time < mover.next_time)) return;
+    mover.next_time = time;
+    mover.next = next;
+    mover.met = met;
+    mover.met_changes = met_changes;
+}
+
+/// Finds the next event of a ball on its path and queues it.
+void ContinuousSolver::predict(Place i, double time) {
+    Mover& mover = movers_[i];
+    ++mover.predictions;
+    mover.next = Next::nothing;
+    mover.next_time = std::nextafter(dt_, INFINITY);
+    offer(mover, mover.way.until, Next::look_again);
+    predict_loss(i, time);
+    predict_features(i, time);
+    predict_balls(i, time);
+    if (mover.next == Next::nothing) return;
+    queue_.push_back({mover.next_time, i, mover.predictions});
+    std::ranges::push_heap(queue_, std::greater{});
+}
+
+void ContinuousSolver::predict_features(Place i, double time) {
+    const Ball& ball = (*balls_)[i];
+    Mover& mover = movers_[i];
+    const Path& path = mover.way.path;
+    for (const Sensed& in : inside_)
+        if (in.ball == ball.number)
+            offer(mover, sense_time(in.sensor, ball, path, time, true), Next::sense, in.sensor);
+    PartIndex sensed = ~0U;
+    for (const FeatureIndex f : mover.near.list()) {
+        if (!overlap(mover.box, ranges_[f])) continue;
+        const Feature& feature = features_[f];
+        const Part& part = scene_.parts[feature.part];
+        if (!pieces_[feature.part].empty() && inside(ball.number, feature.part)) continue;
+        if (part.sensor) {
+            if (feature.part == sensed || !layers_meet(ball, part)) continue;
+            sensed = feature.part;
+            offer(mover, sense_time(sensed, ball, path, time, false), Next::sense, sensed);
+            continue;
+        }
+        if (&feature == mover.held || ignores(feature, ball)) continue;
+        if (ball.asleep && turnings_[feature.part].still()) continue;
+        ++record_->statistics.narrow_tests;
+        const double last = std::min(mover.next_time, dt_);
+        offer(mover, time_of_impact(feature, turnings_[feature.part], path, ball.radius, time, last),
+              Next::feature, f);
+    }
+}
+
+void ContinuousSolver::predict_balls(Place i, double time) {
+    const std::vector<Ball>& balls = *balls_;
+    Mover& mover = movers_[i];
+    for (Place j = 0; j < balls.size(); ++j) {
+        Mover& other = movers_[j];
+        if (j == i || !overlap(mover.box, other.box) || !layers_meet(balls[i], balls[j]) || other.lost)
+            continue;
+        if (other.handed_over) return hand_over(i);
+        ++record_->statistics.narrow_tests;
+        const double from = std::max({time, mover.way.path.start, other.way.path.start});
+        const double until = std::min({mover.next_time, dt_, other.way.until});
+        if (until < from) continue;
+        offer(mover,
+              time_of_impact(mover.way.path, other.way.path, balls[i].radius + balls[j].radius, from, until),
+              Next::ball, j, other.changes);
+    }
+}
+
+/// When the centre leaves the bounds: by steps that no acceleration can outrun.
+void ContinuousSolver::predict_loss(Place i, double time) {
+    const Ball& ball = (*balls_)[i];
+    Mover& mover = movers_[i];
+    const Box& bounds = scene_.bounds;
+    if (bounds.contains(mover.box.min) && bounds.contains(mover.box.max)) return;
+    const auto& reported = table_->reported_lost();
+    if (std::ranges::find(reported, ball.number) != reported.end()) return;
+    const Path& path = mover.way.path;
+    const double k = path.max_acceleration(dt_), smallest = 1e-15 * dt_;
+    for (double t = time; t <= dt_;) {
+        const Vec2 p = path.position(t), v = path.velocity(t);
+        if (!bounds.contains(p)) return offer(mover, t, Next::leave_bounds);
+        t += std::max(
+            smallest,
+            std::min({surely_free(p.x - bounds.min.x, v.x, k), surely_free(bounds.max.x - p.x, -v.x, k),
+                      surely_free(p.y - bounds.min.y, v.y, k), surely_free(bounds.max.y - p.y, -v.y, k)}));
+    }
+}
+
+/// When a ball enters a sensor, or leaves it (or a gate): by steps that no speed can outrun, but not less
+/// than a small part of a radius each, and then by halving. A brush shallower than that may pass unnoticed.
+double ContinuousSolver::sense_time(PartIndex part, const Ball& ball, const Path& path, double time,
+                                    bool inside) const {
+    const Turning& turning = turnings_[part];
+    const double own = path.max_speed(dt_), w = std::abs(turning.rate);
+    const auto left_at = [&](double t) {
+        const Vec2 p = path.position(t);
+        const Pose pose = turning.pose(t);
+        double separation = INFINITY;
+        for (const PieceIndex piece : pieces_[part])
+            separation = std::min(separation, touch(p, ball.radius, layout_.piece(piece), pose).separation);
+        return inside ? sense_gap * ball.radius - separation : separation;
+    };
+    const double far = w == 0 ? 0 : length(path.position(time) - turning.begin.pivot) + own * (dt_ - time);
+    const double speed = own + w * far;
+    double before = time;
+    for (double t = time; t <= dt_;) {
+        const double left = left_at(t);
+        if (left <= 0) {
+            for (double middle = (before + t) / 2; before < middle && middle < t; middle = (before + t) / 2)
+                (left_at(middle) <= 0 ? t : before) = middle;
+            return t;
+        }
+        before = t;
+        if (t >= dt_) break;
+        t = std::min(dt_, t + std::max(left, sense_step * ball.radius) / speed);
+    }
+    return never_touch;
+}
+
+}  // namespace flipside::custom

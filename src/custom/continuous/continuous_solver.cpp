@@ -1,0 +1,253 @@
+#include "custom/continuous/continuous_solver.hpp"
+
+#include <algorithm>
+#include <functional>
+
+namespace flipside::custom {
+
+namespace {
+
+/// Overlaps deeper than this, in radii, are no matter of rounding.
+constexpr double deep = 1e-3;
+
+}  // namespace
+
+ContinuousSolver::ContinuousSolver(const Scene& scene, const Layout& layout, const SolverSettings& settings,
+                                   DiscreteSolver& discrete)
+    : scene_(scene),
+      layout_(layout),
+      settings_(settings),
+      discrete_(discrete),
+      drive_{scene.gravity, scene.damping},
+      features_(features_of(layout.pieces(), scene)),
+      pieces_(scene.parts.size()),
+      turnings_(scene.parts.size()) {
+    const Table table(std::make_shared<const Scene>(scene));
+    for (const Feature& feature : features_) ranges_.push_back(range_of(feature, table));
+    for (PieceIndex i = 0; i < layout.size(); ++i) {
+        const Part& part = scene.parts[layout.piece(i).part];
+        if (part.sensor || gate_of(part) != nullptr) pieces_[layout.piece(i).part].push_back(i);
+    }
+}
+
+void ContinuousSolver::reset(const Table& table, std::span<const Ball> balls) {
+    inside_.clear();
+    movers_.clear();
+    for (const Ball& ball : balls)
+        for (PartIndex part = 0; part < pieces_.size(); ++part)
+            for (const PieceIndex piece : pieces_[part]) {
+                const bool sensor = scene_.parts[part].sensor;
+                if ((!sensor && !table.parts()[part].open) || !layers_meet(ball, scene_.parts[part]))
+                    continue;
+                const Touch found = touch(ball.position, ball.radius, layout_.piece(piece), table.pose(part));
+                if (found.separation <= 0 && !(found.past_end && !sensor))
+                    set_inside(ball.number, part, true);
+            }
+}
+
+void ContinuousSolver::step(Table& table, std::vector<Ball>& balls, double dt, BroadPhase& broad,
+                            StepRecord& record) {
+    table_ = &table, balls_ = &balls, record_ = &record, dt_ = dt;
+    at_start_ = balls;
+    inside_at_start_ = inside_;
+    reported_at_start_ = table.reported_lost().size();
+    parts_at_start_.assign(table.parts().begin(), table.parts().end());
+    for (PartIndex i = 0; i < turnings_.size(); ++i)
+        if (Table::moves(scene_.parts[i])) {
+            const double stop = table.until_stop(i);
+            turnings_[i] = {table.pose(i), table.rate(i), stop,
+                            std::isfinite(stop) ? table.pose(i, stop).angle : table.pose(i).angle};
+        }
+    movers_.resize(balls.size());
+    for (Place i = 0; i < balls.size(); ++i) {
+        Mover& mover = movers_[i];
+        if (mover.number != balls[i].number) mover.near.forget();
+        mover.number = balls[i].number;
+        mover.handed_over = false;
+    }
+    // Handing over spreads along touching balls, so a few attempts find a whole cluster.
+    constexpr int most_attempts = 8;
+    const std::size_t events = record.events.size();
+    for (int attempts = 1; !attempt(broad); ++attempts) {
+        roll_back(events);
+        if (attempts >= most_attempts)
+            for (Mover& mover : movers_) mover.handed_over = true;
+    }
+    finish();
+}
+
+/// Tries to make the step. False where more balls have to be handed over first.
+bool ContinuousSolver::attempt(BroadPhase& broad) {
+    spoilt_ = false;
+    events_ = 0;
+    run_discrete(broad);
+    prepare_movers();
+    find_piles();
+    if (spoilt_) return false;
+    for (Place i = 0; i < movers_.size(); ++i)
+        if (!movers_[i].handed_over) predict(i, 0);
+    while (!queue_.empty() && !spoilt_) {
+        const Entry entry = queue_.front();
+        std::ranges::pop_heap(queue_, std::greater{});
+        queue_.pop_back();
+        if (entry.prediction == movers_[entry.mover].predictions) handle(entry.mover);
+    }
+    return !spoilt_;
+}
+
+void ContinuousSolver::prepare_movers() {
+    queue_.clear();
+    const std::vector<Ball>& balls = *balls_;
+    for (Place i = 0; i < balls.size(); ++i) {
+        Mover& mover = movers_[i];
+        mover.held = mover.left = nullptr;
+        mover.last_time = -1;
+        mover.stalled = 0;
+        mover.lost = false;
+        ++mover.predictions;
+        if (mover.handed_over) continue;
+        if (!balls[i].asleep) come_out(i);
+        set_out(i, 0);
+    }
+}
+
+/// Pushes a ball that begins deep in a solid or on a curve out of it, by position only. The deepest comes
+/// first; what then still overlaps is left for later steps.
+void ContinuousSolver::come_out(Place i) {
+    Ball& ball = (*balls_)[i];
+    for (int round = 0; round < 4; ++round) {
+        const Box here = bounds_of(ball.position, ball.radius);
+        record_->statistics.pair_tests += movers_[i].near.cover(here, ranges_);
+        Touch deepest;
+        deepest.separation = -deep * ball.radius;
+        bool found = false;
+        for (const FeatureIndex f : movers_[i].near.list()) {
+            const Piece& piece = layout_.piece(features_[f].piece);
+            if (!overlap(here, ranges_[f]) || ignores(features_[f], ball)) continue;
+            const Pose pose = table_->pose(piece.part);
+            if (std::holds_alternative<Bow>(features_[f].is) &&
+                look(features_[f], pose.undo(ball.position), ball.radius).distance > ball.radius)
+                continue;
+            if (!stops(*table_, piece, pose, ball)) continue;
+            const Touch touch_now = touch(ball.position, ball.radius, piece, pose);
+            if (touch_now.past_end || touch_now.separation >= deepest.separation) continue;
+            deepest = touch_now;
+            found = true;
+        }
+        if (!found) return;
+        push_out(ball, deepest);
+    }
+}
+
+/// Balls that touch, do not move apart, and are pressed together.
+void ContinuousSolver::find_piles() {
+    const std::vector<Ball>& balls = *balls_;
+    for (Place i = 0; i < balls.size(); ++i)
+        for (Place j = i + 1; j < balls.size(); ++j) {
+            const Ball &a = balls[i], &b = balls[j];
+            Mover &first = movers_[i], &second = movers_[j];
+            if ((first.handed_over && second.handed_over) || (a.asleep && b.asleep)) continue;
+            if (!overlap(first.box, second.box) || !layers_meet(a, b)) continue;
+            if (first.handed_over || second.handed_over) {
+                hand_over(i), hand_over(j);
+                continue;
+            }
+            const Vec2 between = a.position - b.position, n = unit(between);
+            if (length(between) - a.radius - b.radius > touch_distance * std::min(a.radius, b.radius))
+                continue;
+            const double weight = length(scene_.gravity);
+            const double apart = dot(a.velocity - b.velocity, n);
+            const double pressed = dot(first.way.path.acceleration(0) - second.way.path.acceleration(0), n);
+            if (std::abs(apart) <= scene_.rest_speed + weight * dt_ && pressed < -1e-9 * weight)
+                hand_over(i), hand_over(j);
+        }
+}
+
+void ContinuousSolver::hand_over(Place i) {
+    if (movers_[i].handed_over) return;
+    movers_[i].handed_over = true;
+    spoilt_ = true;
+}
+
+/// Moves the balls that were handed over; the others may not come near them.
+void ContinuousSolver::run_discrete(BroadPhase& broad) {
+    handed_.clear();
+    std::vector<Ball>& balls = *balls_;
+    for (Place i = 0; i < balls.size(); ++i)
+        if (movers_[i].handed_over) handed_.push_back(balls[i]);
+    if (handed_.empty()) return;
+    discrete_.step(*table_, handed_, dt_, broad, *record_);
+    auto next = handed_.begin();
+    for (Place i = 0; i < balls.size(); ++i) {
+        if (!movers_[i].handed_over) continue;
+        movers_[i].box =
+            united(bounds_of(balls[i].position, balls[i].radius), bounds_of(next->position, next->radius));
+        balls[i] = *next++;
+    }
+}
+
+void ContinuousSolver::roll_back(std::size_t events) {
+    *balls_ = at_start_;
+    table_->reported_lost().resize(reported_at_start_);
+    inside_ = inside_at_start_;
+    record_->events.resize(events);
+    record_->crossed.clear();
+    record_->statistics.impacts = 0;
+    for (PartIndex i = 0; i < parts_at_start_.size(); ++i) {
+        table_->set_open(i, parts_at_start_[i].open);
+        table_->set_down(i, parts_at_start_[i].down);
+    }
+}
+
+void ContinuousSolver::finish() {
+    std::vector<Ball>& balls = *balls_;
+    std::uint64_t handed = 0;
+    for (Place i = 0; i < balls.size(); ++i) {
+        if (movers_[i].handed_over)
+            ++handed;
+        else if (!balls[i].asleep)
+            advance(i, dt_);
+    }
+    record_->statistics.handed_over = handed;
+    if (std::ranges::any_of(movers_, &Mover::lost)) {
+        std::erase_if(balls, [&](const Ball& ball) {
+            return movers_[static_cast<std::size_t>(&ball - balls.data())].lost;
+        });
+        std::erase_if(movers_, [](const Mover& mover) { return mover.lost; });
+    }
+    find_pairs();
+}
+
+void ContinuousSolver::find_pairs() {
+    pairs_.clear();
+    const std::vector<Ball>& balls = *balls_;
+    const auto touching_box = [](const Ball& ball) {
+        return bounds_of(ball.position, ball.radius * (1 + touch_distance));
+    };
+    for (Place i = 0; i < balls.size(); ++i) {
+        const Ball& ball = balls[i];
+        const Handle handle = layout_.size() + i;
+        const Box box = touching_box(ball);
+        const std::size_t first = pairs_.size();
+        if (!ball.asleep) {
+            record_->statistics.pair_tests += movers_[i].near.cover(box, ranges_);
+            for (const FeatureIndex f : movers_[i].near.list()) {
+                if (!overlap(box, ranges_[f]) || !layers_meet(ball, scene_.parts[features_[f].part]))
+                    continue;
+                // The box of an arc is mostly empty.
+                if (std::holds_alternative<Bow>(features_[f].is) &&
+                    look(features_[f], table_->pose(features_[f].part, dt_).undo(ball.position), ball.radius)
+                            .distance > ball.radius * (1 + touch_distance))
+                    continue;
+                const Pair pair{features_[f].piece, handle};
+                if (pairs_.size() == first || pairs_.back() != pair) pairs_.push_back(pair);
+            }
+        }
+        for (Place j = 0; j < i; ++j)
+            if (!(ball.asleep && balls[j].asleep) && layers_meet(ball, balls[j]) &&
+                overlap(box, touching_box(balls[j])))
+                pairs_.push_back({layout_.size() + j, handle});
+    }
+}
+
+}  // namespace flipside::custom

@@ -1,0 +1,143 @@
+#pragma once
+/// The continuous solver: every ball flies its exact path to its next event inside the step, events are
+/// handled in order of time, and only the balls involved are predicted again (Alder and Wainwright 1959;
+/// Lubachevsky 1991, "How to simulate billiards and similar systems"). There is no error but rounding, and
+/// none that grows with dt.
+///
+/// One queue holds the next event of each ball; a count per ball voids entries that were overtaken. A ball
+/// that meets nothing costs one look at its candidates. Nothing of a step is kept for the next one but
+/// lists that only save work: what a ball rests on follows from where it is and how it moves, so a
+/// restored world continues with the same bits.
+///
+/// A slow contact (approach below rest_speed, or a hop too short to matter) holds: see holding.hpp. Balls
+/// that press on each other cannot be ordered by time. Such a cluster, or a ball for which events pile up
+/// without time passing, or all when `max_impacts` are exceeded, are given to the discrete solver for that
+/// one step: the step is begun again without them. Statistics count them as handed_over.
+
+#include "custom/continuous/candidates.hpp"
+#include "custom/continuous/holding.hpp"
+#include "custom/discrete/discrete_solver.hpp"
+
+namespace flipside::custom {
+
+class ContinuousSolver {
+  public:
+    ContinuousSolver(const Scene& scene, const Layout& layout, const SolverSettings& settings,
+                     DiscreteSolver& discrete);
+
+    /// Moves the balls by dt; the table's clock stays, its gates and targets may change. Lost balls are
+    /// removed (or kept and noted as reported).
+    void step(Table& table, std::vector<Ball>& balls, double dt, BroadPhase& broad, StepRecord& record);
+
+    /// Pairs of pieces and awake balls that are near each other after a step, as a broad phase gives them.
+    [[nodiscard]] std::span<const Pair> near_pairs() const { return pairs_; }
+    /// Forgets what it noted of sensors and gates: they are found anew from where the balls are.
+    void reset(const Table& table, std::span<const Ball> balls);
+
+  private:
+    enum class Next : std::uint8_t { nothing, feature, ball, look_again, sense, leave_bounds };
+    using Place = std::uint32_t;  ///< of a ball in the list
+
+    /// What the solver knows of a ball beside the Ball itself.
+    struct Mover {
+        BallNumber number = 0;
+        Candidates near;
+        HeldPath way;                   ///< from its last event on
+        Box box;                        ///< of that path until the end of the step
+        const Feature* held = nullptr;  ///< what it rests on
+        const Feature* left = nullptr;  ///< what it just let go
+        std::uint32_t changes = 0;      ///< of its path
+        std::uint32_t predictions = 0;
+        Next next = Next::nothing;
+        double next_time = 0;
+        std::uint32_t met = 0;          ///< FeatureIndex, Place or PartIndex by `next`
+        std::uint32_t met_changes = 0;  ///< the other ball's, when this was predicted
+        double last_time = -1;          ///< of its last event
+        int stalled = 0;                ///< events at that very time
+        bool handed_over = false;
+        bool lost = false;
+    };
+    struct Entry {
+        double time;
+        Place mover;
+        std::uint32_t prediction;
+        friend bool operator>(const Entry& a, const Entry& b) {
+            return a.time != b.time ? a.time > b.time : a.mover > b.mover;
+        }
+    };
+
+    // The step as a whole (continuous_solver.cpp).
+    bool attempt(BroadPhase& broad);
+    void prepare_movers();
+    void come_out(Place i);
+    void find_piles();
+    void run_discrete(BroadPhase& broad);
+    void roll_back(std::size_t events);
+    void finish();
+    void find_pairs();
+    void hand_over(Place i);
+
+    // Predictions (continuous_predict.cpp).
+    void set_out(Place i, double time);
+    void predict(Place i, double time);
+    void predict_features(Place i, double time);
+    void predict_balls(Place i, double time);
+    void predict_loss(Place i, double time);
+    void offer(Mover& mover, double time, Next next, std::uint32_t met = 0, std::uint32_t met_changes = 0);
+    [[nodiscard]] double sense_time(PartIndex part, const Ball& ball, const Path& path, double time,
+                                    bool inside) const;
+    [[nodiscard]] bool beside_moving_part(Place i);
+    [[nodiscard]] bool ignores(const Feature& feature, const Ball& ball) const;
+
+    // Resting contacts (continuous_predict.cpp).
+    struct Grip {
+        Hold hold;
+        bool pressed = false;
+    };
+    void find_grips(Place i, double time);
+    void take_hold(Place i, double time);
+
+    // Events (continuous_events.cpp).
+    void handle(Place i);
+    void advance(Place i, double time);
+    void hit_feature(Place i, double time);
+    void hit_ball(Place i, double time);
+    void lose(Place i, double time);
+    void sense(Place i, double time);
+    void release(PartIndex part, double time);
+    void go_on(Place i, double time);
+    [[nodiscard]] bool inside(BallNumber ball, PartIndex part) const;
+    void set_inside(BallNumber ball, PartIndex part, bool inside);
+    void report(double time, EventKind kind, const Ball& ball, Other other, const Impact& impact, Vec2 point);
+
+    const Scene& scene_;
+    const Layout& layout_;
+    SolverSettings settings_;
+    DiscreteSolver& discrete_;
+    Drive drive_;
+    std::vector<Feature> features_;
+    std::vector<Box> ranges_;                      ///< of features
+    std::vector<std::vector<PieceIndex>> pieces_;  ///< by part; of sensors and gates only
+    std::vector<Sensed> inside_;                   ///< balls in sensors and open gates, in order
+
+    // Of the step being made.
+    Table* table_ = nullptr;
+    std::vector<Ball>* balls_ = nullptr;
+    StepRecord* record_ = nullptr;
+    double dt_ = 0;
+    std::uint64_t events_ = 0;
+    bool spoilt_ = false;  ///< this attempt found balls to hand over
+
+    // Scratch, kept to save allocations.
+    std::vector<Turning> turnings_;  ///< by part
+    std::vector<Mover> movers_;      ///< by place in balls_
+    std::vector<Entry> queue_;       ///< a heap
+    std::vector<Grip> grips_;
+    std::vector<Ball> at_start_, handed_;
+    std::vector<PartState> parts_at_start_;
+    std::size_t reported_at_start_ = 0;
+    std::vector<Pair> pairs_;
+    std::vector<Sensed> inside_at_start_;
+};
+
+}  // namespace flipside::custom

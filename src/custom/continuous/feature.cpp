@@ -1,0 +1,185 @@
+#include "custom/continuous/feature.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace flipside::custom {
+
+namespace {
+
+/// The end of a segment or arc.
+struct End {
+    Vec2 at, outward;  ///< unit tangent, out of the curve
+};
+
+/// Finds things by place.
+template <class T, class Visit>
+void each_at(const std::vector<T>& sorted, Vec2 at, Visit&& visit) {
+    auto near = std::lower_bound(sorted.begin(), sorted.end(), at.x - joint_distance,
+                                 [](const T& p, double x) { return p.at.x < x; });
+    for (; near != sorted.end() && near->at.x <= at.x + joint_distance; ++near)
+        if (length(near->at - at) <= joint_distance) visit(*near);
+}
+
+/// Takes pieces apart; knows the points that stand at ends, and what joins without one.
+class Taker {
+  public:
+    Taker(std::span<const Piece> pieces, const Scene& scene) : scene_(scene) {
+        for (const Piece& piece : pieces) {
+            if (const auto* point = std::get_if<piece::Point>(&piece.is)) points_.push_back(*point);
+            if (const auto* s = std::get_if<piece::Segment>(&piece.is)) {
+                const Vec2 along = unit(s->b - s->a);
+                ends_.insert(ends_.end(), {{s->a, -along}, {s->b, along}});
+            }
+            if (const auto* a = std::get_if<piece::Arc>(&piece.is)) {
+                const Vec2 from = from_angle(a->from), to = from_angle(a->to);
+                ends_.push_back({a->center + a->radius * from, -perp(from)});
+                ends_.push_back({a->center + a->radius * to, perp(to)});
+            }
+        }
+        const auto by_place = [](const auto& a, const auto& b) { return a.at.x < b.at.x; };
+        std::stable_sort(points_.begin(), points_.end(), by_place);
+        std::stable_sort(ends_.begin(), ends_.end(), by_place);
+    }
+
+    std::vector<Feature> take(std::span<const Piece> pieces) {
+        for (const Piece& piece : pieces) {
+            piece_ = static_cast<std::uint32_t>(&piece - pieces.data());
+            part_ = piece.part;
+            std::visit(*this, piece.is);
+        }
+        return std::move(features_);
+    }
+
+    void operator()(const piece::Point& p) { add(Round{p.at, 0}); }
+    void operator()(const piece::Circle& c) { add(Round{c.center, c.radius}); }
+    void operator()(const piece::Segment& s) {
+        Line line = face(s.a, s.b);
+        if (gate_of(scene_.parts[part_]) == nullptr) {
+            line.before = reach({s.a, -line.along});
+            line.past = reach({s.b, line.along});
+        }
+        add(line);
+    }
+    void operator()(const piece::Arc& a) {
+        Bow bow{a.center, a.radius, from_angle(a.from), from_angle(a.to), {}, {}};
+        bow.wide = a.to - a.from > std::numbers::pi;
+        bow.full = a.to - a.from >= 2 * std::numbers::pi;
+        bow.before = reach({a.center + a.radius * bow.from, -perp(bow.from)});
+        bow.past = reach({a.center + a.radius * bow.to, perp(bow.to)});
+        add(bow);
+    }
+    void operator()(const piece::Polygon& p) {
+        for (std::size_t i = 0; i < p.points.size(); ++i) {
+            add(face(p.points[i], p.points[(i + 1) % p.points.size()]));
+            add(Round{p.points[i], 0});
+        }
+    }
+    void operator()(const piece::Taper& t) {
+        add(Round{t.a, t.radius_a});
+        add(Round{t.b, t.radius_b});
+        // The outer tangents: their normals make the angle acos((r_a − r_b)/l) with the axis.
+        const Vec2 axis = t.b - t.a;
+        const double l = length(axis), c = (t.radius_a - t.radius_b) / l, s = std::sqrt(1 - c * c);
+        for (const double side : {1.0, -1.0}) {
+            const Vec2 normal = (c * axis + side * s * perp(axis)) / l;
+            Line line = face(t.a + t.radius_a * normal, t.b + t.radius_b * normal);
+            line.before = line.past = {true, 0, 0};
+            add(line);
+        }
+    }
+
+  private:
+    void add(auto&& feature) { features_.push_back({feature, piece_, part_}); }
+
+    static Line face(Vec2 a, Vec2 b) { return {a, unit(b - a), length(b - a), {}, {}}; }
+
+    [[nodiscard]] Reach reach(const End& end) const {
+        Reach reach{true, 0, 0};
+        each_at(points_, end.at, [&](const piece::Point&) { reach.joined = false; });
+        if (!reach.joined) return {};
+        double least = 3;
+        each_at(ends_, end.at, [&](const End& other) {
+            const double kink = length(end.outward + other.outward);
+            if (kink < least) {
+                least = kink;
+                reach = {true, length(end.at - other.at), kink};
+            }
+        });
+        return reach;
+    }
+
+    const Scene& scene_;
+    std::vector<piece::Point> points_;
+    std::vector<End> ends_;
+    std::vector<Feature> features_;
+    std::uint32_t piece_ = 0;
+    PartIndex part_ = 0;
+};
+
+struct Looker {
+    Vec2 point;
+    double radius = 0;
+
+    Sight operator()(const Line& line) const {
+        const Vec2 from_start = point - line.start;
+        const double s = dot(from_start, line.along), d = cross(line.along, from_start);
+        const bool facing = s >= -line.before.of(radius) && s <= line.length + line.past.of(radius);
+        return {std::abs(d), d >= 0 ? perp(line.along) : -perp(line.along), facing};
+    }
+    Sight operator()(const Bow& bow) const {
+        const Vec2 out = point - bow.center;
+        const double d = length(out), off = d - bow.radius;
+        const double past_from = cross(bow.from, out) + bow.before.of(radius);
+        const double before_to = cross(out, bow.to) + bow.past.of(radius);
+        const bool facing =
+            bow.full || (bow.wide ? past_from >= 0 || before_to >= 0 : past_from >= 0 && before_to >= 0);
+        const Vec2 n = unit(out);
+        return {std::abs(off), off >= 0 ? n : -n, facing};
+    }
+    Sight operator()(const Round& round) const {
+        const Vec2 out = point - round.center;
+        return {length(out) - round.radius, unit(out), true};
+    }
+};
+
+Box around(Vec2 center, double radius) {
+    return {{center.x - radius, center.y - radius}, {center.x + radius, center.y + radius}};
+}
+
+}  // namespace
+
+std::vector<Feature> features_of(std::span<const Piece> pieces, const Scene& scene) {
+    return Taker(pieces, scene).take(pieces);
+}
+
+Sight look(const Feature& feature, Vec2 point, double radius) {
+    return std::visit(Looker{point, radius}, feature.is);
+}
+
+Feature posed(const Feature& feature, const Pose& pose) {
+    Feature turned = feature;
+    if (auto* line = std::get_if<Line>(&turned.is)) {
+        line->start = pose.apply(line->start);
+        line->along = rotated(line->along, pose.angle);
+    } else if (auto* bow = std::get_if<Bow>(&turned.is)) {
+        bow->center = pose.apply(bow->center);
+        bow->from = rotated(bow->from, pose.angle);
+        bow->to = rotated(bow->to, pose.angle);
+    } else if (auto* round = std::get_if<Round>(&turned.is)) {
+        round->center = pose.apply(round->center);
+    }
+    return turned;
+}
+
+Box bounds_of(const Feature& feature) {
+    if (const auto* line = std::get_if<Line>(&feature.is)) {
+        const Vec2 a = line->start, b = a + line->length * line->along;
+        return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+    }
+    if (const auto* bow = std::get_if<Bow>(&feature.is)) return around(bow->center, bow->radius);
+    const auto& round = std::get<Round>(feature.is);
+    return around(round.center, round.radius);
+}
+
+}  // namespace flipside::custom

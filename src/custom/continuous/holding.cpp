@@ -1,0 +1,360 @@
+#include "custom/continuous/holding.hpp"
+
+#include <algorithm>
+
+namespace flipside::custom {
+
+namespace {
+
+constexpr int order = taylor_order;
+template <class T>
+using Series = std::array<T, order + 1>;
+
+/// Index without the sign that the compiler minds.
+constexpr std::size_t at(int k) {
+    return static_cast<std::size_t>(k);
+}
+
+/// Term k of the product of two series.
+template <class A, class B>
+auto product(const Series<A>& a, const Series<B>& b, int k) {
+    auto sum = a[0] * b[at(k)];
+    for (int j = 1; j <= k; ++j) sum += a[at(j)] * b[at(k - j)];
+    return sum;
+}
+double dot_product(const Series<Vec2>& a, const Series<Vec2>& b, int k) {
+    double sum = 0;
+    for (int j = 0; j <= k; ++j) sum += dot(a[at(j)], b[at(k - j)]);
+    return sum;
+}
+
+/// A vector that turns at `rate`.
+Series<Vec2> turning_vector(Vec2 v, double rate) {
+    Series<Vec2> series;
+    series[0] = v;
+    for (int k = 0; k < order; ++k) series[at(k + 1)] = rate / (k + 1) * perp(series[at(k)]);
+    return series;
+}
+
+/// Where a ball's centre is in terms of the held feature: on a line `offset` from it, or on a circle.
+struct Guide {
+    bool straight;
+    Vec2 pivot;
+    double rate;
+    // Straight: the centre is at pivot + s·tangent + offset·normal.
+    double s, offset;
+    // Curved: at pivot + arm + radius·out.
+    Vec2 arm, out;
+    double radius;
+};
+
+Guide guide_of(const Hold& hold, const Ball& ball, double time) {
+    const Pose pose = hold.turning->pose(time);
+    Guide guide{};
+    guide.rate = hold.turning->rate_at(time);
+    guide.straight = std::holds_alternative<Line>(hold.feature->is);
+    if (const auto* line = std::get_if<Line>(&hold.feature->is)) {
+        // Without turning the pivot is free: the start of the line keeps digits far from the origin.
+        const Vec2 start = pose.apply(line->start);
+        guide.pivot = guide.rate == 0 ? start : pose.pivot;
+        guide.s = dot(ball.position - guide.pivot, -perp(hold.normal));
+        guide.offset = dot(start - guide.pivot, hold.normal) + ball.radius;
+        return guide;
+    }
+    Vec2 center;
+    if (const auto* bow = std::get_if<Bow>(&hold.feature->is)) {
+        center = pose.apply(bow->center);
+        guide.out = unit(ball.position - center);
+        guide.radius = bow->radius + (dot(guide.out, hold.normal) > 0 ? ball.radius : -ball.radius);
+    } else {
+        const auto& round = std::get<Round>(hold.feature->is);
+        center = pose.apply(round.center);
+        guide.out = unit(ball.position - center);
+        guide.radius = round.radius + ball.radius;
+    }
+    guide.pivot = guide.rate == 0 ? center : pose.pivot;
+    guide.arm = center - guide.pivot;
+    return guide;
+}
+
+/// How friction acts while a ball is held.
+struct Rub {
+    double slide = 0;  ///< µ with the sign of the slip; 0 when the ball rolls or there is no friction
+    bool rolls = false;
+
+    /// What is left of a tangential acceleration.
+    [[nodiscard]] double share() const { return rolls ? 2.0 / 3 : 1; }
+};
+
+/// A swing as series in time; its displacement is in path.taylor.
+struct Swing {
+    Series<double> force{};  ///< per mass, along the normal
+    Series<double> push{};   ///< change of the speed along perp(normal), relative to the surface
+};
+
+Swing swing_straight(const Guide& guide, Vec2 normal, Vec2 velocity, const Drive& drive, const Rub& rub,
+                     Path& path) {
+    const double w = guide.rate, d = guide.offset, c = drive.drag;
+    const Series<Vec2> t = turning_vector(-perp(normal), w), n = turning_vector(normal, w);
+    Series<double> s{};
+    Swing swing;
+    s[0] = guide.s;
+    s[1] = dot(velocity, t[0]) + d * w;
+    for (int k = 0; k + 2 <= order; ++k) {
+        const double speed = (k + 1) * s[at(k + 1)] - (k == 0 ? d * w : 0);
+        const double force = 2 * w * (k + 1) * s[at(k + 1)] - (k == 0 ? d * w * w : 0) -
+                             dot(n[at(k)], drive.gravity) + c * w * s[at(k)];
+        const double driven = w * w * s[at(k)] + dot(t[at(k)], drive.gravity) - c * speed;
+        const double bend = rub.share() * driven + rub.slide * force;
+        s[at(k + 2)] = bend / ((k + 1) * (k + 2));
+        swing.force[at(k)] = force;
+        swing.push[at(k)] = -bend;
+    }
+    for (int k = 0; k <= order; ++k) path.taylor[at(k)] = product(s, t, k) + d * n[at(k)];
+    return swing;
+}
+
+Swing swing_curved(const Guide& guide, Vec2 normal, Vec2 velocity, const Drive& drive, const Rub& rub,
+                   Path& path) {
+    const double c = drive.drag, radius = guide.radius, side = dot(guide.out, normal) > 0 ? 1 : -1;
+    const Series<Vec2> center = turning_vector(guide.arm, guide.rate);
+    Series<Vec2> pull{};  // gravity as felt by one who moves with the centre
+    for (int k = 0; k + 2 <= order; ++k)
+        pull[at(k)] = (k == 0 ? drive.gravity : Vec2{}) - (k + 1) * (k + 2) * center[at(k + 2)] -
+                      c * (k + 1) * center[at(k + 1)];
+    Series<Vec2> out{}, tangent{};  // out' = turn·tangent, tangent' = −turn·out
+    Series<double> turn{};
+    Swing swing;
+    out[0] = guide.out;
+    tangent[0] = perp(guide.out);
+    turn[0] = dot(velocity - cross(guide.rate, guide.arm), tangent[0]) / radius;
+    for (int k = 0; k < order; ++k) {
+        const double force = -side * (dot_product(out, pull, k) + radius * product(turn, turn, k));
+        const double driven = dot_product(tangent, pull, k) - c * radius * turn[at(k)];
+        const double bend = rub.share() * driven - side * rub.slide * force;
+        turn[at(k + 1)] = bend / (radius * (k + 1));
+        const Vec2 turned = product(turn, tangent, k) / (k + 1);
+        out[at(k + 1)] = turned;
+        tangent[at(k + 1)] = perp(turned);
+        swing.force[at(k)] = force;
+        swing.push[at(k)] = side * bend;
+    }
+    for (int k = 0; k <= order; ++k) path.taylor[at(k)] = center[at(k)] + radius * out[at(k)];
+    return swing;
+}
+
+/// How long the polynomial is good: its last terms stay below `error`.
+double good_for(const Series<Vec2>& series, double error) {
+    double h = never_touch;
+    for (const int k : {order, order - 1, order - 2}) {
+        const double term = length(series[at(k)]);
+        if (term > 0) h = std::min(h, std::pow(error / term, 1.0 / k));
+    }
+    return h;
+}
+
+/// First time in [0, h] at which the series falls below zero.
+double first_fall(const Series<double>& f, double h) {
+    double k2 = 0, power = 1;
+    for (int k = 2; k <= order; ++k, power *= h) k2 += k * (k - 1) * std::abs(f[at(k)]) * power;
+    const double tolerance = 1e-15 * (std::abs(f[0]) + k2 * h * h + std::abs(f[1]) * h);
+    for (double t = 0; t < h;) {
+        double value = 0, slope = 0;
+        for (int k = order; k >= 0; --k) {
+            slope = slope * t + value;
+            value = value * t + f[at(k)];
+        }
+        if (value <= tolerance && slope < 0) return t;
+        const double step = surely_free(std::max(value, tolerance), slope, k2);
+        if (t + step <= t) return t;
+        t += step;
+    }
+    return never_touch;
+}
+
+/// When the point of touch runs off the end of the feature: the search of time_of_impact for the ends.
+double end_of_face(const Feature& feature, const Turning& turning, const Path& path, double radius, double t0,
+                   double t1) {
+    const double rate = turning.rate_at(t0);
+    const double v = path.max_speed(t1), a = path.max_acceleration(t1), w = std::abs(rate);
+    const double smallest = 1e-15 * (t1 - t0);
+    for (double t = t0; t <= t1;) {
+        const Vec2 p = path.position(t);
+        const Pose pose = turning.pose(t);
+        const Vec2 arm = p - pose.pivot, q = pose.undo(p);
+        const Vec2 u = rotated(path.velocity(t) - cross(rate, arm), -pose.angle);
+        const double far = w == 0 ? 0 : length(arm) + v * (t1 - t);
+        const double k = a + 2 * w * (v + w * far) + w * w * far;
+        const auto free = [&](double inside, double slope) {
+            return inside >= 0 ? std::max(surely_free(inside, slope, k), smallest) : 0;
+        };
+        double h = never_touch;
+        if (const auto* line = std::get_if<Line>(&feature.is)) {
+            const double s = dot(q - line->start, line->along), along = dot(u, line->along);
+            h = std::min(free(s + line->before.of(radius), along),
+                         free(line->length + line->past.of(radius) - s, -along));
+        } else if (const auto* bow = std::get_if<Bow>(&feature.is); bow && !bow->full) {
+            const Vec2 out = q - bow->center;
+            const double from = free(cross(bow->from, out) + bow->before.of(radius), cross(bow->from, u));
+            const double to = free(cross(out, bow->to) + bow->past.of(radius), cross(u, bow->to));
+            h = bow->wide ? std::max(from, to) : std::min(from, to);
+        }
+        if (h <= 0) return t;
+        t += h;
+    }
+    return never_touch;
+}
+
+}  // namespace
+
+Hold hold_at(const Feature& feature, const Turning& turning, const Ball& ball, Vec2 normal, double time,
+             const Drive& drive) {
+    Hold hold{&feature, &turning, normal, {}, 0, 0, 0};
+    const Guide guide = guide_of(hold, ball, time);
+    const Vec2 point = ball.position - ball.radius * normal;
+    hold.surface_velocity = cross(guide.rate, point - turning.begin.pivot);
+    const Vec2 pull = drive.gravity - drive.drag * ball.velocity;
+    const double driven = dot(pull, normal);
+    hold.driven = dot(pull, perp(normal));
+    if (guide.straight) {
+        const double slide = dot(ball.velocity, -perp(normal)) + guide.offset * guide.rate;
+        hold.force = 2 * slide * guide.rate - guide.offset * guide.rate * guide.rate - driven;
+        hold.driven -= guide.rate * guide.rate * guide.s;
+    } else {
+        const double side = dot(guide.out, normal) > 0 ? 1 : -1;
+        const double turn = dot(ball.velocity - cross(guide.rate, guide.arm), perp(guide.out)) / guide.radius;
+        hold.force =
+            -driven - side * guide.radius * turn * turn - guide.rate * guide.rate * dot(guide.arm, normal);
+        hold.driven += guide.rate * guide.rate * dot(guide.arm, perp(normal));
+    }
+    return hold;
+}
+
+double HeldPath::spin_at(double spin, double time) const {
+    const double t = time - path.start;
+    if (roll != Vec2{}) return dot(roll, path.velocity(time));
+    if (!path.swings) return spin + spin_rate * t;
+    double sum = 0;
+    for (int k = order; k >= 1; --k) sum = t * (sum + spins[at(k)]);
+    return spin + sum;
+}
+
+namespace {
+
+/// Whether a ball rolls or slides. `driven` is what acts along perp(normal) without friction.
+Rub rub_of(const Hold& hold, const Ball& ball, double along, double driven) {
+    if (hold.friction <= 0) return {};
+    const double slip = along - ball.radius * ball.spin, grip = hold.friction * hold.force;
+    const double none = 1e-9 * (std::abs(along) + ball.radius * std::abs(ball.spin)) +
+                        1e-12 * std::sqrt(ball.radius * std::max(0.0, hold.force));
+    if (std::abs(slip) > none) return {slip > 0 ? hold.friction : -hold.friction, false};
+    if (std::abs(driven) / 3 < grip * (1 - 1e-12)) return {0, true};
+    return {driven > 0 ? hold.friction : -hold.friction, false};
+}
+
+/// The path on a still line; what ends it is the end of the slip.
+void slide(const Hold& hold, const Ball& ball, const Rub& rub, double along, const Drive& drive,
+           HeldPath& held) {
+    Trajectory& flight = held.path.flight;
+    const Vec2 tangent = perp(hold.normal);
+    const double gravity = dot(drive.gravity, tangent), rubbed = rub.slide * hold.force;
+    flight.acceleration = (rub.share() * gravity - rubbed) * tangent;
+    flight.drag = rub.share() * drive.drag;
+    if (rub.rolls) held.roll = tangent / ball.radius;
+    if (rub.slide == 0) return;
+    held.spin_rate = 2 * rubbed / ball.radius;
+    // The slip shrinks along a trajectory of its own.
+    const double sign = rub.slide > 0 ? 1 : -1, slip = sign * (along - ball.radius * ball.spin);
+    if (!(slip > 0)) return;
+    const double k = drive.drag * flight.max_acceleration(0);
+    for (double t = 0; t < 1e6;) {
+        const double now =
+            sign * (dot(flight.velocity_at(t), tangent) - ball.radius * ball.spin) - 2 * std::abs(rubbed) * t;
+        const Vec2 pull = flight.acceleration - flight.drag * flight.velocity_at(t);
+        const double step =
+            surely_free(std::max(0.0, now), sign * dot(pull, tangent) - 2 * std::abs(rubbed), k);
+        if (t + step <= t || now <= 0) {
+            held.until = held.path.start + t;
+            return;
+        }
+        t += step;
+    }
+}
+
+/// The path on anything that bends or turns.
+void swing(const Hold& hold, const Ball& ball, const Guide& guide, const Rub& rub, double along, double t1,
+           const Drive& drive, HeldPath& held) {
+    Path& path = held.path;
+    const double time = path.start;
+    const Vec2 velocity = path.flight.velocity;
+    const Swing swing = guide.straight ? swing_straight(guide, hold.normal, velocity, drive, rub, path)
+                                       : swing_curved(guide, hold.normal, velocity, drive, rub, path);
+    path.flight = {guide.pivot + path.taylor[0], velocity, {}, 0};
+    const double stop = hold.turning->rate_at(time) != 0 ? hold.turning->stop : never_touch;
+    const double good = time + good_for(path.taylor, 1e-17 * ball.radius);
+    const double h = std::min({good, stop, t1}) - time;
+    path.top_speed = path.top_acceleration = 0;
+    double power = 1;
+    for (int k = 1; k <= order; ++k, power *= h) {
+        path.top_speed += k * length(path.taylor[at(k)]) * power;
+        if (k < order) path.top_acceleration += (k + 1) * k * length(path.taylor[at(k + 1)]) * power;
+    }
+    const double falls = time + first_fall(swing.force, h);
+    held.until = std::min({good, stop, falls});
+    held.lets_go = held.until == falls;
+    if (hold.friction <= 0) return;
+
+    Series<double> more{}, less{};  // grip to spare in both directions; or, sliding, the slip that is left
+    const double sign = rub.slide > 0 ? 1 : -1;
+    more[0] = sign * (along - ball.radius * ball.spin);
+    for (int k = 0; k + 1 < order; ++k) {
+        const double rubbed = rub.slide * swing.force[at(k)];
+        held.spins[at(k + 1)] = (rub.rolls ? swing.push[at(k)] : 2 * rubbed) / (ball.radius * (k + 1));
+        if (!rub.rolls) {
+            more[at(k + 1)] = sign * (swing.push[at(k)] - 2 * rubbed) / (k + 1);
+            continue;
+        }
+        more[at(k)] = hold.friction * swing.force[at(k)] + swing.push[at(k)] / 2;
+        less[at(k)] = hold.friction * swing.force[at(k)] - swing.push[at(k)] / 2;
+    }
+    double switches = never_touch;
+    if (rub.rolls) switches = std::min(first_fall(more, h), first_fall(less, h));
+    if (!rub.rolls && more[0] > 0) switches = first_fall(more, h);
+    if (time + switches < held.until) {
+        held.until = time + switches;
+        held.lets_go = false;
+    }
+}
+
+}  // namespace
+
+void hold(const Hold& hold, const Ball& ball, double time, double t1, const Drive& drive, HeldPath& held) {
+    const Vec2 n = hold.normal, tangent = perp(n);
+    const Guide guide = guide_of(hold, ball, time);
+    const double along = dot(ball.velocity - hold.surface_velocity, tangent);
+    held.until = never_touch;
+    held.lets_go = false;
+    held.spin_rate = 0;
+    held.roll = {};
+    held.spins = {};
+    Path& path = held.path;
+    path.start = time;
+    path.swings = !guide.straight || guide.rate != 0;
+    path.flight = {{}, along * tangent + hold.surface_velocity, {}, drive.drag};
+    const Rub rub = rub_of(hold, ball, along, hold.driven);
+    if (path.swings) {
+        swing(hold, ball, guide, rub, along, t1, drive, held);
+    } else {
+        path.flight.position = guide.pivot + (guide.offset * n - guide.s * tangent);
+        slide(hold, ball, rub, along, drive, held);
+    }
+    const double last = std::min(held.until, t1);
+    const double end = end_of_face(*hold.feature, *hold.turning, path, ball.radius, time, last);
+    if (end <= last) {
+        held.until = end;
+        held.lets_go = true;
+    }
+    if (held.until > t1) held.until = never_touch;
+}
+
+}  // namespace flipside::custom

@@ -1,0 +1,222 @@
+#include "custom/continuous/time_of_impact.hpp"
+
+namespace flipside::custom {
+
+double first_fall(double gap, double rate, double bend) {
+    if (gap <= 0 && rate < 0) return 0;
+    // b² − 2ac with the rounding of one operation (Kahan).
+    const double w = 2 * gap * bend;
+    const double discriminant = std::fma(rate, rate, -w) + std::fma(-2 * gap, bend, w);
+    if (rate < 0) return discriminant < 0 ? never_touch : 2 * gap / (-rate + std::sqrt(discriminant));
+    if (bend >= 0) return never_touch;
+    return (rate + std::sqrt(std::max(0.0, discriminant))) / -bend;
+}
+
+double surely_free(double value, double slope, double k) {
+    if (k <= 0) return slope < 0 ? value / -slope : never_touch;
+    const double root = std::sqrt(slope * slope + 2 * k * value);
+    return slope < 0 ? 2 * value / (root - slope) : (slope + root) / k;
+}
+
+namespace {
+
+/// A point on its way, seen from something that may be touched.
+struct Moving {
+    Vec2 at, velocity;
+    double top_speed, top_acceleration;  ///< over the rest of the search
+};
+
+/// What the search needs to know at one instant.
+struct Gap {
+    double value = 0, slope = 0;
+    double k = 0;               ///< bound on −f'' …
+    double trusted = INFINITY;  ///< … for this long, s
+    double outside = 0;         ///< surely not between the feature's ends for this long, s
+};
+
+Gap gap_to_disc(const Moving& q, Vec2 center, double reach) {
+    const Vec2 out = q.at - center;
+    const double d = length(out);
+    return {d - reach, d > 0 ? dot(out, q.velocity) / d : 0,
+            q.top_acceleration + q.top_speed * q.top_speed / reach};
+}
+
+struct GapTo {
+    Moving q;
+    double radius = 0;
+
+    Gap operator()(const Line& line) const {
+        const Vec2 from_start = q.at - line.start;
+        const double d = cross(line.along, from_start), side = d >= 0 ? 1 : -1;
+        const double s = dot(line.along, from_start), along = dot(line.along, q.velocity);
+        const double before = -line.before.of(radius) - s;
+        const double past = s - line.length - line.past.of(radius);
+        return {side * d - radius, side * cross(line.along, q.velocity), q.top_acceleration, INFINITY,
+                std::max(until_inside(before, -along), until_inside(past, along))};
+    }
+    Gap operator()(const Bow& bow) const {
+        const Vec2 out = q.at - bow.center;
+        const double d = length(out), off = d - bow.radius, side = off >= 0 ? 1 : -1;
+        const double slope = d > 0 ? side * dot(out, q.velocity) / d : -q.top_speed;
+        // Inside, the distance from the centre shrinks; half of it bounds the curvature for a while.
+        const double nearest = side > 0 ? bow.radius : 0.5 * std::max(d, 1e-300);
+        return {side * off - radius, slope, q.top_acceleration + q.top_speed * q.top_speed / nearest,
+                side > 0 ? INFINITY : nearest / q.top_speed, bow.full ? 0 : until_facing(bow, out)};
+    }
+    Gap operator()(const Round& round) const { return gap_to_disc(q, round.center, radius + round.radius); }
+
+  private:
+    /// `out` is how far outside.
+    [[nodiscard]] double until_inside(double out, double slope) const {
+        return out > 0 ? surely_free(out, slope, q.top_acceleration) : 0;
+    }
+    [[nodiscard]] double until_facing(const Bow& bow, Vec2 out) const {
+        const double before = -cross(bow.from, out) - bow.before.of(radius);
+        const double past = -cross(out, bow.to) - bow.past.of(radius);
+        const double a = until_inside(before, -cross(bow.from, q.velocity));
+        const double b = until_inside(past, -cross(q.velocity, bow.to));
+        return bow.wide ? std::min(a, b) : std::max(a, b);
+    }
+};
+
+/// The search itself. `moving(t)` gives the point, `gap_of(Moving)` its gap; `rounding` is the size of a
+/// gap at t0 that means contact.
+template <class MovingAt, class GapOf>
+double search(MovingAt&& moving, GapOf&& gap_of, double radius, double rounding, double t0, double t1) {
+    constexpr int most_steps = 10000;  // grazes take about 50
+    double t = t0, zero = 0, creep = 0;
+    for (int step = 0; step < most_steps; ++step) {
+        const Moving q = moving(t);
+        Gap gap = gap_of(q);
+        if (step == 0 && std::abs(gap.value) <= rounding) zero = gap.value;
+        gap.value -= zero;
+        const double still = speed_rounding * q.top_speed;
+        const double tolerance = 4 * 0x1p-53 * (radius + q.top_speed * (t1 - t0));
+        double h = gap.outside;
+        if (gap.value > tolerance) {
+            const double by_curve = std::min(gap.trusted, surely_free(gap.value, gap.slope, gap.k));
+            h = std::max({h, gap.value / q.top_speed, by_curve});
+        } else if (gap.slope < -still) {
+            if (h <= 0) return t;
+        } else if (gap.slope > still) {
+            const double turn = gap.slope / gap.k;
+            h = std::max(h, std::min(gap.trusted, gap.value < -tolerance ? turn : 2 * turn));
+        } else {
+            // Sliding along: the gap is flat here, and so is what can be missed.
+            const double pace = q.top_speed + std::sqrt(q.top_acceleration * radius);
+            creep = creep > 0 ? 2 * creep : 1e-7 * radius / pace;
+            h = std::max(h, creep);
+        }
+        const double next = t + h;
+        if (!(next <= t1)) return never_touch;
+        if (next <= t) return gap.slope < 0 ? t : never_touch;
+        t = next;
+    }
+    return never_touch;
+}
+
+/// Search in the frame of a part that turns evenly from `begin` at `begin_time`.
+double search_turning(const Feature& feature, Pose begin, double rate, double begin_time, const Path& path,
+                      double radius, double t0, double t1) {
+    const double v = path.max_speed(t1), a = path.max_acceleration(t1), w = std::abs(rate);
+    const auto moving = [&](double t) {
+        const Vec2 p = path.position(t), u = path.velocity(t);
+        const Pose pose{begin.pivot, begin.angle + rate * (t - begin_time)};
+        if (w == 0) return Moving{pose.undo(p), pose.angle == 0 ? u : rotated(u, -pose.angle), v, a};
+        const Vec2 relative = u - cross(rate, p - begin.pivot);
+        const double far = length(p - begin.pivot) + v * (t1 - t), top = v + w * far;
+        return Moving{pose.undo(p), rotated(relative, -pose.angle), top, a + 2 * w * top + w * w * far};
+    };
+    const auto gap = [&](const Moving& q) { return std::visit(GapTo{q, radius}, feature.is); };
+    return search(moving, gap, radius, gap_rounding(path.position(t0), radius), t0, t1);
+}
+
+/// A parabola against a still line: it falls below each side at most once.
+double touch_line(const Line& line, const Path& path, double radius, double t0, double t1) {
+    const Vec2 p = path.position(t0), v = path.velocity(t0), a = path.flight.acceleration;
+    const auto zero = [](double x, double scale) { return std::abs(x) <= speed_rounding * scale ? 0 : x; };
+    const double d = cross(line.along, p - line.start);
+    const double slope = zero(cross(line.along, v), length(v)), bend = zero(cross(line.along, a), length(a));
+    double first = never_touch;
+    for (const double side : {1.0, -1.0}) {
+        double gap = side * d - radius;
+        if (std::abs(gap) <= gap_rounding(p, radius)) gap = 0;
+        // From the other side it must first come out on this one.
+        const bool comes_out =
+            slope * side > 0 && bend * side < 0 && slope * slope + 2 * gap * bend * side > 0;
+        if (side * d < 0 && !comes_out) continue;
+        if (gap == 0 && slope == 0) continue;  // slides along, or is held
+        const double t = first_fall(gap, side * slope, side * bend);
+        if (t <= t1 - t0 && t < first && look({line, 0, 0}, path.position(t0 + t), radius).facing) first = t;
+    }
+    return t0 + first;
+}
+
+/// A point in straight motion against a disc of radius `reach` about the origin; never_touch when it only
+/// slides or moves away. The miss distance is a cross product, so grazes keep their digits.
+double straight_touch(Vec2 d, Vec2 v, double reach, double rounding) {
+    const double speed = length(v), distance = length(d);
+    if (speed == 0 || dot(d, v) >= 0) return never_touch;
+    const double approach = -dot(d, v) / speed, miss = std::abs(cross(d, v)) / speed;
+    const double gap = distance - reach;
+    if (gap <= rounding) return approach > speed_rounding * distance ? 0 : never_touch;
+    if (miss >= reach) return never_touch;
+    const double half = std::sqrt((reach - miss) * (reach + miss));
+    return gap * (distance + reach) / (speed * (approach + half));
+}
+
+}  // namespace
+
+double search_impact(const Feature& feature, const Turning& turning, const Path& path, double radius,
+                     double t0, double t1) {
+    if (turning.still() || t0 >= turning.stop) {
+        const Pose pose = turning.pose(t0);
+        return search_turning(feature, pose, 0, t0, path, radius, t0, t1);
+    }
+    const double t =
+        search_turning(feature, turning.begin, turning.rate, 0, path, radius, t0, std::min(t1, turning.stop));
+    if (t < never_touch || turning.stop >= t1) return t;
+    return search_turning(feature, {turning.begin.pivot, turning.end_angle}, 0, 0, path, radius, turning.stop,
+                          t1);
+}
+
+double search_impact(const Path& a, const Path& b, double radii, double t0, double t1) {
+    const double v = a.max_speed(t1) + b.max_speed(t1), k = a.max_acceleration(t1) + b.max_acceleration(t1);
+    const auto moving = [&](double t) {
+        return Moving{a.position(t) - b.position(t), a.velocity(t) - b.velocity(t), v, k};
+    };
+    const auto gap = [&](const Moving& q) { return gap_to_disc(q, {}, radii); };
+    return search(moving, gap, radii, gap_rounding(a.position(t0), radii), t0, t1);
+}
+
+double time_of_impact(const Feature& feature, const Turning& turning, const Path& path, double radius,
+                      double t0, double t1) {
+    if (turning.begin.angle != 0 || !turning.still()) {
+        if (turning.rate_at(t0) != 0) return search_impact(feature, turning, path, radius, t0, t1);
+        return time_of_impact(posed(feature, turning.pose(t0)), {}, path, radius, t0, t1);
+    }
+    const Trajectory& flight = path.flight;
+    if (path.swings || flight.drag > 0) return search_impact(feature, turning, path, radius, t0, t1);
+    if (const auto* line = std::get_if<Line>(&feature.is)) return touch_line(*line, path, radius, t0, t1);
+    if (const auto* round = std::get_if<Round>(&feature.is); round && flight.acceleration == Vec2{}) {
+        const Vec2 p = path.position(t0);
+        const double t = t0 + straight_touch(p - round->center, flight.velocity, radius + round->radius,
+                                             gap_rounding(p, radius));
+        return t <= t1 ? t : never_touch;
+    }
+    return search_impact(feature, turning, path, radius, t0, t1);
+}
+
+double time_of_impact(const Path& a, const Path& b, double radii, double t0, double t1) {
+    const bool alike = !a.swings && !b.swings && a.flight.acceleration == b.flight.acceleration &&
+                       a.flight.drag == b.flight.drag;
+    if (!alike) return search_impact(a, b, radii, t0, t1);
+    // Equal accelerations cancel, and drag shrinks time for both alike: straight motion.
+    const Vec2 p = a.position(t0);
+    const double e =
+        straight_touch(p - b.position(t0), a.velocity(t0) - b.velocity(t0), radii, gap_rounding(p, radii));
+    const double t = t0 + drag_stretch(a.flight.drag, e);
+    return t <= t1 ? t : never_touch;
+}
+
+}  // namespace flipside::custom

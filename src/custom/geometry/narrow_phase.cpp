@@ -1,0 +1,126 @@
+#include "custom/geometry/narrow_phase.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace flipside::custom {
+
+namespace {
+
+/// With a solid circle of radius `core` about `at`; a point is one of radius 0.
+Touch touch_circle(Vec2 center, double radius, Vec2 at, double core, Vec2 fallback = {0, 1}) {
+    const Vec2 away = center - at;
+    const double distance = length(away);
+    const Vec2 normal = distance > 0 ? away / distance : fallback;
+    return {at + core * normal, normal, distance - core - radius, distance > 0 ? 1 / distance : 0, false};
+}
+
+/// Angle of a direction, anticlockwise from `from`, in [0, 2π).
+double angle_from(double from, Vec2 direction) {
+    constexpr double full = 2 * std::numbers::pi;
+    double angle = std::fmod(angle_of(direction) - from, full);
+    if (angle < 0) angle += full;
+    return angle < full ? angle : 0;
+}
+
+}  // namespace
+
+Touch touch(Vec2 center, double radius, const piece::Point& piece) {
+    return touch_circle(center, radius, piece.at, 0);
+}
+
+Touch touch(Vec2 center, double radius, const piece::Circle& piece) {
+    return touch_circle(center, radius, piece.center, piece.radius);
+}
+
+Touch touch(Vec2 center, double radius, const piece::Segment& piece) {
+    const Vec2 along = piece.b - piece.a;
+    const Vec2 from_a = center - piece.a;
+    const double position = dot(from_a, along) / length_squared(along);
+    if (position < 0 || position > 1) {
+        Touch end = touch_circle(center, radius, position < 0 ? piece.a : piece.b, 0);
+        end.past_end = true;
+        return end;
+    }
+    const Vec2 left = unit(perp(along));
+    const double height = dot(from_a, left);
+    const Vec2 normal = height < 0 ? -left : left;
+    return {center - height * left, normal, std::abs(height) - radius, 0, false};
+}
+
+Touch touch(Vec2 center, double radius, const piece::Arc& piece) {
+    const Vec2 out = center - piece.center;
+    const double distance = length(out);
+    // At the very centre every point of the arc is as near; take its middle.
+    const Vec2 direction = distance > 0 ? out / distance : from_angle((piece.from + piece.to) / 2);
+    if (angle_from(piece.from, direction) > piece.to - piece.from) {
+        const Vec2 first = piece.center + piece.radius * from_angle(piece.from);
+        const Vec2 last = piece.center + piece.radius * from_angle(piece.to);
+        const bool nearer_first = length_squared(center - first) <= length_squared(center - last);
+        Touch end = touch_circle(center, radius, nearer_first ? first : last, 0);
+        end.past_end = true;
+        return end;
+    }
+    const bool inside = distance < piece.radius;
+    const double bend = distance > 0 ? 1 / distance : 0;
+    return {piece.center + piece.radius * direction, inside ? -direction : direction,
+            std::abs(distance - piece.radius) - radius, inside ? -bend : bend, false};
+}
+
+// The edge with the greatest signed distance decides (separating axis): inside the polygon it is the
+// nearest edge, outside the closest point is on it or is one of its two corners.
+Touch touch(Vec2 center, double radius, const piece::Polygon& piece) {
+    const auto& points = piece.points;
+    const auto corner = [&](std::size_t i) { return points[i < points.size() ? i : 0]; };
+    std::size_t edge = 0;
+    double height = -std::numeric_limits<double>::infinity();
+    Vec2 normal;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec2 outward = unit(-perp(corner(i + 1) - points[i]));
+        const double above = dot(center - points[i], outward);
+        if (above > height) height = above, edge = i, normal = outward;
+    }
+    const Vec2 a = points[edge], b = corner(edge + 1);
+    if (height > 0) {
+        if (dot(center - a, b - a) < 0) return touch_circle(center, radius, a, 0);
+        if (dot(center - b, a - b) < 0) return touch_circle(center, radius, b, 0);
+    }
+    return {center - height * normal, normal, height - radius, 0, false};
+}
+
+// In the frame of the axis, mirrored so that the disc is on the left of it: the straight side runs from
+// circle a to circle b with outward normal (sine, cosine); past its ends the circles are nearest.
+// After Quilez 2018, "2D distance functions" (uneven capsule).
+Touch touch(Vec2 center, double radius, const piece::Taper& piece) {
+    const Vec2 axis = piece.b - piece.a;
+    const double span = length(axis);
+    const Vec2 forward = axis / span, left = perp(forward);
+    const Vec2 from_a = center - piece.a;
+    const double x = dot(from_a, forward), height = dot(from_a, left);
+    const double side = height < 0 ? -1 : 1;
+    const double y = std::abs(height);
+    const double sine = (piece.radius_a - piece.radius_b) / span;
+    const double cosine = std::sqrt((1 - sine) * (1 + sine));
+    const double along = cosine * x - sine * y;
+    if (along < 0) return touch_circle(center, radius, piece.a, piece.radius_a, -forward);
+    if (along > cosine * span) return touch_circle(center, radius, piece.b, piece.radius_b, forward);
+    const double above = sine * x + cosine * y - piece.radius_a;
+    const Vec2 normal = sine * forward + (side * cosine) * left;
+    return {center - above * normal, normal, above - radius, 0, false};
+}
+
+Touch touch(Vec2 center, double radius, const Piece& piece, const Pose& pose) {
+    const Vec2 local = pose.undo(center);
+    Touch found = std::visit([&](const auto& kind) { return touch(local, radius, kind); }, piece.is);
+    if (pose.angle != 0) {
+        found.point = pose.apply(found.point);
+        found.normal = rotated(found.normal, pose.angle);
+    }
+    return found;
+}
+
+Touch touch(Vec2 center_a, double radius_a, Vec2 center_b, double radius_b) {
+    return touch_circle(center_a, radius_a, center_b, radius_b);
+}
+
+}  // namespace flipside::custom

@@ -1,0 +1,107 @@
+// Closed forms against the general search, on random placements.
+
+#include "custom/continuous/time_of_impact.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace flipside::custom::test {
+namespace {
+
+double between(double low, double high) {
+    return low + (high - low) * *rc::gen::inRange(0, 1'000'001) / 1e6;
+}
+Vec2 anywhere(double size) {
+    return {between(-size, size), between(-size, size)};
+}
+Path random_path(Vec2 gravity) {
+    Path path;
+    path.flight = {anywhere(2), anywhere(5), gravity, 0};
+    return path;
+}
+
+/// The two agree, or differ by a graze.
+void same(double closed, double searched, double approach) {
+    if (closed == never_touch && searched == never_touch) return;
+    if (std::abs(approach) < 1e-5) return;
+    RC_ASSERT(std::abs(closed - searched) < 1e-9);
+}
+
+RC_GTEST_PROP(TimeOfImpact, LineByQuadraticIsTheSearchs, ()) {
+    const Vec2 a = anywhere(2), b = anywhere(2);
+    RC_PRE(length(b - a) > 0.01);
+    const Feature line{Line{a, unit(b - a), length(b - a), {}, {}}, 0, 0};
+    const Path path = random_path(anywhere(10));
+    const double r = between(0.01, 0.3), end = 1;
+    RC_PRE(look(line, path.flight.position, r).distance > r + 1e-6);
+    const double closed = time_of_impact(line, {}, path, r, 0, end);
+    const double searched = search_impact(line, {}, path, r, 0, end);
+    const double first = std::min(closed, searched);
+    if (first == never_touch) return;
+    const Sight sight = look(line, path.position(first), r);
+    // At an end of the face rounding decides; the point there is another feature.
+    const double s = dot(path.position(first) - a, unit(b - a));
+    if (std::min(std::abs(s), std::abs(s - length(b - a))) < 1e-6) return;
+    // What enters under the face from beyond its end is met by that point too.
+    if (std::abs(sight.distance - r) > 1e-6) return;
+    same(closed, searched, dot(path.velocity(first), sight.normal));
+}
+
+RC_GTEST_PROP(TimeOfImpact, RoundInStraightMotionIsTheSearchs, ()) {
+    const Feature round{Round{anywhere(2), between(0, 0.5)}, 0, 0};
+    const Path path = random_path({});
+    const double r = between(0.01, 0.3);
+    RC_PRE(look(round, path.flight.position, r).distance > r + 1e-6);
+    const double closed = time_of_impact(round, {}, path, r, 0, 1);
+    const double searched = search_impact(round, {}, path, r, 0, 1);
+    const double first = std::min(closed, searched);
+    if (first == never_touch) return;
+    same(closed, searched, dot(path.velocity(first), look(round, path.position(first), r).normal));
+}
+
+RC_GTEST_PROP(TimeOfImpact, BallsWithDragAreTheSearchs, ()) {
+    const Vec2 gravity = anywhere(10);
+    Path a = random_path(gravity), b = random_path(gravity);
+    a.flight.drag = b.flight.drag = between(0, 3);
+    const double radii = between(0.02, 0.6);
+    RC_PRE(length(a.flight.position - b.flight.position) > radii + 1e-6);
+    const double closed = time_of_impact(a, b, radii, 0, 1), searched = search_impact(a, b, radii, 0, 1);
+    const double first = std::min(closed, searched);
+    if (first == never_touch) return;
+    same(closed, searched,
+         dot(a.velocity(first) - b.velocity(first), unit(a.position(first) - b.position(first))));
+}
+
+// The search against a walk in small steps, on turning arcs and lines.
+RC_GTEST_PROP(TimeOfImpact, SearchSkipsNothing, ()) {
+    const double from = between(0, 6), to = from + between(0.2, 6);
+    const Bow bow{anywhere(0.5),
+                  between(0.4, 1),
+                  from_angle(from),
+                  from_angle(to),
+                  {},
+                  {},
+                  to - from > 3.14159265358979,
+                  false};
+    const Feature feature =
+        *rc::gen::arbitrary<bool>() ? Feature{bow, 0, 0} : Feature{Line{{-1, 0.2}, {1, 0}, 2, {}, {}}, 0, 0};
+    const double rate = between(-30, 30);
+    const Turning turning{{{0, 0}, between(0, 6)}, rate, INFINITY, 0};
+    const Path path = random_path(anywhere(10));
+    const double r = between(0.02, 0.2), found = time_of_impact(feature, turning, path, r, 0, 0.5);
+    const auto gap_at = [&](double t) {
+        const Sight sight = look(feature, turning.pose(t).undo(path.position(t)), r);
+        return sight.facing ? sight.distance - r : 1.0;
+    };
+    RC_PRE(gap_at(0) > 1e-3);
+    double before = gap_at(0);
+    for (double t = 0; t < std::min(found, 0.5); t += 1e-4) {
+        const double gap = gap_at(t);
+        // Entering from beyond an end (a jump of the gap) is the end's business.
+        RC_ASSERT(gap > -1e-9 || before > 0.05 || before < -1e-9);
+        before = gap;
+    }
+}
+
+}  // namespace
+}  // namespace flipside::custom::test

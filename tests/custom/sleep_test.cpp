@@ -1,0 +1,132 @@
+#include "custom/sleep.hpp"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "custom/scenes.hpp"
+
+namespace flipside::custom::test {
+namespace {
+
+Ball ball_of(BallNumber number, Vec2 velocity) {
+    Ball ball;
+    ball.number = number;
+    ball.velocity = velocity;
+    ball.radius = 0.1;
+    return ball;
+}
+
+TEST(Sleep, SlowAndUndrivenFallsAsleep) {
+    Sleep sleep(0.01, 10);
+    std::vector<Ball> balls{ball_of(0, {0.001, 0}), ball_of(1, {0.02, 0}), ball_of(2, {})};
+    sleep.watch(balls);
+    balls[2].velocity = {0, -0.005};  // turning back on a slope
+    sleep.settle(balls, {}, 0.01);
+    EXPECT_TRUE(balls[0].asleep);
+    EXPECT_EQ(balls[0].velocity, Vec2{});
+    EXPECT_FALSE(balls[1].asleep);
+    EXPECT_FALSE(balls[2].asleep);
+}
+
+TEST(Sleep, NewcomersAreLeftAlone) {
+    Sleep sleep(0.01, 10);
+    std::vector<Ball> balls{ball_of(3, {})};
+    sleep.watch(balls);
+    balls = {ball_of(3, {}), ball_of(4, {})};
+    sleep.settle(balls, {}, 0.01);
+    EXPECT_TRUE(balls[0].asleep);
+    EXPECT_FALSE(balls[1].asleep);
+}
+
+TEST(Sleep, ASqueezedBallStaysAwake) {
+    Sleep sleep(0.01, 10);
+    std::vector<Ball> balls{ball_of(0, {}), ball_of(1, {}), ball_of(2, {})};
+    sleep.watch(balls);
+    const Contact deep{0, Other::ball(2), {}, {}, -0.01 * 0.1},
+        shallow{1, Other::part(0), {}, {}, -0.001 * 0.1};
+    const Contact contacts[] = {deep, shallow};
+    sleep.settle(balls, contacts, 0.01);
+    EXPECT_FALSE(balls[0].asleep);
+    EXPECT_TRUE(balls[1].asleep);
+    EXPECT_FALSE(balls[2].asleep);
+}
+
+Scene row_of_balls(int count) {
+    Scene scene = empty_scene({0, -9.81});
+    for (int i = 0; i < count; ++i) add_ball(scene, {0.3 * i, 0.1});
+    add_part(scene, segment({-1, 0}, {0.3 * count + 1, 0}));
+    return scene;
+}
+bool all_asleep(const World& world) {
+    return std::ranges::all_of(world.balls(), &Ball::asleep);
+}
+
+TEST(Sleep, TableOfAHundredSleepersMakesNoTests) {
+    for (const auto* broad : {"brute", "quadtree", "adaptive", "grid", "sweep"}) {
+        const auto world = make_world(row_of_balls(100), {{"broad_phase", broad}});
+        run(*world, 0.1);
+        ASSERT_TRUE(all_asleep(*world));
+        EXPECT_EQ(world->statistics().pair_tests, 0U);
+        EXPECT_EQ(world->statistics().narrow_tests, 0U);
+        EXPECT_EQ(world->statistics().asleep, 100U);
+        EXPECT_EQ(world->contacts().size(), 100U);
+    }
+}
+
+TEST(Sleep, TheToggleKeepsAllAwake) {
+    const auto world = make_world(row_of_balls(3), {{"sleep", "off"}});
+    run(*world, 1);
+    EXPECT_TRUE(std::ranges::none_of(world->balls(), &Ball::asleep));
+}
+
+TEST(Sleep, NudgeWakesAll) {
+    const auto world = make_world(row_of_balls(5));
+    run(*world, 0.1);
+    world->apply(control::Nudge{{0.5, 0}});
+    world->step(1.0 / 60);
+    EXPECT_TRUE(std::ranges::none_of(world->balls(), &Ball::asleep));
+    EXPECT_NEAR(world->balls()[0].velocity.x, 0.5, 1e-12);
+}
+
+TEST(Sleep, AHitWakesOnlyTheOneHit) {
+    Scene scene = row_of_balls(5);
+    const auto world = make_world(scene);
+    run(*world, 0.1);
+    Ball ball = scene.balls[0];
+    ball.position = {-0.5, 0.1};
+    ball.velocity = {2, 0};
+    world->add(ball);
+    run(*world, 0.2);
+    EXPECT_FALSE(world->balls()[0].asleep);
+    EXPECT_GT(world->balls()[0].velocity.x, 1.9);
+    EXPECT_TRUE(world->balls()[4].asleep);
+}
+
+TEST(Sleep, AMovingSupportWakes) {
+    Scene scene = empty_scene({0, -9.81});
+    add_ball(scene, {0.5, 0.1});
+    add_part(scene, segment({-1, 0}, {1, 0}), {"", 0.1, 0, 0}).motion = motion::Turn{{-1, 0}, 0.5, false};
+    const auto world = make_world(scene);
+    run(*world, 0.1);
+    ASSERT_TRUE(all_asleep(*world));
+    world->apply(control::Rotate{true});
+    run(*world, 0.2);
+    EXPECT_FALSE(world->balls()[0].asleep);
+    EXPECT_GT(world->balls()[0].position.y, 0.2);
+}
+
+TEST(Sleep, ABallThatTurnsBackOnASlopeDoesNotSleep) {
+    Scene scene = empty_scene({0, -1.11});
+    const Vec2 up = from_angle(0.05);
+    add_ball(scene, 0.1 * perp(up), 0.001 * up);
+    add_part(scene, segment(-5 * up, 5 * up));
+    const auto world = make_world(scene);
+    run(*world, 2);
+    EXPECT_FALSE(world->balls()[0].asleep);
+    // Frictionless slide from 1 mm/s upwards: s = v·t − ½·g·sin(α)·t².
+    EXPECT_NEAR(dot(world->balls()[0].position, up), 0.002 - 2 * 1.11 * std::sin(0.05), 1e-9);
+}
+
+}  // namespace
+}  // namespace flipside::custom::test
