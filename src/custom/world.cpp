@@ -30,6 +30,7 @@ CustomWorld::CustomWorld(std::shared_ptr<const Scene> scene, const Settings& set
       balls_(scene_->balls) {
     make_room();
     touches_.refresh(layout_, table_, balls_, *broad_, discrete_.near(), true);
+    fill_statistics(0);
 }
 
 /// Lists grow here, when balls join, and hardly ever in a step.
@@ -121,7 +122,10 @@ void CustomWorld::fill_statistics(std::uint64_t pair_tests) {
     statistics.stages[1] = {"flight", record_.flight_seconds};
     statistics.stages[2] = {"contact", record_.contact_seconds};
     statistics.stages[3] = {"report", record_.report_seconds};
-    statistics.broad_phase = broad_->facts();
+    // Event by event, every ball keeps its own list of what is near; nothing is sought for all of them.
+    const bool continuous = steps_continuously();
+    statistics.solver = continuous ? "continuous" : "discrete";
+    statistics.broad_phase = continuous ? BroadPhaseFacts{.name = "list per ball"} : broad_->facts();
 }
 
 void CustomWorld::wake_all() {

@@ -12,14 +12,6 @@ namespace flipside::app {
 
 namespace {
 
-/// The engine's own word for how it solves, where it has more than one way.
-std::string solver_of(const lab::Session& session) {
-    const auto specs = session.settings().specs();
-    const bool chooses =
-        std::ranges::any_of(specs, [](const SettingSpec& spec) { return spec.name == "solver"; });
-    return chooses ? std::string(session.settings().choice("solver")) : "";
-}
-
 std::string energy_in_words(double drift) {
     // A ten-billionth of a joule is rounding.
     if (std::abs(drift) < 1e-10) return "energy kept";
@@ -69,7 +61,7 @@ void draw_header(Canvas& canvas, const Rect& place, const Run& run, long score) 
     const double after = left + canvas.lettering().width(name, Type::large) + canvas.scaled(9);
     double taken = margin;
     if (session.scene().rules) taken += draw_score(canvas, place, session.game(), score);
-    const std::string solver = solver_of(session);
+    const std::string solver(session.world().statistics().solver);
     if (after + canvas.lettering().width(solver, Type::small) < place.x + place.width - taken)
         canvas.text({after, place.y + canvas.scaled(13)}, solver, Type::small, colour::quiet);
     canvas.text({left, place.y + canvas.scaled(37)}, facts(canvas, run, place.width - 2 * margin),
