@@ -4,8 +4,9 @@
 #include <cstdlib>
 #include <new>
 
-/// The program-wide operator new (C++20 [new.delete]), replaced by one that counts. The array and
-/// nothrow forms of the standard library call these.
+/// The program-wide operator new (C++20 [new.delete]), replaced by one that counts. The standard library's
+/// array forms call these. So does its nothrow form, but not the address sanitizer's, which would hand out
+/// memory of its own to be deleted here.
 
 namespace {
 
@@ -25,6 +26,10 @@ void* operator new(std::size_t size) {
 void* operator new(std::size_t size, std::align_val_t alignment) {
     const auto align = static_cast<std::size_t>(alignment);
     return counted(std::aligned_alloc(align, (size + align - 1) / align * align));
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    count.fetch_add(1, std::memory_order_relaxed);
+    return std::malloc(size == 0 ? 1 : size);
 }
 void operator delete(void* memory) noexcept {
     std::free(memory);
