@@ -103,7 +103,7 @@ struct Answer {
 
 /// Box2D's answer for a shape and a disc, by a function that fills a manifold; nothing when apart.
 std::optional<Answer> ask(const b2Shape& shape, auto&& collide, const b2CircleShape& disc) {
-    b2Manifold manifold;
+    b2Manifold manifold{};  // apart, Box2D leaves all but the count as it was
     collide(&manifold, disc);
     if (manifold.pointCount == 0) return std::nullopt;
     b2WorldManifold world;
@@ -306,7 +306,7 @@ TEST(NarrowPhaseCross, polygonAndPolygon) {
     for (int i = 0; i < pairs; ++i) {
         const std::vector<Vec2> a = dice.polygon({}), b = dice.polygon(dice.place(2));
         const b2PolygonShape shape_a = shape_of(a), shape_b = shape_of(b);
-        b2Manifold manifold;
+        b2Manifold manifold{};
         b2CollidePolygons(&manifold, &shape_a, nowhere(), &shape_b, nowhere());
         const custom::PolygonContact ours = custom::polygon_contact(a, b);
         const custom::PolygonContact swapped = custom::polygon_contact(b, a);
