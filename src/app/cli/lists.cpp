@@ -3,6 +3,7 @@
 #include "app/cli/commands.hpp"
 #include "lab/assets.hpp"
 #include "lab/engines.hpp"
+#include "lab/scene_notes.hpp"
 #include "world/scene_file.hpp"
 
 namespace flipside::app {
@@ -42,7 +43,7 @@ int list_engines() {
     return 0;
 }
 
-/// The file, what the scene recommends, and every engine's word that it can run it.
+/// The file, what the scene recommends, and every engine's word that it can run it; then what looks unmeant.
 int check(const std::string& name_or_path) {
     const auto file = lab::scene_file(name_or_path);
     const auto scene = std::make_shared<const Scene>(load_scene(file));
@@ -50,6 +51,7 @@ int check(const std::string& name_or_path) {
     for (const Engine* engine : lab::engines()) engine->make(scene, lab::settings_for(*engine, *scene));
     std::cout << file.string() << ": good: scene '" << scene->name << "', parts " << scene->parts.size()
               << ", balls " << scene->balls.size() << '\n';
+    for (const std::string& note : lab::notes_on(*scene)) std::cout << "note: " << note << '\n';
     return 0;
 }
 
