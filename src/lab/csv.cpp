@@ -5,44 +5,34 @@
 
 namespace flipside::lab {
 
-namespace {
+CsvRow& CsvRow::add(double value) {
+    char text[32];
+    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 17).ptr;
+    return add(std::string_view(text, end));
+}
 
-/// One line, put together before it is written.
-class Row {
-  public:
-    Row& add(double value) {
-        char text[32];
-        const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 17).ptr;
-        return add(std::string_view(text, end));
-    }
-    Row& add(std::uint32_t value) { return add(std::to_string(value)); }
-    Row& add(std::string_view word) {
-        if (!line_.empty()) line_ += ',';
+CsvRow& CsvRow::add(std::string_view word) {
+    if (begun_) line_ += ',';
+    begun_ = true;
+    if (word.find_first_of(",\"\r\n") == std::string::npos) {
         line_ += word;
         return *this;
     }
-    void write(std::ostream& out) {
-        line_ += '\n';
-        out << line_;
-        line_.clear();
-    }
-
-  private:
-    std::string line_;
-};
-
-/// In quotes where a comma, a quote or a line end asks for it.
-std::string field(const std::string& word) {
-    if (word.find_first_of(",\"\r\n") == std::string::npos) return word;
-    std::string quoted = "\"";
-    for (const char c : word) quoted += c == '"' ? "\"\"" : std::string(1, c);
-    return quoted + '"';
+    line_ += '"';
+    for (const char c : word) line_.append(c == '"' ? 2 : 1, c);
+    line_ += '"';
+    return *this;
 }
 
-}  // namespace
+void CsvRow::write(std::ostream& out) {
+    line_ += '\n';
+    out << line_;
+    line_.clear();
+    begun_ = false;
+}
 
 void write_sample(std::ostream& out, double time, std::span<const Ball> balls) {
-    Row row;
+    CsvRow row;
     for (const Ball& ball : balls) {
         row.add(time).add(ball.number);
         row.add(ball.position.x).add(ball.position.y).add(ball.velocity.x).add(ball.velocity.y);
@@ -51,10 +41,10 @@ void write_sample(std::ostream& out, double time, std::span<const Ball> balls) {
 }
 
 void write_events(std::ostream& out, std::span<const Event> events, const Scene& scene) {
-    Row row;
+    CsvRow row;
     for (const Event& event : events) {
         row.add(event.time).add(name_of(event.kind)).add(event.ball);
-        row.add(field(name_of_other(event, scene))).add(event.point.x).add(event.point.y);
+        row.add(name_of_other(event, scene)).add(event.point.x).add(event.point.y);
         row.add(event.normal.x).add(event.normal.y).add(event.speed).add(event.impulse).write(out);
     }
 }

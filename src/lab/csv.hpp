@@ -1,6 +1,6 @@
 #pragma once
-/// Trajectories and events as CSV (RFC 4180, lines end with \n). Numbers have 17 significant digits, so they
-/// read back to the same bits, and do not depend on the locale.
+/// CSV (RFC 4180, lines end with \n): rows of any table, trajectories and events among them. Numbers have 17
+/// significant digits, so they read back to the same bits, and do not depend on the locale.
 
 #include <iosfwd>
 #include <span>
@@ -13,6 +13,22 @@ namespace flipside::lab {
 
 inline constexpr std::string_view trajectory_header = "time,ball,x,y,vx,vy,angle,spin\n";
 inline constexpr std::string_view events_header = "time,kind,ball,other,x,y,nx,ny,speed,impulse\n";
+
+/// One line, put together before it is written.
+class CsvRow {
+  public:
+    CsvRow& add(double value);
+    CsvRow& add(std::uint32_t value) { return add(std::string_view(std::to_string(value))); }
+    CsvRow& add(std::uint64_t value) { return add(std::string_view(std::to_string(value))); }
+    /// In quotes where a comma, a quote or a line end asks for it.
+    CsvRow& add(std::string_view word);
+    /// Writes the line and is empty again.
+    void write(std::ostream& out);
+
+  private:
+    std::string line_;
+    bool begun_ = false;
+};
 
 /// A row per ball.
 void write_sample(std::ostream& out, double time, std::span<const Ball> balls);

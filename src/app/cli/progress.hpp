@@ -1,5 +1,5 @@
 #pragma once
-/// A progress bar on stderr where that is a terminal, and nothing otherwise.
+/// A progress bar on stderr where that is a terminal, with the time left, and nothing otherwise.
 
 #include <chrono>
 
@@ -7,20 +7,25 @@ namespace flipside::app {
 
 class Progress {
   public:
-    /// Of a run that lasts `seconds` of simulated time.
-    explicit Progress(double seconds);
+    /// Of work that is `whole` long, in any unit that grows evenly with time: simulated seconds, shares,
+    /// runs.
+    explicit Progress(double whole);
     /// Wipes the bar.
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// At most ten times a second something is written.
-    void at(double seconds_done);
+    /// At most ten times a second something is written. The time left is reckoned from the first call on, so
+    /// that what was done before (by a run that is resumed) does not count as quick work.
+    void at(double done);
 
   private:
-    double seconds_;
-    bool shown_;  ///< stderr is a terminal
-    std::chrono::steady_clock::time_point next_{};
+    using Clock = std::chrono::steady_clock;
+
+    double whole_;
+    bool shown_;         ///< stderr is a terminal
+    double first_ = -1;  ///< share done at the first call; negative before it
+    Clock::time_point began_{}, next_{};
 };
 
 }  // namespace flipside::app

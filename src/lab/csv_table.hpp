@@ -1,0 +1,36 @@
+#pragma once
+/// A CSV file with a header line, read back: fields by row and name of column. What is wrong with a file is
+/// an InputError that names the file, the line and the column.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace flipside::lab {
+
+class CsvTable {
+  public:
+    /// Reads the whole file. Every line must have as many fields as the header; quotes as in RFC 4180.
+    explicit CsvTable(const std::filesystem::path& file);
+
+    [[nodiscard]] std::size_t rows() const { return rows_.size(); }
+    [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
+    [[nodiscard]] bool has(std::string_view column) const;
+    [[nodiscard]] const std::string& text(std::size_t row, std::string_view column) const;
+    /// Throws for what is no number; "inf" and "nan" are some.
+    [[nodiscard]] double number(std::size_t row, std::string_view column) const;
+    /// Throws for what is no whole number ≥ 0.
+    [[nodiscard]] std::uint64_t count(std::size_t row, std::string_view column) const;
+
+  private:
+    [[nodiscard]] std::size_t index(std::string_view column) const;
+    [[noreturn]] void refuse(std::size_t row, std::string_view column, std::string_view wanted) const;
+
+    std::filesystem::path file_;
+    std::vector<std::string> columns_;
+    std::vector<std::vector<std::string>> rows_;
+    std::vector<std::size_t> lines_;  ///< of each row, from 1
+};
+
+}  // namespace flipside::lab
