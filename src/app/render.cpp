@@ -7,6 +7,7 @@
 
 #include "app/window/screen.hpp"
 #include "world/input_error.hpp"
+#include "world/refusal.hpp"
 
 namespace flipside::app {
 
@@ -42,6 +43,8 @@ int render(const RenderOptions& options) {
     look.shows = parse_shows(options.show);
     Stage stage(options.scene, options.engine, options.view, named_settings(options), options.script);
     stage.run_until(options.at, options.dt);
+    for (const Run& run : stage.runs())
+        if (!run.refusal().empty()) throw Refusal(run.refusal());
 
     sf::RenderTexture picture;
     if (!picture.create(options.width, options.height))

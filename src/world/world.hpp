@@ -20,6 +20,7 @@ class World {
     virtual ~World() = default;
 
     /// Advances by exactly dt seconds (finite, > 0). Sub-steps are the engine's own business.
+    /// An engine that cannot do that as exactly as it promises throws Refusal (refusal.hpp).
     virtual void step(double dt) = 0;
     /// Takes effect now, at time().
     virtual void apply(const Control& control) = 0;
@@ -38,6 +39,10 @@ class World {
     /// Touching pairs at this instant, sensors left out, by ball, then other.
     [[nodiscard]] virtual std::span<const Contact> contacts() const = 0;
     [[nodiscard]] virtual const Statistics& statistics() const = 0;
+
+    /// Per ball of balls(), the error of its position that the engine does not exceed by its own account, m;
+    /// infinite where it claims nothing any more. Empty for engines that claim nothing at all.
+    [[nodiscard]] virtual std::span<const double> uncertainty() const { return {}; }
 
     [[nodiscard]] virtual State save() const = 0;
     /// The state must come from a world of the same scene (checked where states enter, state_file.hpp).

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "world/refusal.hpp"
+
 namespace flipside::app {
 
 namespace {
@@ -29,8 +31,14 @@ Run::Run(lab::Session session, const Script& script)
 }
 
 void Run::step(double dt, const Script& script) {
+    if (!refusal_.empty()) return;
     const double spent = session_.totals().step_seconds;
-    session_.step(dt, script, next_control_);
+    try {
+        session_.step(dt, script, next_control_);
+    } catch (const Refusal& refusal) {
+        refusal_ = refusal.what();
+        return;
+    }
     const double cost = session_.totals().step_seconds - spent;
     step_cost_ = step_cost_ == 0 ? cost : step_cost_ + 0.05 * (cost - step_cost_);
     traces_.observe(session_.events(), session_.world().balls(), session_.world().time());
@@ -48,6 +56,7 @@ void Run::measure_energy(bool start_anew) {
 void Run::change(std::shared_ptr<const Scene> scene, const Engine& engine, Settings settings) {
     session_.change(std::move(scene), engine, std::move(settings));
     step_cost_ = 0;
+    refusal_.clear();
     measure_energy(true);
 }
 
@@ -56,6 +65,7 @@ void Run::clear() {
     state.balls.clear();
     state.launches.clear();
     session_.restore(state);
+    refusal_.clear();
     measure_energy(true);
 }
 

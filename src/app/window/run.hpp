@@ -2,6 +2,7 @@
 /// One engine's run of the scene in the window: the session and what the window remembers of it.
 
 #include <deque>
+#include <string>
 
 #include "app/window/traces.hpp"
 #include "lab/session.hpp"
@@ -25,6 +26,7 @@ class Run {
     /// The script is taken up at the session's time.
     Run(lab::Session session, const Script& script);
 
+    /// A run whose engine has refused to go on stays where it is until change().
     void step(double dt, const Script& script);
     /// Continues on another engine, with other settings or on a changed scene, from the state as it is.
     void change(std::shared_ptr<const Scene> scene, const Engine& engine, Settings settings);
@@ -37,6 +39,8 @@ class Run {
     [[nodiscard]] const lab::Session& session() const { return session_; }
     [[nodiscard]] const Traces& traces() const { return traces_; }
     [[nodiscard]] const Rates& rates() const { return rates_; }
+    /// Why the engine refused to go on; empty while it does.
+    [[nodiscard]] const std::string& refusal() const { return refusal_; }
     [[nodiscard]] double energy() const { return energy_; }  ///< J
     /// Energy gained since balls last came or went, J.
     [[nodiscard]] double energy_drift() const { return energy_ - energy_before_; }
@@ -58,6 +62,7 @@ class Run {
     double energy_ = 0, energy_before_ = 0;
     std::size_t balls_ = 0;
     double step_cost_ = 0;
+    std::string refusal_;
     std::deque<Sample> history_;
 };
 

@@ -1,0 +1,16 @@
+#pragma once
+/// An engine cannot do exactly what is asked, and says so instead of doing something else. what() is one
+/// line: which engine, what (ball, part, time), why. The program ends with exit code 1.
+
+#include <stdexcept>
+
+namespace flipside {
+
+/// Thrown by World::step alone. The world is then as it was before that step: it can be read and saved, so
+/// another engine can go on from there; another step of the same world is refused again.
+class Refusal : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace flipside
