@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <string>
 
-#include "lab/failure.hpp"
-
 namespace flipside::lab {
 
 namespace {
@@ -14,15 +12,15 @@ bool is_finite(const Ball& ball) {
            std::isfinite(ball.angle) && std::isfinite(ball.spin);
 }
 
+}  // namespace
+
 void check_finite(const Session& session, double time) {
     const auto balls = session.world().balls();
     const auto bad = std::ranges::find_if_not(balls, is_finite);
     if (bad == balls.end()) return;
-    throw Failure("ball " + std::to_string(bad->number) + " is not a number any more at " +
-                  std::to_string(time) + " s (engine " + std::string(session.engine().name) + ")");
+    throw NotANumber("ball " + std::to_string(bad->number) + " is not a number any more at " +
+                     std::to_string(time) + " s (engine " + std::string(session.engine().name) + ")");
 }
-
-}  // namespace
 
 void run(std::span<Session> sessions, const Timeline& timeline, const Script& script, const Watcher& after) {
     std::vector<std::size_t> next(sessions.size(), next_control(script, timeline.start()));

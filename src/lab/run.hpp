@@ -4,6 +4,7 @@
 #include <functional>
 #include <span>
 
+#include "lab/failure.hpp"
 #include "lab/session.hpp"
 #include "lab/timeline.hpp"
 
@@ -13,8 +14,15 @@ namespace flipside::lab {
 /// the last step.
 using Watcher = std::function<void(const Session& session, std::uint64_t step, double time)>;
 
+/// A ball has a position, velocity, angle or spin that is no number.
+struct NotANumber : Failure {
+    using Failure::Failure;
+};
+/// Throws NotANumber that names the ball and the time.
+void check_finite(const Session& session, double time);
+
 /// Steps all sessions side by side, each by the same script; `after` is called for every session after each
-/// step. Throws Failure as soon as a ball has a position, velocity, angle or spin that is no number.
+/// step. Throws NotANumber as soon as there is one.
 void run(std::span<Session> sessions, const Timeline& timeline, const Script& script, const Watcher& after);
 
 /// Balls whose centre is that of another one, to 1e-6 of a radius: the toy's "overlaps". Cost O(n log n).

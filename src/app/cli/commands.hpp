@@ -14,6 +14,7 @@ using Action = std::function<int()>;
 void add_play(CLI::App& program, Action& chosen);
 void add_run(CLI::App& program, Action& chosen);
 void add_compare(CLI::App& program, Action& chosen);
+void add_cases(CLI::App& program, Action& chosen);
 void add_pairs(CLI::App& program, Action& chosen);
 void add_render(CLI::App& program, Action& chosen);
 void add_scenes(CLI::App& program, Action& chosen);

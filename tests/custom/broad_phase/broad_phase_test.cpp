@@ -235,8 +235,8 @@ TEST(BroadPhase, AdaptiveQuadtreeSplitsWhereThingsCrowd) {
 }
 
 Scene scene_of(std::initializer_list<double> radii) {
-    Scene scene = test::empty_scene();
-    for (const double radius : radii) test::add_ball(scene, {}, {}, radius);
+    Scene scene = empty_scene();
+    for (const double radius : radii) add_ball(scene, {}, {}, radius);
     return scene;
 }
 

@@ -1,0 +1,120 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "app/cli/commands.hpp"
+#include "app/cli/interrupt.hpp"
+#include "app/cli/progress.hpp"
+#include "lab/cases/case.hpp"
+#include "lab/engines.hpp"
+#include "lab/whole_file.hpp"
+
+namespace flipside::app {
+
+namespace {
+
+struct Options {
+    std::vector<std::string> names;  ///< empty: all cases
+    std::string engine = "custom";
+    std::vector<std::string> settings;
+    std::string dt = "1/60";
+    bool quick = false;
+    bool list = false;
+    std::string json;  ///< file; "" where not asked for
+};
+
+std::string number(const char* format, std::optional<double> value) {
+    if (!value || std::isnan(*value)) return "-";
+    char text[32];
+    std::snprintf(text, sizeof text, format, *value);
+    return text;
+}
+
+void print(const lab::CaseRun& run) {
+    const lab::CaseResult& result = run.result;
+    std::printf("\n%2d %s: %s  (%.3g s of CPU)\n", run.which->number, std::string(run.which->name).c_str(),
+                std::string(name_of(result.verdict)).c_str(), result.cpu_seconds);
+    if (!result.reason.empty()) std::printf("   %s\n", result.reason.c_str());
+    for (const lab::CaseRow& row : result.rows) {
+        const std::string name = row.quantity + (row.unit.empty() ? "" : " [" + row.unit + "]");
+        std::printf("   %-62s %14s %14s %9s %9s  %s\n", name.c_str(), number("%.9g", row.expected).c_str(),
+                    number("%.9g", row.measured).c_str(), number("%.2g", row.error).c_str(),
+                    number("%.2g", row.tolerance).c_str(), std::string(name_of(row.verdict)).c_str());
+    }
+}
+
+void print_head(const lab::CaseInput& input) {
+    std::printf("Hard cases on %s, dt = %.6g s%s\n\n   %-62s %14s %14s %9s %9s  %s\n",
+                std::string(input.entrant.engine->name).c_str(), input.dt, input.quick ? ", quick" : "",
+                "quantity", "expected", "measured", "error", "tolerance", "verdict");
+}
+
+void print_summary(std::span<const lab::CaseRun> runs) {
+    std::printf("\n%zu cases:", runs.size());
+    for (const std::string_view name : lab::verdict_names) {
+        const auto count = std::ranges::count(
+            runs, name, [](const lab::CaseRun& run) { return name_of(run.result.verdict); });
+        if (count > 0) std::printf(" %td %s", count, std::string(name).c_str());
+    }
+    std::printf("\n");
+}
+
+int list_cases() {
+    for (const lab::Case& one : lab::cases())
+        std::printf("%2d %-20s %s\n", one.number, std::string(one.name).c_str(),
+                    std::string(one.about).c_str());
+    return 0;
+}
+
+int run_cases(const Options& options) {
+    const auto chosen = lab::find_cases(options.names);
+    const Engine& engine = lab::engine_named(options.engine);
+    const Engine* const used[] = {&engine};
+    const auto changes = lab::parse_changes(options.settings, used);
+    lab::CaseInput input{{&engine, lab::settings_for(engine, Scene{}, changes)},
+                         lab::parse_step(options.dt),
+                         options.quick,
+                         stop_if_interrupted};
+    catch_interrupts();
+    std::vector<lab::CaseRun> runs;
+    {
+        Progress progress(static_cast<double>(chosen.size()));
+        for (const lab::Case* one : chosen) {
+            progress.at(static_cast<double>(runs.size()));
+            runs.push_back({one, run_case(*one, input)});
+        }
+    }
+    if (!options.json.empty()) lab::write_whole_file(options.json, to_json(runs, input));
+    print_head(input);
+    for (const lab::CaseRun& run : runs) print(run);
+    print_summary(runs);
+    const auto failed = [](const lab::CaseRun& run) { return run.result.verdict == lab::Verdict::fail; };
+    return std::ranges::any_of(runs, failed) ? 1 : 0;
+}
+
+}  // namespace
+
+void add_cases(CLI::App& program, Action& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App& command = *program.add_subcommand(
+        "cases", "Run experiments with known answers: expected against measured (exit 1 where one failed)");
+    command.add_option("names", options->names, "Names or numbers (default: all; --list shows them)")
+        ->type_name("NAME");
+    command.add_option("--engine", options->engine, "The engine (see `flipside engines`)")
+        ->capture_default_str()
+        ->type_name("E");
+    command.add_option("--dt", options->dt, "Step, s, as 0.01 or 1/60")
+        ->capture_default_str()
+        ->type_name("H");
+    command.add_option("--set", options->settings, "A setting of the engine; may be given several times")
+        ->allow_extra_args(false)
+        ->type_name("K=V");
+    command.add_flag("--quick", options->quick, "Fewer hits and shorter runs; the rows name the numbers");
+    command.add_flag("--list", options->list, "List the cases, a sentence each");
+    command.add_option("--json", options->json, "Everything found, as JSON")->type_name("FILE");
+    command.callback([options, &chosen] {
+        chosen = [options] { return options->list ? list_cases() : run_cases(*options); };
+    });
+}
+
+}  // namespace flipside::app

@@ -1,0 +1,155 @@
+#include "lab/cases/experiment.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <boost/math/distributions/students_t.hpp>
+
+namespace flipside::lab {
+
+namespace {
+
+/// Steps that all worlds of one case may take together: some seconds of CPU for one ball.
+constexpr std::uint64_t most_steps = 4'000'000, most_quick_steps = 200'000;
+
+bool is_event_ordered(const Session& session) {
+    return session.engine().name == "reference" || session.world().statistics().solver == "continuous";
+}
+
+}  // namespace
+
+Estimate estimate(std::span<const double> samples) {
+    const auto n = static_cast<double>(samples.size());
+    double mean = 0, squares = 0;
+    for (const double sample : samples) mean += sample / n;
+    for (const double sample : samples) squares += (sample - mean) * (sample - mean);
+    const double quantile = boost::math::quantile(boost::math::students_t(n - 1), 1 - 0.001 / 2);
+    return {mean, quantile * std::sqrt(squares / (n - 1) / n)};
+}
+
+void Experiment::exact(std::string quantity, std::string unit, double expected, double measured,
+                       double tolerance) {
+    add({.quantity = std::move(quantity),
+         .unit = std::move(unit),
+         .expected = expected,
+         .measured = measured,
+         .tolerance = tolerance},
+        event_ordered_);
+}
+
+void Experiment::exact(std::string quantity, std::string unit, double expected, Estimate measured,
+                       double tolerance) {
+    add({.quantity = std::move(quantity),
+         .unit = std::move(unit),
+         .expected = expected,
+         .measured = measured.mean,
+         .tolerance = tolerance + measured.interval,
+         .interval = measured.interval},
+        event_ordered_);
+}
+
+void Experiment::always(std::string quantity, std::string unit, double expected, double measured,
+                        double tolerance) {
+    add({.quantity = std::move(quantity),
+         .unit = std::move(unit),
+         .expected = expected,
+         .measured = measured,
+         .tolerance = tolerance},
+        true);
+}
+
+void Experiment::note(std::string quantity, std::string unit, double measured,
+                      std::optional<double> expected) {
+    add({.quantity = std::move(quantity),
+         .unit = std::move(unit),
+         .expected = expected,
+         .measured = measured},
+        false);
+}
+
+void Experiment::add(CaseRow row, bool held) {
+    row.error = row.expected ? std::abs(row.measured - *row.expected) : no_number;
+    if (std::isnan(row.measured))
+        row.verdict = Verdict::not_reached;
+    else if (held)
+        row.verdict = row.error <= *row.tolerance ? Verdict::pass : Verdict::fail;
+    result_.rows.push_back(std::move(row));
+}
+
+void Experiment::cut_short(const std::string& quantity, Verdict verdict, const std::string& reason) {
+    result_.rows.push_back({.quantity = quantity,
+                            .measured = no_number,
+                            .error = no_number,
+                            .tolerance = 0,
+                            .verdict = verdict});
+    if (result_.reason.find(reason) == std::string::npos)
+        result_.reason += (result_.reason.empty() ? "" : "; ") + reason;
+}
+
+CaseResult Experiment::finish() {
+    const auto has = [&](Verdict verdict) {
+        return std::ranges::any_of(result_.rows, [&](const CaseRow& row) {
+            return row.verdict == verdict && (row.tolerance || verdict != Verdict::measured);
+        });
+    };
+    result_.verdict = Verdict::pass;
+    for (const Verdict worst : {Verdict::fail, Verdict::refused, Verdict::not_reached, Verdict::measured}) {
+        if (!has(worst)) continue;
+        result_.verdict = worst;
+        break;
+    }
+    if (result_.reason.empty() && out_of_work_)
+        result_.reason =
+            "stopped after " + std::to_string(result_.steps) + " steps, the most a case may take";
+    return std::move(result_);
+}
+
+Trial::Trial(Experiment& experiment, const Scene& scene)
+    : experiment_(&experiment),
+      session_(std::make_shared<const Scene>(scene), *experiment.input().entrant.engine,
+               experiment.input().entrant.settings) {}
+
+bool Trial::step(double dt) {
+    CaseResult& result = experiment_->result_;
+    const CaseInput& input = experiment_->input();
+    if (result.steps >= (input.quick ? most_quick_steps : most_steps)) {
+        experiment_->out_of_work_ = true;
+        return false;
+    }
+    const Totals before = session_.totals();
+    session_.step(dt);
+    check_finite(session_, time());
+    ++result.steps;
+    result.impacts += session_.totals().impacts - before.impacts;
+    result.cpu_seconds += session_.totals().step_seconds - before.step_seconds;
+    result.handed_over += world().statistics().handed_over;
+    if (!is_event_ordered(session_)) experiment_->event_ordered_ = false;
+    if (input.watch) input.watch();
+    return true;
+}
+
+bool Trial::run_to(double end) {
+    const Timeline timeline(time(), end - time(), experiment_->dt());
+    for (std::uint64_t k = 0; k < timeline.steps(); ++k)
+        if (!step(timeline.length(k))) return false;
+    return true;
+}
+
+std::vector<Event> Trial::impacts() const {
+    std::vector<Event> found;
+    std::ranges::copy_if(events(), std::back_inserter(found),
+                         [](const Event& event) { return event.kind == EventKind::impact; });
+    return found;
+}
+
+Ball Trial::ball(BallNumber number) const {
+    const auto balls = world().balls();
+    const auto at = std::ranges::find(balls, number, &Ball::number);
+    if (at != balls.end()) return *at;
+    Ball lost;
+    lost.position = lost.velocity = {no_number, no_number};
+    return lost;
+}
+
+}  // namespace flipside::lab

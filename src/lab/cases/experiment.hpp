@@ -1,0 +1,104 @@
+#pragma once
+/// What a case works with: worlds of one engine, stepped under a common limit of work, and the rows of its
+/// result.
+
+#include <limits>
+
+#include "lab/cases/case.hpp"
+#include "lab/run.hpp"
+#include "world/input_error.hpp"
+#include "world/refusal.hpp"
+
+namespace flipside::lab {
+
+/// Of a row that was not reached.
+inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+/// A mean with the half width of its 99.9 % confidence interval.
+struct Estimate {
+    double mean, interval;
+};
+/// Of independent samples, at least two, by Student's t.
+[[nodiscard]] Estimate estimate(std::span<const double> samples);
+
+class Experiment {
+  public:
+    explicit Experiment(const CaseInput& input) : input_(&input) {}
+
+    [[nodiscard]] const CaseInput& input() const { return *input_; }
+    [[nodiscard]] double dt() const { return input_->dt; }
+    /// The number of hits, seconds or samples: fewer in a quick run.
+    template <class Number>
+    [[nodiscard]] Number size(Number full, Number quick) const {
+        return input_->quick ? quick : full;
+    }
+
+    /// An exact answer that event-ordered solvers must meet to `tolerance`, and time-stepping ones need not.
+    void exact(std::string quantity, std::string unit, double expected, double measured, double tolerance);
+    /// The same for a statistic: its interval is added to the tolerance, which is the answer's own error.
+    void exact(std::string quantity, std::string unit, double expected, Estimate measured, double tolerance);
+    /// What must hold on any engine.
+    void always(std::string quantity, std::string unit, double expected, double measured,
+                double tolerance = 0);
+    /// What nobody is held to.
+    void note(std::string quantity, std::string unit, double measured, std::optional<double> expected = {});
+
+    /// A part of the case that may end early without ending the others: what the engine refuses, and a state
+    /// that is no number, become a row named `quantity`, and their reasons the result's.
+    template <class Part>
+    void attempt(const std::string& quantity, Part&& part) {
+        try {
+            part();
+        } catch (const Refusal& refusal) {
+            cut_short(quantity, Verdict::refused, refusal.what());
+        } catch (const InputError& error) {  // of an engine that cannot run the scene at all
+            cut_short(quantity, Verdict::refused, error.what());
+        } catch (const NotANumber& failure) {
+            cut_short(quantity, Verdict::fail, failure.what());
+        }
+    }
+    [[nodiscard]] CaseResult finish();
+
+  private:
+    friend class Trial;
+
+    void add(CaseRow row, bool held);
+    void cut_short(const std::string& quantity, Verdict verdict, const std::string& reason);
+
+    const CaseInput* input_;
+    CaseResult result_;
+    bool event_ordered_ = true;  ///< of every step so far
+    bool out_of_work_ = false;
+};
+
+/// One world of a case. Balls of its scene keep their numbers as indices while none is lost.
+class Trial {
+  public:
+    Trial(Experiment& experiment, const Scene& scene);
+
+    /// One step of the case's dt, or of `dt`. False, without a step, when the case has had all the work it
+    /// may cost. Throws Failure as soon as a ball is where no number says.
+    [[nodiscard]] bool step() { return step(experiment_->dt()); }
+    [[nodiscard]] bool step(double dt);
+    /// Steps until `time` exactly.
+    [[nodiscard]] bool run_to(double time);
+
+    [[nodiscard]] World& world() { return session_.world(); }
+    [[nodiscard]] const World& world() const { return session_.world(); }
+    [[nodiscard]] double time() const { return world().time(); }
+    /// NaNs where it was lost.
+    [[nodiscard]] Ball ball(BallNumber number) const;
+    [[nodiscard]] std::span<const Event> events() const { return session_.events(); }
+    /// Of the last step.
+    [[nodiscard]] std::vector<Event> impacts() const;
+    [[nodiscard]] std::uint64_t impact_count() const { return session_.totals().impacts; }
+    [[nodiscard]] std::uint64_t lost_count() const { return session_.totals().lost; }
+    /// Kinetic and potential, J.
+    [[nodiscard]] double energy() const { return lab::energy(world(), session_.scene()); }
+
+  private:
+    Experiment* experiment_;
+    Session session_;
+};
+
+}  // namespace flipside::lab
