@@ -145,9 +145,9 @@ PairTests::Growth measure_growth(std::size_t balls, const std::function<void()>&
         double least = std::numeric_limits<double>::infinity();
         for (int search = 0; search < growth_searches; ++search) {
             flock.fly(moving);
-            const double start = cpu_seconds();
+            const CpuStopwatch stopwatch;
             broad->find_pairs(moving, pairs);
-            least = std::min(least, cpu_seconds() - start);
+            least = std::min(least, stopwatch.seconds());
             watch();
         }
         const auto tests = static_cast<double>(broad->tests() - before);

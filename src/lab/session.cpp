@@ -65,9 +65,9 @@ void Session::step(double dt, const Script& script, std::size_t& next) {
 
 void Session::advance(double dt) {
     const std::uint64_t allocated = allocations();
-    const double began = cpu_seconds();
+    const CpuStopwatch watch;
     world_->step(dt);
-    totals_.step_seconds += cpu_seconds() - began;
+    totals_.step_seconds += watch.seconds();
     if (totals_.steps >= warm_up_steps) totals_.allocations += allocations() - allocated;
 
     const Statistics& statistics = world_->statistics();

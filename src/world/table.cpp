@@ -23,6 +23,8 @@ Vec2 pivot_of(const Part& part) {
 Table::Table(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {
     state_.next_number = static_cast<BallNumber>(scene_->balls.size());
     state_.parts.resize(scene_->parts.size());
+    for (PartIndex i = 0; i < scene_->parts.size(); ++i)
+        if (moves(scene_->parts[i])) moving_.push_back(i);
 }
 
 void Table::apply(const Control& control) {
@@ -77,8 +79,7 @@ double Table::until_stop(PartIndex part) const {
 }
 
 void Table::advance(double dt) {
-    for (PartIndex i = 0; i < state_.parts.size(); ++i)
-        if (moves(scene_->parts[i])) state_.parts[i].angle = turning(i, dt).angle;
+    for (const PartIndex i : moving_) state_.parts[i].angle = turning(i, dt).angle;
     state_.clock.advance(dt);
 }
 

@@ -41,6 +41,8 @@ class Table {
     [[nodiscard]] static bool moves(const Part& part) {
         return !std::holds_alternative<motion::Still>(part.motion);
     }
+    /// The parts that can move, in order.
+    [[nodiscard]] std::span<const PartIndex> moving_parts() const { return moving_; }
     /// Moves the clock and the parts.
     void advance(double dt);
 
@@ -72,6 +74,7 @@ class Table {
     [[nodiscard]] Turning turning(PartIndex index, double ahead) const;
 
     std::shared_ptr<const Scene> scene_;
+    std::vector<PartIndex> moving_;
     State state_;  ///< without balls
 };
 

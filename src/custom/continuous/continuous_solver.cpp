@@ -52,12 +52,11 @@ void ContinuousSolver::step(Table& table, std::vector<Ball>& balls, double dt, B
     inside_at_start_ = inside_;
     reported_at_start_ = table.reported_lost().size();
     parts_at_start_.assign(table.parts().begin(), table.parts().end());
-    for (PartIndex i = 0; i < turnings_.size(); ++i)
-        if (Table::moves(scene_.parts[i])) {
-            const double stop = table.until_stop(i);
-            turnings_[i] = {table.pose(i), table.rate(i), stop,
-                            std::isfinite(stop) ? table.pose(i, stop).angle : table.pose(i).angle};
-        }
+    for (const PartIndex i : table.moving_parts()) {
+        const double stop = table.until_stop(i);
+        turnings_[i] = {table.pose(i), table.rate(i), stop,
+                        std::isfinite(stop) ? table.pose(i, stop).angle : table.pose(i).angle};
+    }
     movers_.resize(balls.size());
     for (Place i = 0; i < balls.size(); ++i) {
         Mover& mover = movers_[i];

@@ -255,7 +255,7 @@ Rub rub_of(const Hold& hold, const Ball& ball, double along, double driven) {
 /// The path on a still line; what ends it is the end of the slip.
 void slide(const Hold& hold, const Ball& ball, const Rub& rub, double along, const Drive& drive,
            HeldPath& held) {
-    Trajectory& flight = held.path.flight;
+    Flight& flight = held.path.flight;
     const Vec2 tangent = perp(hold.normal);
     const double gravity = dot(drive.gravity, tangent), rubbed = rub.slide * hold.force;
     flight.acceleration = (rub.share() * gravity - rubbed) * tangent;

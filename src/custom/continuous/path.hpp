@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "custom/continuous/trajectory.hpp"
+#include "custom/flight.hpp"
 
 namespace flipside::custom {
 
@@ -12,8 +12,8 @@ namespace flipside::custom {
 inline constexpr int taylor_order = 22;
 
 struct Path {
-    double start = 0;   ///< s, in the time of the step
-    Trajectory flight;  ///< its position and velocity are those at the start, whatever the path
+    double start = 0;  ///< s, in the time of the step
+    Flight flight;     ///< its position and velocity are those at the start, whatever the path
     bool swings = false;
     std::array<Vec2, taylor_order + 1> taylor;   ///< of the displacement; used when it swings
     double top_speed = 0, top_acceleration = 0;  ///< bounds over the whole polynomial; used when it swings

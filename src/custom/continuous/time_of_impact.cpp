@@ -195,7 +195,7 @@ double time_of_impact(const Feature& feature, const Turning& turning, const Path
         if (turning.rate_at(t0) != 0) return search_impact(feature, turning, path, radius, t0, t1);
         return time_of_impact(posed(feature, turning.pose(t0)), {}, path, radius, t0, t1);
     }
-    const Trajectory& flight = path.flight;
+    const Flight& flight = path.flight;
     if (path.swings || flight.drag > 0) return search_impact(feature, turning, path, radius, t0, t1);
     if (const auto* line = std::get_if<Line>(&feature.is)) return touch_line(*line, path, radius, t0, t1);
     if (const auto* round = std::get_if<Round>(&feature.is); round && flight.acceleration == Vec2{}) {

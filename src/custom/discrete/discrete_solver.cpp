@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "custom/discrete/flight.hpp"
+#include "custom/flight.hpp"
 #include "custom/geometry/sweep.hpp"
 
 namespace flipside::custom {
@@ -77,14 +77,14 @@ double DiscreteSolver::way(const Ball& ball, double duration) const {
 }
 
 void DiscreteSolver::find_candidates(double duration, BroadPhase& broad) {
-    const Flight flight(scene_.gravity, scene_.damping, duration);
+    const Stretch stretch(scene_.damping, duration);
     const auto box_of = [&](const Ball& ball) {
         const Box here = bounds_of(ball.position, ball.radius);
         if (ball.asleep) return here;
         // A fast ball may be turned round in mid-flight, so it can end anywhere within its reach.
         const double reach = way(ball, duration);
         if (reach > settings_.sweep_from * ball.radius) return grown(here, reach);
-        return united(here, bounds_of(flight.position(ball), ball.radius));
+        return united(here, bounds_of(end_of_flight(ball, scene_.gravity, stretch), ball.radius));
     };
     std::vector<Ball>& balls = *balls_;
     layout_.place(*table_, balls, span_.begin, span_.end, false, box_of, moving_);
@@ -106,7 +106,7 @@ void DiscreteSolver::find_candidates(double duration, BroadPhase& broad) {
 
 void DiscreteSolver::fly_all(double duration) {
     std::vector<Ball>& balls = *balls_;
-    const Flight flight(scene_.gravity, scene_.damping, duration);
+    const Stretch stretch(scene_.damping, duration);
     started_.clear();
     flown_.assign(balls.size(), duration);
     auto next = candidates_.begin();
@@ -116,7 +116,7 @@ void DiscreteSolver::fly_all(double duration) {
         while (next != candidates_.end() && next->ball == i) ++next;
         if (balls[i].asleep) continue;
         if (first == next)
-            flight.advance(balls[i]);
+            fly_freely(balls[i], scene_.gravity, stretch);
         else
             fly(balls[i], std::span<const Candidate>(first, next), duration);
     }
@@ -140,7 +140,7 @@ void DiscreteSolver::fly(Ball& ball, std::span<const Candidate> near, double dur
             const double time = first_touch_of(ball, candidate.piece, at, remaining);
             if (time < soonest) soonest = time, met = candidate.piece;
         }
-        Flight(scene_.gravity, scene_.damping, std::min(soonest, remaining)).advance(ball);
+        fly_freely(ball, scene_.gravity, Stretch(scene_.damping, std::min(soonest, remaining)));
         if (soonest == never) return;
         at += soonest;
         const Piece& piece = layout_.piece(met);
@@ -168,7 +168,7 @@ Box DiscreteSolver::room_of(std::size_t moving) const {
     const Ball& ball = (*balls_)[moving - pieces];
     if (ball.asleep) return now;
     const double left = dt_ - span_.begin;
-    const Vec2 end = Flight(scene_.gravity, scene_.damping, left).position(ball);
+    const Vec2 end = end_of_flight(ball, scene_.gravity, Stretch(scene_.damping, left));
     const Box way = united(bounds_of(ball.position, ball.radius), bounds_of(end, ball.radius));
     return united(now, grown(way, settings_.search_room * ball.radius));
 }
@@ -211,7 +211,7 @@ double DiscreteSolver::first_touch_of(const Ball& ball, PieceIndex index, double
     std::uint64_t& tests = record_->statistics.narrow_tests;
     const auto touch_at = [&](double time, Ball& flying) {
         flying = ball;
-        Flight(scene_.gravity, scene_.damping, time).advance(flying);
+        fly_freely(flying, scene_.gravity, Stretch(scene_.damping, time));
         ++tests;
         return touch(flying.position, flying.radius, piece,
                      rate != 0 ? table_->pose(piece.part, begin + time) : pose);
