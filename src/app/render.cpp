@@ -44,7 +44,7 @@ int render(const RenderOptions& options) {
     Stage stage(options.scene, options.engine, options.view, named_settings(options), options.script);
     stage.run_until(options.at, options.dt);
     for (const Run& run : stage.runs())
-        if (!run.refusal().empty()) throw Refusal(run.refusal());
+        if (run.halt() && run.session().engine().name == options.engine) throw Refusal(run.halt()->reason);
 
     sf::RenderTexture picture;
     if (!picture.create(options.width, options.height))

@@ -24,10 +24,8 @@ std::optional<Parting> parting_of(BallNumber ball, const std::vector<const Event
         Parting parting{end, ball, i, {}, {}};
         if (i < first.size()) parting.first = *first[i];
         if (i < second.size()) parting.second = *second[i];
-        if (parting.first && parting.second) {
-            const double apart = std::abs(parting.first->time - parting.second->time);
-            if (parting.first->other == parting.second->other && apart <= tolerance) continue;
-        }
+        if (parting.first && parting.second && same_impact(*parting.first, *parting.second, tolerance))
+            continue;
         if (parting.first) parting.time = std::min(parting.time, parting.first->time);
         if (parting.second) parting.time = std::min(parting.time, parting.second->time);
         // The other run may have had it right after the end.
@@ -44,6 +42,10 @@ std::size_t same_others(const std::vector<const Event*>& first, const std::vecto
 }
 
 }  // namespace
+
+bool same_impact(const Event& first, const Event& second, double tolerance) {
+    return first.other == second.other && std::abs(first.time - second.time) <= tolerance;
+}
 
 ImpactMatch match_impacts(std::span<const Event> first, std::span<const Event> second, double tolerance,
                           double end) {
@@ -71,18 +73,17 @@ ImpactMatch match_impacts(std::span<const Event> first, std::span<const Event> s
 Spread spread(std::span<const Ball> first, std::span<const Ball> second) {
     Spread spread;
     auto b = second.begin();
-    std::size_t common = 0;
     for (const Ball& ball : first) {
         while (b != second.end() && b->number < ball.number) ++b;
         if (b == second.end() || b->number != ball.number) continue;
-        ++common;
+        ++spread.common;
         const double radii = length(ball.position - b->position) / ball.radius;
         if (radii > spread.radii) {
             spread.radii = radii;
             spread.ball = ball.number;
         }
     }
-    spread.same_balls = common == first.size() && common == second.size();
+    spread.same_balls = spread.common == first.size() && spread.common == second.size();
     return spread;
 }
 

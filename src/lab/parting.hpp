@@ -27,10 +27,12 @@ struct ImpactMatch {
     std::optional<Parting> parting;  ///< the earliest over all balls
 };
 
-/// Compares the impacts ball by ball in their order. Two agree when the other is the same and the times
-/// differ by at most `tolerance` s. An impact that one run lacks counts only if it happened more than
-/// `tolerance` before `end`. Impacts between balls belong to the lower number. Events of other kinds are
-/// passed over.
+/// The same other, and at most `tolerance` s between their times.
+[[nodiscard]] bool same_impact(const Event& first, const Event& second, double tolerance);
+
+/// Compares the impacts ball by ball in their order, by same_impact. An impact that one run lacks counts only
+/// if it happened more than `tolerance` before `end`. Impacts between balls belong to the lower number.
+/// Events of other kinds are passed over.
 [[nodiscard]] ImpactMatch match_impacts(std::span<const Event> first, std::span<const Event> second,
                                         double tolerance, double end);
 
@@ -38,6 +40,7 @@ struct ImpactMatch {
 struct Spread {
     double radii = 0;  ///< in radii of that ball
     BallNumber ball = 0;
+    std::size_t common = 0;  ///< balls that both have
     bool same_balls = true;  ///< false when one run has a ball that the other has not
 };
 /// Both by rising number.

@@ -64,8 +64,10 @@ class CommandLine : public ::testing::Test {
 
     [[nodiscard]] std::string file(const std::string& name) const { return (folder / name).string(); }
 
+    std::string environment = "env -u DISPLAY";
+
     [[nodiscard]] Result flipside(const std::string& arguments) const {
-        const std::string command = "env -u DISPLAY " FLIPSIDE_EXECUTABLE " " + arguments + " > " +
+        const std::string command = environment + " " FLIPSIDE_EXECUTABLE " " + arguments + " > " +
                                     file("out") + " 2> " + file("err") + " < /dev/null";
         const int status = std::system(command.c_str());
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(file("out")), text_of(file("err"))};
@@ -111,7 +113,10 @@ TEST_F(CommandLine, BadUsageIsExitTwoAndOneLine) {
 
 TEST_F(CommandLine, WhatCannotBeDoneIsExitOne) {
     expect_refused("run drop --engine custom --out " + file("none/x.csv"), 1, "cannot be written");
-    expect_refused("", 1, "display");
+    expect_refused("", 1, "DISPLAY is not set");
+    environment = "env DISPLAY=:32109";  // where nobody listens
+    expect_refused("", 1, "no X server answers");
+    expect_refused("render drop --engine custom --out " + file("x.png"), 1, "no X server answers");
 }
 
 TEST_F(CommandLine, HelpIsNoError) {

@@ -22,8 +22,8 @@ std::vector<Rect> all_of(const Layout& layout) {
 TEST(Layout, NothingOverlapsAndAllIsInsideTheWindow) {
     const double sizes[][2] = {{1024, 640}, {1280, 800}, {1920, 1080}, {3840, 2160}};
     for (const auto& size : sizes)
-        for (const int panes : {1, 2})
-            for (const int headers : {panes, 2})
+        for (const int panes : {1, 2, 3})
+            for (const int headers : {panes, 3})
                 for (const Column column : {Column::none, Column::folded, Column::open}) {
                     const auto all = all_of(lay_out(size[0], size[1], 1, panes, headers, column));
                     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -38,12 +38,16 @@ TEST(Layout, NothingOverlapsAndAllIsInsideTheWindow) {
 }
 
 TEST(Layout, PanesAreEqualAndOnWholePixels) {
-    const Layout layout = lay_out(1281, 797, 1, 2, 2, Column::open);
-    ASSERT_EQ(layout.panes.size(), 2U);
-    EXPECT_EQ(layout.panes[0].width, layout.panes[1].width);
-    EXPECT_EQ(layout.panes[0].height, layout.panes[1].height);
-    for (const Rect& pane : layout.panes)
-        for (const double side : {pane.x, pane.y, pane.width, pane.height}) EXPECT_EQ(side, std::floor(side));
+    for (const int panes : {2, 3}) {
+        const Layout layout = lay_out(1281, 797, 1, panes, panes, Column::open);
+        ASSERT_EQ(layout.panes.size(), static_cast<std::size_t>(panes));
+        for (const Rect& pane : layout.panes) {
+            EXPECT_EQ(pane.width, layout.panes[0].width);
+            EXPECT_EQ(pane.height, layout.panes[0].height);
+            for (const double side : {pane.x, pane.y, pane.width, pane.height})
+                EXPECT_EQ(side, std::floor(side));
+        }
+    }
 }
 
 TEST(Layout, ThePanesAreTheLargestThing) {

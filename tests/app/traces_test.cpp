@@ -39,10 +39,6 @@ TEST(Traces, HitsAreForgottenAfterHalfASecond) {
     EXPECT_EQ(traces.hits().size(), 1U);
     traces.observe({}, {}, 1.6);
     EXPECT_TRUE(traces.hits().empty());
-    // What a ball hit last is remembered, to say where two runs parted.
-    ASSERT_NE(traces.last_hit(7), nullptr);
-    EXPECT_EQ(*traces.last_hit(7), Other::part(0));
-    EXPECT_EQ(traces.last_hit(8), nullptr);
 }
 
 TEST(Traces, ATrackIsOneSecondLongAndGoesWithItsBall) {

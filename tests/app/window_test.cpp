@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include <SFML/Graphics/Image.hpp>
@@ -50,7 +51,7 @@ class Window : public testing::Test {
     }
     void click(const std::string& control) {
         const Json state = scroll_to(control);
-        ASSERT_TRUE(state["controls"].contains(control)) << control << " is not to be seen";
+        if (!state["controls"].contains(control)) throw std::runtime_error(control + " is not to be seen");
         window->click(state["controls"][control]);
     }
     /// Turns the wheel over the panel, down to its end and up again, until a control is to be seen.

@@ -22,6 +22,17 @@ TEST(Words, EngineeringKeepsThreeFiguresAndTheUnit) {
     EXPECT_EQ(engineering(3e-11, "m"), "30.0 pm");
 }
 
+TEST(Words, RadiiSpanAllPowersOfTen) {
+    EXPECT_EQ(in_radii(0), "0 r");
+    EXPECT_EQ(in_radii(123.4), "123 r");
+    EXPECT_EQ(in_radii(12.06), "12.1 r");
+    EXPECT_EQ(in_radii(0.996), "1.0 r");
+    EXPECT_EQ(in_radii(0.31), "0.31 r");
+    EXPECT_EQ(in_radii(2.14e-9), "2.1·10⁻⁹ r");
+    EXPECT_EQ(in_radii(9.96e-13), "1.0·10⁻¹² r");
+    EXPECT_EQ(power_of_ten(3), "10³");
+}
+
 TEST(Words, BallsAreCountedAsPeopleCount) {
     EXPECT_EQ(balls_in_words(0, 0), "no balls");
     EXPECT_EQ(balls_in_words(1, 0), "1 ball");

@@ -62,8 +62,10 @@ TEST(Spread, IsTheGreatestDistanceInRadiiOfBallsThatBothHave) {
     EXPECT_EQ(spread(first, second).radii, 4);
     EXPECT_EQ(spread(first, second).ball, 2U);
     EXPECT_TRUE(spread(first, second).same_balls);
+    EXPECT_EQ(spread(first, second).common, 3U);
     second.pop_back();
     EXPECT_EQ(spread(first, second).radii, 3);
+    EXPECT_EQ(spread(first, second).common, 2U);
     EXPECT_FALSE(spread(first, second).same_balls);
     EXPECT_FALSE(spread(second, first).same_balls);
     second[1].number = 2;  // balls 0 and 2 left

@@ -1,12 +1,11 @@
-#include <cstdlib>
 #include <map>
 
 #include "app/cli/commands.hpp"
+#include "app/cli/display.hpp"
 #include "app/cli/run_options.hpp"
 #include "app/play.hpp"
 #include "app/render.hpp"
 #include "lab/assets.hpp"
-#include "lab/failure.hpp"
 
 namespace flipside::app {
 
@@ -26,14 +25,6 @@ void add_view(CLI::App& command, View& view, const std::string& which) {
 void add_size(CLI::App& command, unsigned& width, unsigned& height) {
     command.add_option("--width", width, "px (default 1280)")->check(number_from(200, 8192))->type_name("W");
     command.add_option("--height", height, "px (default 800)")->check(number_from(200, 8192))->type_name("H");
-}
-
-/// SFML ends the program where it finds no X server.
-void require_display() {
-    const char* display = std::getenv("DISPLAY");
-    if (display == nullptr || *display == '\0')
-        throw lab::Failure(
-            "no display (DISPLAY is not set); run and compare need none, and xvfb-run gives one");
 }
 
 struct RenderArguments {

@@ -178,8 +178,6 @@ void App::advance(double seconds) {
     if (held(Action::launch)) state_.charge = std::min(1.0, state_.charge + simulated / charge_seconds);
     const sf::Clock stepping;
     for (int steps = accumulator_.advance(simulated); steps > 0; --steps) stage_.step();
-    for (const Run& run : stage_.runs())
-        if (!run.refusal().empty()) controls_.notice = run.refusal();
     measured_.physics += stepping.getElapsedTime().asSeconds();
 }
 

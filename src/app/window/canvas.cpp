@@ -110,14 +110,13 @@ void Canvas::disc(Vec2 center, double radius, sf::Color color) {
     fill(points_, color);
 }
 
-void Canvas::steel(Vec2 center, double radius, sf::Color tint) {
-    const auto shade = [tint](sf::Uint8 grey) {
+void Canvas::steel(Vec2 center, double radius, sf::Color tint, double alpha) {
+    const auto shade = [tint, alpha](sf::Uint8 grey) {
         const sf::Color steel(grey, static_cast<sf::Uint8>(grey + 3), static_cast<sf::Uint8>(grey + 8));
-        return blend(
-            steel,
-            {static_cast<sf::Uint8>(tint.r * grey / 255), static_cast<sf::Uint8>(tint.g * grey / 255),
-             static_cast<sf::Uint8>(tint.b * grey / 255)},
-            tint.a / 255.0);
+        const sf::Color tinted(static_cast<sf::Uint8>(tint.r * grey / 255),
+                               static_cast<sf::Uint8>(tint.g * grey / 255),
+                               static_cast<sf::Uint8>(tint.b * grey / 255));
+        return with_alpha(blend(steel, tinted, tint.a / 255.0), alpha);
     };
     const sf::Color dark = shade(70), middle = shade(150), bright = shade(245);
     disc(center, radius, dark);

@@ -30,7 +30,7 @@ class Canvas {
     void ring(Vec2 center, double radius, double width, sf::Color color);
     void disc(Vec2 center, double radius, sf::Color color);
     /// A disc shaded as a steel ball, lit from the upper left, under a tint.
-    void steel(Vec2 center, double radius, sf::Color tint);
+    void steel(Vec2 center, double radius, sf::Color tint, double alpha = 1);
     /// Convex, either sense.
     void fill(std::span<const Vec2> polygon, sf::Color color);
     void rectangle(Vec2 min, Vec2 max, sf::Color color);

@@ -64,10 +64,11 @@ void draw_header(Canvas& canvas, const Rect& place, const Run& run, long score) 
     const std::string solver(session.world().statistics().solver);
     if (after + canvas.lettering().width(solver, Type::small) < place.x + place.width - taken)
         canvas.text({after, place.y + canvas.scaled(13)}, solver, Type::small, colour::quiet);
-    const std::string below =
-        run.refusal().empty() ? facts(canvas, run, place.width - 2 * margin) : run.refusal();
-    canvas.text({left, place.y + canvas.scaled(37)}, below, Type::small,
-                run.refusal().empty() ? colour::text : colour::warning);
+    const double y = place.y + canvas.scaled(37);
+    if (const auto& halt = run.halt())
+        canvas.text({left, y}, "stopped at " + with_unit(halt->time, 2, "s"), Type::small, colour::warning);
+    else
+        canvas.text({left, y}, facts(canvas, run, place.width - 2 * margin), Type::small, colour::text);
 }
 
 }  // namespace flipside::app

@@ -23,8 +23,8 @@ struct Layout {
 
 enum class Column { none, folded, open };
 
-/// `panes` is 1 or 2, `headers` per pane 1, or 2 over a single pane (overlay). `scale` is 1 on an ordinary
-/// display. All corners are whole pixels.
+/// One header per pane, or several over a single pane (overlay). `scale` is 1 on an ordinary display. All
+/// corners are whole pixels.
 [[nodiscard]] Layout lay_out(double width, double height, double scale, int panes, int headers,
                              Column column);
 

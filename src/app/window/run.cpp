@@ -31,12 +31,12 @@ Run::Run(lab::Session session, const Script& script)
 }
 
 void Run::step(double dt, const Script& script) {
-    if (!refusal_.empty()) return;
+    if (halt_) return;
     const double spent = session_.totals().step_seconds;
     try {
         session_.step(dt, script, next_control_);
     } catch (const Refusal& refusal) {
-        refusal_ = refusal.what();
+        halt_ = Halt{session_.world().time(), refusal.what()};
         return;
     }
     const double cost = session_.totals().step_seconds - spent;
@@ -50,13 +50,13 @@ void Run::measure_energy(bool start_anew) {
     energy_ = lab::energy(world, session_.scene());
     if (start_anew || world.balls().size() != balls_) energy_before_ = energy_;
     balls_ = world.balls().size();
-    remember(history_, {world.time(), energy_}, history_seconds);
+    remember(history_, {world.time(), energy_});
 }
 
 void Run::change(std::shared_ptr<const Scene> scene, const Engine& engine, Settings settings) {
     session_.change(std::move(scene), engine, std::move(settings));
+    halt_.reset();
     step_cost_ = 0;
-    refusal_.clear();
     measure_energy(true);
 }
 
@@ -65,7 +65,7 @@ void Run::clear() {
     state.balls.clear();
     state.launches.clear();
     session_.restore(state);
-    refusal_.clear();
+    halt_.reset();
     measure_energy(true);
 }
 
@@ -81,12 +81,6 @@ void Run::refresh(double seconds) {
     rates_.step_seconds = (now.step_seconds - counted_.step_seconds) / steps;
     rates_.overlaps = count_overlaps(session_.world().balls());
     counted_ = now;
-}
-
-void remember(std::deque<Sample>& history, Sample sample, double seconds) {
-    if (!history.empty() && history.back().time >= sample.time) history.pop_back();
-    history.push_back(sample);
-    while (history.front().time < sample.time - seconds) history.pop_front();
 }
 
 }  // namespace flipside::app

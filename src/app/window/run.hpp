@@ -1,9 +1,10 @@
 #pragma once
 /// One engine's run of the scene in the window: the session and what the window remembers of it.
 
-#include <deque>
+#include <optional>
 #include <string>
 
+#include "app/window/history.hpp"
 #include "app/window/traces.hpp"
 #include "lab/session.hpp"
 
@@ -17,8 +18,10 @@ struct Rates {
     std::size_t overlaps = 0;  ///< balls at another ball's exact position
 };
 
-struct Sample {
-    double time = 0, value = 0;
+/// An engine that cannot go on stays where it is, and says why.
+struct Halt {
+    double time = 0;  ///< s
+    std::string reason;
 };
 
 class Run {
@@ -26,8 +29,10 @@ class Run {
     /// The script is taken up at the session's time.
     Run(lab::Session session, const Script& script);
 
-    /// A run whose engine has refused to go on stays where it is until change().
+    /// Does nothing once the run has halted.
     void step(double dt, const Script& script);
+    /// What the player does, as far as the rules permit it; false if they do not.
+    bool press(const Control& control) { return !halt_ && session_.press(control); }
     /// Continues on another engine, with other settings or on a changed scene, from the state as it is.
     void change(std::shared_ptr<const Scene> scene, const Engine& engine, Settings settings);
     /// Takes every ball off the table, and those that wait to be launched.
@@ -35,21 +40,17 @@ class Run {
     /// Once per wall second: `seconds` since the last call.
     void refresh(double seconds);
 
-    [[nodiscard]] lab::Session& session() { return session_; }
     [[nodiscard]] const lab::Session& session() const { return session_; }
     [[nodiscard]] const Traces& traces() const { return traces_; }
     [[nodiscard]] const Rates& rates() const { return rates_; }
-    /// Why the engine refused to go on; empty while it does.
-    [[nodiscard]] const std::string& refusal() const { return refusal_; }
     [[nodiscard]] double energy() const { return energy_; }  ///< J
     /// Energy gained since balls last came or went, J.
     [[nodiscard]] double energy_drift() const { return energy_ - energy_before_; }
-    /// Energy over time, the last `history_seconds` of it.
+    /// Energy over time.
     [[nodiscard]] const std::deque<Sample>& energy_history() const { return history_; }
     /// CPU time per step, smoothed, s.
     [[nodiscard]] double step_cost() const { return step_cost_; }
-
-    static constexpr double history_seconds = 12;
+    [[nodiscard]] const std::optional<Halt>& halt() const { return halt_; }
 
   private:
     void measure_energy(bool start_anew);
@@ -62,11 +63,8 @@ class Run {
     double energy_ = 0, energy_before_ = 0;
     std::size_t balls_ = 0;
     double step_cost_ = 0;
-    std::string refusal_;
     std::deque<Sample> history_;
+    std::optional<Halt> halt_;
 };
-
-/// Appends a sample and drops those older than `seconds`.
-void remember(std::deque<Sample>& history, Sample sample, double seconds);
 
 }  // namespace flipside::app

@@ -37,8 +37,8 @@ const Box& sight_of(const Scene& scene) {
 }
 
 Layout layout_of(const Stage& stage, double width, double height, double scale, Column column) {
-    const int panes = stage.view() == View::split ? 2 : 1;
-    return lay_out(width, height, scale, panes, static_cast<int>(stage.runs().size()), column);
+    const int runs = static_cast<int>(stage.runs().size());
+    return lay_out(width, height, scale, stage.view() == View::split ? runs : 1, runs, column);
 }
 
 void Screen::draw(sf::RenderTarget& target, const Stage& stage, const Layout& layout, const Camera& camera,
@@ -46,8 +46,8 @@ void Screen::draw(sf::RenderTarget& target, const Stage& stage, const Layout& la
     target.clear(colour::around);
     const std::span<const Run> runs = stage.runs();
     for (std::size_t i = 0; i < layout.panes.size(); ++i)
-        draw_pane(target, stage, layout.panes[i], layout.panes.size() == 1 ? runs : runs.subspan(i, 1),
-                  camera, look);
+        draw_pane(target, layout.panes[i], layout.panes.size() == 1 ? runs : runs.subspan(i, 1), camera,
+                  look);
     const sf::Vector2f all(target.getSize());
     target.setView(sf::View({0, 0, all.x, all.y}));
     for (std::size_t i = 0; i < layout.headers.size(); ++i)
@@ -56,13 +56,13 @@ void Screen::draw(sf::RenderTarget& target, const Stage& stage, const Layout& la
     canvas_.flush(target);
 }
 
-void Screen::draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect& place,
-                       std::span<const Run> runs, const Camera& camera, const Look& look) {
+void Screen::draw_pane(sf::RenderTarget& target, const Rect& place, std::span<const Run> runs,
+                       const Camera& camera, const Look& look) {
     target.setView(view_of(target, place));
     draw_table(canvas_, camera, runs.front(), look);
     for (const Run& run : runs) draw_overlays(canvas_, camera, run, look);
     for (const Run& run : runs) draw_balls(canvas_, camera, run, look);
-    if (stage.view() == View::overlay && runs.size() == 2) draw_links(canvas_, camera, runs[0], runs[1]);
+    for (const Run& run : runs.subspan(1)) draw_links(canvas_, camera, runs.front(), run);
     for (const Run& run : runs) draw_marks(canvas_, camera, run, look);
     if (look.charge == 0)
         canvas_.text({0.5 * place.width, 0.57 * place.height}, advice(runs.front().session()), Type::large,

@@ -27,7 +27,7 @@ class Screen {
     [[nodiscard]] double scale() const { return lettering_.scale(); }
 
   private:
-    void draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect& place, std::span<const Run> runs,
+    void draw_pane(sf::RenderTarget& target, const Rect& place, std::span<const Run> runs,
                    const Camera& camera, const Look& look);
 
     Lettering lettering_;

@@ -9,9 +9,19 @@
 
 namespace flipside::app {
 
+namespace {
+
+constexpr std::string_view reference_name = "reference";
+
+}  // namespace
+
+bool is_reference(const Run& run) {
+    return run.session().engine().name == reference_name;
+}
+
 Stage::Stage(const std::string& scene, const std::string& engine, View view,
              const std::vector<std::string>& settings, const std::optional<std::filesystem::path>& script)
-    : engine_(&lab::engine_named(engine)), view_(view) {
+    : engine_(&lab::engine_named(engine)), view_(view), reference_(engine == reference_name) {
     changes_ = lab::parse_changes(settings, lab::engines());
     load(scene);
     if (script) script_ = load_script(*script, *scene_);
@@ -39,19 +49,21 @@ void Stage::restart() {
 
 void Stage::start() {
     runs_.clear();
-    runs_.emplace_back(lab::Session(scene_, *engine_, settings_of(*engine_)), script_);
-    if (view_ != View::single) {
-        const Engine& partner = partner_of(*engine_);
-        runs_.emplace_back(lab::Session(scene_, partner, settings_of(partner)), script_);
+    for (const Engine* engine : line_up(*engine_)) {
+        runs_.emplace_back(lab::Session(scene_, *engine, settings_of(*engine)), script_);
+        if (view_ == View::single) break;
     }
-    distance_.clear();
-    parting_.reset();
+    divergences_.clear();
+    pair_up();
 }
 
-const Engine& Stage::partner_of(const Engine& engine) {
-    const auto engines = lab::engines();
-    const auto at = std::ranges::find(engines, &engine);
-    return at + 1 == engines.end() ? *engines.front() : **(at + 1);
+std::vector<const Engine*> Stage::line_up(const Engine& first) const {
+    std::vector<const Engine*> engines;
+    std::ranges::copy_if(lab::engines(), std::back_inserter(engines), [this](const Engine* engine) {
+        return reference_ || engine->name != reference_name;
+    });
+    std::ranges::rotate(engines, std::ranges::find(engines, &first));
+    return engines;
 }
 
 const Settings& Stage::settings_of(const Engine& engine) {
@@ -61,27 +73,106 @@ const Settings& Stage::settings_of(const Engine& engine) {
 }
 
 void Stage::set_view(View view) {
-    if (view == view_) return;
     view_ = view;
-    if (view == View::single) {
-        runs_.pop_back();
-    } else if (runs_.size() == 1) {
-        // The newcomer takes over what is on the table, score and all.
-        const Engine& partner = partner_of(*engine_);
-        lab::Session fork = runs_.front().session().fork();
-        fork.change(scene_, partner, settings_of(partner));
-        runs_.emplace_back(std::move(fork), script_);
+    arrange();
+}
+
+void Stage::arrange() {
+    std::vector<const Engine*> engines = line_up(*engine_);
+    if (view_ == View::single) engines.resize(1);
+    for (const Engine* engine : engines)
+        if (!run_on(*engine)) runs_.push_back(taken_up(lead(), *engine, settings_of(*engine)));
+    const auto place = [&](const Run& run) { return std::ranges::find(engines, &run.session().engine()); };
+    std::erase_if(runs_, [&](const Run& run) { return place(run) == engines.end(); });
+    std::ranges::sort(runs_, {}, place);
+    pair_up();
+}
+
+Run* Stage::run_on(const Engine& engine) {
+    const auto at =
+        std::ranges::find_if(runs_, [&](const Run& run) { return &run.session().engine() == &engine; });
+    return at == runs_.end() ? nullptr : &*at;
+}
+
+const Run& Stage::lead() const {
+    const auto at = std::ranges::find_if(runs_, [](const Run& run) { return !run.halt(); });
+    return at == runs_.end() ? runs_.front() : *at;
+}
+
+Run Stage::taken_up(const Run& from, const Engine& engine, const Settings& settings) const {
+    lab::Session fork = from.session().fork();
+    fork.change(scene_, engine, settings);
+    return {std::move(fork), script_};
+}
+
+void Stage::change(Run& run, const Engine& engine, const Settings& settings) {
+    if (run.halt() && !lead().halt()) {
+        run = taken_up(lead(), engine, settings);
+        compare_anew(engine);
+    } else {
+        run.change(scene_, engine, settings);
     }
-    distance_.clear();
-    parting_.reset();
 }
 
 void Stage::switch_engine() {
     for (Run& run : runs_) {
-        const Engine& next = partner_of(run.session().engine());
-        run.change(scene_, next, settings_of(next));
+        const std::vector<const Engine*> engines = line_up(run.session().engine());
+        const Engine& next = *engines[1 % engines.size()];
+        change(run, next, settings_of(next));
     }
     engine_ = &runs_.front().session().engine();
+    divergences_.clear();
+    pair_up();
+}
+
+void Stage::show_reference(bool on) {
+    if (on == reference_) return;
+    const Engine& exact = lab::engine_named(reference_name);
+    if (!on && engine_ == &exact) engine_ = line_up(exact).at(1);
+    reference_ = on;
+    if (view_ == View::single) {
+        if (on) engine_ = &exact;
+        change(runs_.front(), *engine_, settings_of(*engine_));
+    }
+    arrange();
+}
+
+const Run* Stage::guide() const {
+    const auto at =
+        std::ranges::find_if(runs_, [](const Run& run) { return !run.halt() && !is_reference(run); });
+    return at == runs_.end() ? nullptr : &*at;
+}
+
+void Stage::take_up() {
+    const Run* from = guide();
+    for (Run& run : runs_) {
+        if (!from || !(run.halt() || is_reference(run))) continue;
+        const Engine& engine = run.session().engine();
+        run = taken_up(*from, engine, settings_of(engine));
+        compare_anew(engine);
+    }
+}
+
+void Stage::compare_anew(const Engine& engine) {
+    std::erase_if(divergences_, [&](const Divergence& divergence) {
+        return &divergence.first() == &engine || &divergence.second() == &engine;
+    });
+    pair_up();
+}
+
+void Stage::pair_up() {
+    std::erase_if(divergences_, [this](const Divergence& divergence) {
+        return !run_on(divergence.first()) || !run_on(divergence.second());
+    });
+    for (std::size_t i = 0; i < runs_.size(); ++i)
+        for (std::size_t j = i + 1; j < runs_.size(); ++j) {
+            const Engine &a = runs_[i].session().engine(), &b = runs_[j].session().engine();
+            const bool there = std::ranges::any_of(divergences_, [&](const Divergence& divergence) {
+                return (&divergence.first() == &a && &divergence.second() == &b) ||
+                       (&divergence.first() == &b && &divergence.second() == &a);
+            });
+            if (!there) divergences_.emplace_back(a, b);
+        }
 }
 
 void Stage::run_until(double end, double dt) {
@@ -94,36 +185,24 @@ void Stage::run_until(double end, double dt) {
 
 void Stage::step(double dt) {
     for (Run& run : runs_) run.step(dt, script_);
-    if (runs_.size() == 2) compare();
-}
-
-void Stage::compare() {
-    const World& a = runs_[0].session().world();
-    const World& b = runs_[1].session().world();
-    double most = -1;
-    for (const Ball& ball : a.balls()) {
-        const auto other = std::ranges::lower_bound(b.balls(), ball.number, {}, &Ball::number);
-        if (other == b.balls().end() || other->number != ball.number) continue;
-        const double distance = length(other->position - ball.position);
-        most = std::max(most, distance);
-        if (parting_ || distance <= ball.radius) continue;
-        const Other* hit = runs_[0].traces().last_hit(ball.number);
-        std::string on;
-        if (hit) on = hit->is_ball ? "ball " + std::to_string(hit->index) : scene_->parts[hit->index].name;
-        parting_ = Parting{a.time(), ball.number, on};
-    }
-    if (most >= 0) remember(distance_, {a.time(), most}, Run::history_seconds);
+    for (Divergence& divergence : divergences_)
+        divergence.observe(*run_on(divergence.first()), *run_on(divergence.second()), dt);
 }
 
 bool Stage::press(const Control& control) {
     bool any = false;
-    for (Run& run : runs_) any |= run.session().press(control);
+    for (Run& run : runs_) any |= run.press(control);
     return any;
 }
 
 void Stage::clear() {
-    for (Run& run : runs_) run.clear();
-    parting_.reset();
+    const bool all_halted = lead().halt().has_value();
+    for (Run& run : runs_)
+        if (!run.halt() || all_halted) run.clear();
+    for (Run& run : runs_)
+        if (run.halt()) change(run, run.session().engine(), run.session().settings());
+    divergences_.clear();
+    pair_up();
 }
 
 void Stage::set_gravity(bool on) {
@@ -132,7 +211,7 @@ void Stage::set_gravity(bool on) {
     Scene changed = *original_;
     if (!on) changed.gravity = {};
     scene_ = std::make_shared<const Scene>(std::move(changed));
-    for (Run& run : runs_) run.change(scene_, run.session().engine(), run.session().settings());
+    for (Run& run : runs_) change(run, run.session().engine(), run.session().settings());
 }
 
 void Stage::change_setting(std::size_t run, std::string_view name, double value) {
@@ -141,7 +220,7 @@ void Stage::change_setting(std::size_t run, std::string_view name, double value)
         if (owner == &engine) {
             Settings changed = settings;
             changed.set(name, value);
-            runs_[run].change(scene_, engine, changed);
+            change(runs_[run], engine, changed);
             settings = std::move(changed);
         }
 }

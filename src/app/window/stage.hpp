@@ -1,23 +1,16 @@
 #pragma once
-/// What is on show: a scene, one or two runs of it under the same script and controls and the same step,
-/// and how far these are apart. Knows no screen.
+/// What is on show: a scene, one or more runs of it under the same script and controls and the same step,
+/// each on another engine, and how far these are apart. Knows no screen.
 
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/play.hpp"
-#include "app/window/run.hpp"
+#include "app/window/divergence.hpp"
 #include "lab/engines.hpp"
 
 namespace flipside::app {
-
-/// The first time the two runs had a ball more than a radius apart.
-struct Parting {
-    double time = 0;  ///< s
-    BallNumber ball = 0;
-    std::string on;  ///< what that ball had hit last; empty if nothing
-};
 
 class Stage {
   public:
@@ -29,8 +22,15 @@ class Stage {
     void open(const std::string& scene);
     void restart();
     void set_view(View view);
-    /// The next engine takes over the running balls; with two runs, they exchange engines.
+    /// Every run goes on with the next engine.
     void switch_engine();
+    /// Whether the exact engine takes part. In the single view it takes over the running balls, or hands them
+    /// on; in the others its run joins, from the state of the first, or leaves.
+    void show_reference(bool on);
+    /// The reference, and any run that has halted, goes on from the state of the guide.
+    void take_up();
+    /// Where take_up goes on from: the first run that has not halted and is not the reference, if any.
+    [[nodiscard]] const Run* guide() const;
     void step() { step(dt_); }
     /// In steps of dt and one shorter one, so that it ends there exactly.
     void run_until(double end, double dt);
@@ -48,21 +48,33 @@ class Stage {
     [[nodiscard]] const Scene& scene() const { return *scene_; }
     [[nodiscard]] const std::string& scene_name() const { return name_; }
     [[nodiscard]] double dt() const { return dt_; }
-    [[nodiscard]] double time() const { return runs_.front().session().world().time(); }
+    [[nodiscard]] double time() const { return lead().session().world().time(); }
+    /// The first run that has not halted, or the first of all.
+    [[nodiscard]] const Run& lead() const;
+    [[nodiscard]] bool reference() const { return reference_; }
     [[nodiscard]] bool gravity() const { return gravity_; }
     [[nodiscard]] bool has_gravity() const { return !(original_->gravity == Vec2{}); }
-    [[nodiscard]] const std::optional<Parting>& parting() const { return parting_; }
-    /// Largest distance between the same ball in both runs over time, m; nothing while they share none.
-    [[nodiscard]] const std::deque<Sample>& distance_history() const { return distance_; }
+    /// Of every two runs, since they last began in one state.
+    [[nodiscard]] const std::vector<Divergence>& divergences() const { return divergences_; }
 
   private:
     void load(const std::string& scene);
     void start();
-    /// The engine to compare `engine` with: the next in the list.
-    [[nodiscard]] static const Engine& partner_of(const Engine& engine);
+    /// The engines that take part, in the order of the list, round from `first`.
+    [[nodiscard]] std::vector<const Engine*> line_up(const Engine& first) const;
+    /// Brings in the runs that the view and the reference's switch ask for, and takes out the others.
+    void arrange();
+    [[nodiscard]] Run* run_on(const Engine& engine);
+    /// A run that goes on from the state of another, score and all.
+    [[nodiscard]] Run taken_up(const Run& from, const Engine& engine, const Settings& settings) const;
+    /// The run goes on so; from the state of the lead if it has halted.
+    void change(Run& run, const Engine& engine, const Settings& settings);
+    /// Forgets how runs on this engine came apart from others.
+    void compare_anew(const Engine& engine);
+    /// Every two of the runs on show are compared, and no others.
+    void pair_up();
     [[nodiscard]] const Settings& settings_of(const Engine& engine);
     void step(double dt);
-    void compare();
 
     std::string name_;
     std::shared_ptr<const Scene> original_;  ///< as in the file
@@ -75,8 +87,10 @@ class Stage {
     std::vector<Run> runs_;
     double dt_ = 1.0 / 60;
     bool gravity_ = true;
-    std::deque<Sample> distance_;
-    std::optional<Parting> parting_;
+    bool reference_ = false;
+    std::vector<Divergence> divergences_;
 };
+
+[[nodiscard]] bool is_reference(const Run& run);
 
 }  // namespace flipside::app

@@ -16,7 +16,7 @@ struct Axes {
     double bottom = 0, top = 1;  ///< of the values
 
     [[nodiscard]] Vec2 at(double time, double value) const {
-        const double x = 1 - (now - time) / Run::history_seconds;
+        const double x = 1 - (now - time) / history_seconds;
         const double y = (value - bottom) / (top - bottom);
         return {place.x + x * place.width, place.y + (1 - std::clamp(y, 0.0, 1.0)) * place.height};
     }
@@ -33,15 +33,29 @@ void curve(Canvas& canvas, const Axes& axes, const std::deque<Sample>& samples, 
     canvas.stroke(points, false, canvas.scaled(1.6), color);
 }
 
-/// Title and current value above, the box of the curves below it.
-Rect frame(Canvas& canvas, const Rect& place, const std::string& title, const std::string& value) {
-    const double margin = canvas.scaled(12), top = canvas.scaled(26);
+/// A value of now, in the colour of its curve.
+struct Figure {
+    std::string words;
+    sf::Color color;
+};
+
+/// Title and values of now above, flush right; the box of the curves below. Values for which there is no room
+/// are left out, the first ones first.
+Rect frame(Canvas& canvas, const Rect& place, const std::string& title, const std::vector<Figure>& figures) {
+    const double margin = canvas.scaled(12), top = canvas.scaled(26), y = place.y + canvas.scaled(5);
+    const auto width_of = [&](const std::string& words) {
+        return canvas.lettering().width(words, Type::small);
+    };
     canvas.rectangle({place.x, place.y}, {place.x + place.width, place.y + place.height}, colour::raised);
-    canvas.text({place.x + margin, place.y + canvas.scaled(5)}, title, Type::small, colour::quiet);
-    const double room = place.width - 2 * margin - canvas.lettering().width(title, Type::small) - margin;
-    if (canvas.lettering().width(value, Type::small) < room)
-        canvas.text({place.x + place.width - margin, place.y + canvas.scaled(5)}, value, Type::small,
-                    colour::text, Align::right);
+    canvas.text({place.x + margin, y}, title, Type::small, colour::quiet);
+    const double left = place.x + margin + width_of(title) + margin;
+    double right = place.x + place.width - margin;
+    for (std::size_t i = figures.size(); i-- > 0;) {
+        if (right - width_of(figures[i].words) < left) break;
+        canvas.text({right, y}, figures[i].words, Type::small, figures[i].color, Align::right);
+        // Wide enough that changing digits do not move the next one.
+        right -= std::max(canvas.scaled(62), width_of(figures[i].words)) + canvas.scaled(10);
+    }
     return {place.x + margin, place.y + top, place.width - 2 * margin, place.height - top - canvas.scaled(8)};
 }
 
@@ -52,6 +66,10 @@ void level(Canvas& canvas, const Axes& axes, double value, const std::string& wo
     canvas.text({axes.place.x, y - 0.55 * canvas.lettering().line_height(Type::small)}, words, Type::small,
                 colour::quiet);
     canvas.line({axes.place.x + width, y}, {axes.place.x + axes.place.width, y}, 1, colour::rule);
+}
+
+sf::Color color_of(const Run& run) {
+    return engine_colour(run.session().engine().name);
 }
 
 void draw_energy(Canvas& canvas, const Rect& place, const Stage& stage) {
@@ -65,48 +83,59 @@ void draw_energy(Canvas& canvas, const Rect& place, const Stage& stage) {
         }
     }
     const double span = std::max(high - low, 1e-9 + 0.02 * std::max(std::abs(high), std::abs(low)));
-    const Axes axes{frame(canvas, place, "Energy, last 12 s", ""), stage.time(),
+    std::vector<Figure> figures;
+    for (const Run& run : stage.runs()) figures.push_back({engineering(run.energy(), "J"), color_of(run)});
+    const Axes axes{frame(canvas, place, "Energy, 12 s", figures), stage.time(),
                     0.5 * (low + high) - 0.55 * span, 0.5 * (low + high) + 0.55 * span};
     if (low <= 0 && high >= 0) level(canvas, axes, 0, "0 J");
-    double right = place.x + place.width - canvas.scaled(12);
-    for (std::size_t i = stage.runs().size(); i-- > 0;) {
-        const Run& run = stage.runs()[i];
-        const std::string value = engineering(run.energy(), "J");
-        canvas.text({right, place.y + canvas.scaled(5)}, value, Type::small,
-                    engine_colour(run.session().engine().name), Align::right);
-        right -=
-            std::max(canvas.scaled(64), canvas.lettering().width(value, Type::small)) + canvas.scaled(10);
-    }
     for (const Run& run : stage.runs())
-        curve(canvas, axes, run.energy_history(), engine_colour(run.session().engine().name),
-              [](double v) { return v; });
+        curve(canvas, axes, run.energy_history(), color_of(run), [](double v) { return v; });
 }
 
-double decades(double metres) {
-    return std::log10(std::max(metres, 1e-12));
+/// Of distances, in powers of ten of a radius.
+constexpr double least = -13, most = 2;
+
+double decades(double radii) {
+    return std::log10(std::max(radii, 1e-30));
 }
 
-void draw_distance(Canvas& canvas, const Rect& place, const Stage& stage) {
-    const auto& history = stage.distance_history();
-    std::string value = history.empty() || history.back().time < stage.time()
-                            ? "no ball in both"
-                            : engineering(history.back().value, "m") + " now";
-    if (const auto& parting = stage.parting())
-        value = "parted at " + with_unit(parting->time, 2, "s") +
-                (parting->on.empty() ? "" : " on " + parting->on) + " · " + value;
-    const Axes axes{frame(canvas, place, "Apart", value), stage.time(), -12, 1.5};
-    level(canvas, axes, -3, "1 mm");
-    level(canvas, axes, -9, "1 nm");
-    curve(canvas, axes, history, colour::text, decades);
+Axes distance_axes(Canvas& canvas, const Rect& place, const Stage& stage, const std::string& title,
+                   const std::vector<Figure>& figures) {
+    const Axes axes{frame(canvas, place, title, figures), stage.time(), least, most};
+    for (const int exponent : {-12, -6}) level(canvas, axes, exponent, power_of_ten(exponent) + " r");
+    level(canvas, axes, 0, "1 r");
+    return axes;
+}
+
+std::string distance_now(const Divergence& divergence, const Stage& stage) {
+    const std::deque<Sample>& history = divergence.history();
+    if (history.empty() || history.back().time < stage.time()) return "no ball in both";
+    return in_radii(history.back().value);
+}
+
+/// The engines among each other.
+void draw_apart(Canvas& canvas, const Rect& place, const Stage& stage, const Divergence& divergence) {
+    std::string value = distance_now(divergence, stage);
+    if (const auto& parting = divergence.parting())
+        value = "parted at " + with_unit(parting->time, 2, "s") + " on " +
+                divergence.parted_on(stage.scene()) + " · " + value;
+    const Axes axes = distance_axes(canvas, place, stage, "Apart", {{value, colour::text}});
+    curve(canvas, axes, divergence.history(), colour::text, decades);
 }
 
 }  // namespace
 
 void draw_strip(Canvas& canvas, const Rect& place, const Stage& stage) {
-    if (stage.runs().size() == 1) return draw_energy(canvas, place, stage);
-    const double gap = canvas.scaled(6), half = std::floor(0.5 * (place.width - gap));
-    draw_distance(canvas, {place.x, place.y, half, place.height}, stage);
-    draw_energy(canvas, {place.x + half + gap, place.y, place.width - half - gap, place.height}, stage);
+    const std::vector<Divergence>& divergences = stage.divergences();
+    const double gap = canvas.scaled(6);
+    const auto plots = static_cast<double>(1 + divergences.size());
+    const double width = std::floor((place.width - (plots - 1) * gap) / plots);
+    double x = place.x;
+    for (const Divergence& divergence : divergences) {
+        draw_apart(canvas, {x, place.y, width, place.height}, stage, divergence);
+        x += width + gap;
+    }
+    draw_energy(canvas, {x, place.y, place.x + place.width - x, place.height}, stage);
 }
 
 }  // namespace flipside::app

@@ -10,7 +10,6 @@ void Traces::observe(std::span<const Event> events, std::span<const Ball> balls,
         if (!event.other.is_ball) lit_[event.other.index] = time;
         if (event.kind != EventKind::impact) continue;
         hits_.push_back({time, event.point, event.speed, event.other.is_ball});
-        last_hit_[event.ball] = event.other;
     }
     while (!hits_.empty() && (hits_.front().time < time - hit_seconds || hits_.size() > most_hits))
         hits_.pop_front();
@@ -33,11 +32,6 @@ void Traces::follow(std::span<const Ball> balls, double time) {
 
 double Traces::light(PartIndex part, double time) const {
     return std::clamp(1 - (time - lit_[part]) / light_seconds, 0.0, 1.0);
-}
-
-const Other* Traces::last_hit(BallNumber ball) const {
-    const auto found = last_hit_.find(ball);
-    return found == last_hit_.end() ? nullptr : &found->second;
 }
 
 }  // namespace flipside::app

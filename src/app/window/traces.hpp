@@ -34,8 +34,6 @@ class Traces {
     [[nodiscard]] const std::map<BallNumber, std::deque<Vec2>>& tracks() const { return tracks_; }
     /// 1 right after a hit of the part, 0 a tenth of a second later.
     [[nodiscard]] double light(PartIndex part, double time) const;
-    /// What the ball hit last, if anything.
-    [[nodiscard]] const Other* last_hit(BallNumber ball) const;
 
   private:
     void follow(std::span<const Ball> balls, double time);
@@ -46,7 +44,6 @@ class Traces {
     std::vector<double> lit_;  ///< time of the last hit by part
     std::deque<Hit> hits_;
     std::map<BallNumber, std::deque<Vec2>> tracks_;
-    std::map<BallNumber, Other> last_hit_;
     double followed_ = -1;  ///< time of the last point of the tracks
 };
 

@@ -86,6 +86,14 @@ Json json_of(const Run& run, const Rect& pane, const Camera& camera) {
             {"flippers", flippers}};
 }
 
+Json json_of(const Divergence& divergence, const Scene& scene) {
+    Json j{{"first", divergence.first().name}, {"second", divergence.second().name}};
+    j["radii"] = divergence.history().empty() ? Json() : Json(divergence.history().back().value);
+    if (const auto& parting = divergence.parting())
+        j["parted"] = {{"time", parting->time}, {"ball", parting->ball}, {"on", divergence.parted_on(scene)}};
+    return j;
+}
+
 }  // namespace
 
 WindowReport::WindowReport(const std::filesystem::path& file) : out_(file) {
@@ -108,6 +116,8 @@ void WindowReport::write(double now, const Stage& stage, const WindowState& wind
     for (std::size_t i = 0; i < stage.runs().size(); ++i)
         j["panes"].push_back(
             json_of(stage.runs()[i], layout.panes[layout.panes.size() == 1 ? 0 : i], camera));
+    for (const Divergence& divergence : stage.divergences())
+        j["divergences"].push_back(json_of(divergence, stage.scene()));
     out_ << j.dump() << std::endl;
 }
 

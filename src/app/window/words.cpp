@@ -30,6 +30,23 @@ std::string engineering(double value, const std::string& unit, bool sign) {
     return with_unit(scaled, size < 9.995 ? 2 : size < 99.95 ? 1 : 0, prefixes[prefix] + unit, sign);
 }
 
+std::string power_of_ten(int exponent) {
+    static constexpr const char* raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string words = exponent < 0 ? "10⁻" : "10";
+    for (const char digit : std::to_string(std::abs(exponent))) words += raised[digit - '0'];
+    return words;
+}
+
+std::string in_radii(double radii) {
+    if (radii == 0) return "0 r";
+    char number[64];
+    std::snprintf(number, sizeof number, "%.1e", radii);
+    const std::string scientific = number;  // as 2.1e-09
+    const int exponent = std::stoi(scientific.substr(scientific.find('e') + 1));
+    if (exponent < -2) return scientific.substr(0, 3) + "·" + power_of_ten(exponent) + " r";
+    return with_unit(radii, exponent < 0 ? 2 : exponent < 2 ? 1 : 0, "r");
+}
+
 std::string balls_in_words(std::size_t balls, std::size_t asleep) {
     if (balls == 0) return "no balls";
     std::string words = grouped(balls) + (balls == 1 ? " ball" : " balls");

@@ -12,6 +12,10 @@ namespace flipside::app {
 [[nodiscard]] std::string with_unit(double value, int digits, const std::string& unit, bool sign = false);
 /// Three figures and the unit with the prefix that suits (p … k): "12.3 µs", "1.07 kJ", "0 J".
 [[nodiscard]] std::string engineering(double value, const std::string& unit, bool sign = false);
+/// A power of ten: "10⁻⁹".
+[[nodiscard]] std::string power_of_ten(int exponent);
+/// A length in radii of its ball: "12.1 r", "0.31 r", "2.1·10⁻⁹ r", "0 r".
+[[nodiscard]] std::string in_radii(double radii);
 /// "1 ball", "11 balls, 2 asleep", "no balls".
 [[nodiscard]] std::string balls_in_words(std::size_t balls, std::size_t asleep);
 

@@ -1,0 +1,26 @@
+#include "app/cli/display.hpp"
+
+#include <cstdlib>
+#include <string>
+
+#include <X11/Xlib.h>
+
+#include "lab/failure.hpp"
+
+namespace flipside::app {
+
+void require_display() {
+    const char* name = std::getenv("DISPLAY");
+    const bool named = name != nullptr && *name != '\0';
+    if (named) {
+        if (Display* display = XOpenDisplay(name)) {
+            XCloseDisplay(display);
+            return;
+        }
+    }
+    const std::string why =
+        named ? "no X server answers at DISPLAY=" + std::string(name) : "DISPLAY is not set";
+    throw lab::Failure("no display (" + why + "); run and compare need none, and xvfb-run gives one");
+}
+
+}  // namespace flipside::app

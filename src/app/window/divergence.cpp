@@ -1,0 +1,23 @@
+#include "app/window/divergence.hpp"
+
+#include "lab/csv.hpp"
+
+namespace flipside::app {
+
+void Divergence::observe(const Run& first, const Run& second, double dt) {
+    if (first.halt() || second.halt()) return;
+    const lab::Session &a = first.session(), &b = second.session();
+    const double time = a.world().time();
+    // Engines that only know contacts per step give the step's end: one step is what impacts may differ by.
+    match_.observe(a.events(), b.events(), dt * (1 + 1e-9), time);
+    const lab::Spread spread = lab::spread(a.world().balls(), b.world().balls());
+    if (spread.common > 0) remember(history_, {time, spread.radii});
+}
+
+std::string Divergence::parted_on(const Scene& scene) const {
+    if (!parting()) return "";
+    const auto& [time, ball, index, first, second] = *parting();
+    return lab::name_of_other(first && first->time == time ? *first : *second, scene);
+}
+
+}  // namespace flipside::app
