@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
-#include <random>
 
 #include <nlohmann/json.hpp>
 
 #include "custom/broad_phase/broad_phase.hpp"
 #include "lab/cpu_clock.hpp"
+#include "lab/dice.hpp"
 #include "lab/engines.hpp"
 
 namespace flipside::lab {
@@ -41,17 +40,6 @@ BroadPhases broad_phases(Vec2 size) {
     all.push_back(custom::make_sweep({}));
     return all;
 }
-
-/// Random numbers, the same with every library.
-class Dice {
-  public:
-    explicit Dice(std::uint64_t seed) : engine_(seed) {}
-    double below(double limit) { return limit * static_cast<double>(engine_() >> 11) * 0x1p-53; }
-    Vec2 direction() { return from_angle(below(2 * std::numbers::pi)); }
-
-  private:
-    std::mt19937_64 engine_;
-};
 
 std::shared_ptr<const Scene> toy_scene(int balls) {
     auto scene = std::make_shared<Scene>();

@@ -16,6 +16,7 @@ void add_run(CLI::App& program, Action& chosen);
 void add_compare(CLI::App& program, Action& chosen);
 void add_cases(CLI::App& program, Action& chosen);
 void add_pairs(CLI::App& program, Action& chosen);
+void add_sweep(CLI::App& program, Action& chosen);
 void add_render(CLI::App& program, Action& chosen);
 void add_scenes(CLI::App& program, Action& chosen);
 void add_engines(CLI::App& program, Action& chosen);

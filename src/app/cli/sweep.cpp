@@ -1,0 +1,109 @@
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+
+#include "app/cli/commands.hpp"
+#include "app/cli/interrupt.hpp"
+#include "app/cli/progress.hpp"
+#include "app/cli/run_options.hpp"
+#include "lab/sweep/summary.hpp"
+#include "world/input_error.hpp"
+
+namespace flipside::app {
+
+namespace {
+
+namespace sweep = lab::sweep;
+
+struct Options {
+    std::vector<std::string> scenes;
+    int balls = 0;
+    bool quick = false;
+    std::string shard = "1/1";
+    std::uint64_t seed = 1;
+    std::string out;
+};
+
+sweep::Shard parse_shard(const std::string& text) {
+    sweep::Shard shard;
+    char slash = 0, rest = 0;
+    std::istringstream in(text);
+    const bool read = in >> shard.index >> slash >> shard.count && slash == '/' && !(in >> rest);
+    if (!read || text.find('-') != std::string::npos || shard.index < 1 || shard.index > shard.count ||
+        shard.count > 1'000'000)
+        throw InputError("--shard '" + text + "' is not allowed; it takes K/N, the K-th of N parts, as 2/4");
+    return shard;
+}
+
+void print(const std::map<std::string, sweep::Windows>& windows) {
+    for (const auto& [variant, counts] : windows) {
+        std::printf("%s: %zu windows from %zu trajectories", variant.c_str(), counts.windows,
+                    counts.trajectories);
+        const char* separator = "; states passed over: ";
+        for (const auto& [reason, count] : counts.skipped) {
+            std::printf("%s%s %zu", separator, reason.c_str(), count);
+            separator = ", ";
+        }
+        std::printf("\n");
+    }
+}
+
+void print(const std::vector<sweep::Figures>& all) {
+    std::printf("\n%-10s %-22s %7s %5s %9s %9s %9s %9s %6s %6s %6s %9s\n", "variant", "entrant", "1/dt, Hz",
+                "runs", "median", "95 %", "largest", "typical", "missed", "extra", "failed", "CPU ms/s");
+    for (const sweep::Figures& f : all)
+        std::printf("%-10s %-22s %7.0f %5zu %9.2e %9.2e %9.2e %9.2e %6zu %6zu %6zu %9.4g\n",
+                    f.variant.c_str(), f.entrant.c_str(), 1 / f.dt, f.windows, f.median, f.p95, f.max,
+                    f.typical_median, f.missed, f.spurious, f.failed, 1e3 * f.cpu_min);
+    std::printf(
+        "\nmedian, 95 %%, largest: error of position at the end of a window, in radii, worst ball. typical: "
+        "median\n"
+        "window, median of the balls that hit something. missed, extra: impacts. CPU: ms per simulated "
+        "second.\n");
+}
+
+int run(const Options& options) {
+    const sweep::Shard shard = parse_shard(options.shard);
+    const sweep::Plan plan{sweep::variants_of(options.scenes, options.balls), options.seed, options.quick};
+    const std::filesystem::path folder = options.out;
+    catch_interrupts();
+    {
+        Progress progress(1);
+        sweep::make_runs(plan, shard, folder, [&](double share) {
+            progress.at(share);
+            stop_if_interrupted();
+        });
+    }
+    print(sweep::count_windows({&folder, 1}));
+    if (!sweep::is_complete(plan, folder)) {
+        std::cout << "Shard " << options.shard << " is done; sweep.csv is written once all runs are there.\n";
+        return 0;
+    }
+    const std::vector<sweep::Figures> figures = sweep::summarize(sweep::gather({&folder, 1}));
+    sweep::write_summary(folder / "sweep.csv", figures);
+    print(figures);
+    return 0;
+}
+
+}  // namespace
+
+void add_sweep(CLI::App& program, Action& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App& command = *program.add_subcommand(
+        "sweep", "Work-precision data: error against the exact outcome, and cost, of every solver and step");
+    command.add_option("scenes", options->scenes, "Scenes or files (default: pinball, toy and rain)")
+        ->type_name("SCENE");
+    command.add_option("--balls", options->balls, "Number of balls fired, or of a generated field")
+        ->check(number_from(1, 1e6))
+        ->type_name("N");
+    command.add_flag("--quick", options->quick, "Fewer windows, and no step below 1/960 s");
+    command.add_option("--shard", options->shard, "Only the K-th of N parts; in any order, at the same time")
+        ->type_name("K/N");
+    command.add_option("--seed", options->seed, "Of the windows (default 1)")->type_name("S");
+    command.add_option("--out", options->out, "Folder of the data; what is finished there is not done again")
+        ->required()
+        ->type_name("DIR");
+    command.callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace flipside::app

@@ -1,0 +1,53 @@
+#include "lab/sweep/entrants.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <sstream>
+
+#include "world/input_error.hpp"
+
+namespace flipside::lab::sweep {
+
+namespace {
+
+constexpr int coarse = coarsest_steps, middle = 960, fine = finest_steps;
+
+constexpr Entrant all[] = {
+    {"custom-continuous", "custom", "solver=continuous", coarse, fine,
+     "the bespoke engine from impact to impact"},
+    {"custom-discrete", "custom", "solver=discrete", coarse, fine, "the bespoke engine's toy solver"},
+    {"custom-discrete-tuned", "custom", "solver=discrete motion_iterations=16 collision_iterations=12",
+     coarse, middle, "the same with four times the flights and twice the rounds of response"},
+    {"box2d", "box2d", "", coarse, fine, "Box2D as it comes: bullets, 8 velocity and 3 position iterations"},
+    {"box2d-no-bullets", "box2d", "bullets=off", coarse, middle, "no continuous collision between balls"},
+    {"box2d-20-10", "box2d", "velocity_iterations=20 position_iterations=10", coarse, middle,
+     "more iterations"},
+    {"box2d-substeps-4", "box2d", "substeps=4", coarse, middle, "four sub-steps a step"},
+    {"box2d-fine-arcs", "box2d", "chord_error=1e-6", coarse, middle, "twenty times smaller error of arcs"},
+    // Its slop is a length: ten times the units make it ten times smaller. Its limit of 2 units a step then
+    // is one of 11 radii, which a pinball needs 480 steps a second to keep.
+    {"box2d-tuned", "box2d",
+     "chord_error=1e-6 velocity_iterations=20 position_iterations=10 length_scale=185", 480, fine,
+     "fine arcs, more iterations, and a tenth of its slop"},
+};
+
+}  // namespace
+
+std::span<const Entrant> entrants() {
+    return all;
+}
+
+const Entrant& entrant_named(std::string_view name) {
+    const auto at = std::ranges::find(all, name, &Entrant::name);
+    if (at == std::end(all)) throw InputError("unknown entrant '" + std::string(name) + "' of a sweep");
+    return *at;
+}
+
+Settings settings_of(const Entrant& entrant, const Scene& scene) {
+    const Engine* const engine = &engine_named(entrant.engine);
+    std::istringstream words{std::string(entrant.settings)};
+    const std::vector<std::string> texts{std::istream_iterator<std::string>(words), {}};
+    return settings_for(*engine, scene, parse_changes(texts, {&engine, 1}));
+}
+
+}  // namespace flipside::lab::sweep

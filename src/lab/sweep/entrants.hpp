@@ -1,0 +1,28 @@
+#pragma once
+/// Who takes part in a sweep: engines and solvers, at their defaults and tuned. This list is data; a name
+/// stays with its meaning for ever, for it is what files of different sweeps are merged by.
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "lab/engines.hpp"
+
+namespace flipside::lab::sweep {
+
+struct Entrant {
+    std::string_view name;
+    std::string_view engine;
+    std::string_view settings;  ///< what differs from the engine's defaults: "a=1 b=2", see settings_of
+    int coarsest, finest;       ///< steps per second; every doubling from one to the other is swept
+    std::string_view about;     ///< one line
+};
+inline constexpr int coarsest_steps = 30, finest_steps = 7680;  ///< per second
+
+[[nodiscard]] std::span<const Entrant> entrants();
+/// Throws InputError for an unknown name.
+[[nodiscard]] const Entrant& entrant_named(std::string_view name);
+/// The engine's defaults, what the scene recommends, and the entrant's own settings.
+[[nodiscard]] Settings settings_of(const Entrant& entrant, const Scene& scene);
+
+}  // namespace flipside::lab::sweep

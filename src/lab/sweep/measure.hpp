@@ -1,0 +1,39 @@
+#pragma once
+/// One entrant on one window: how far from the exact outcome, and at what cost.
+
+#include "lab/sweep/windows.hpp"
+
+namespace flipside::lab::sweep {
+
+/// What an entrant made of a window.
+struct Outcome {
+    /// "", or why the run failed: "refused", "not a number", "lost ball". Its errors are infinite then.
+    std::string failure;
+    double error = 0;          ///< radii: position at the end, the worst ball whose end is known
+    double typical = 0;        ///< radii: the same, the median over the known balls that were hit
+    std::size_t impacts = 0;   ///< of the reference
+    std::size_t missed = 0;    ///< of these, without a match
+    std::size_t spurious = 0;  ///< of the entrant, without a match
+};
+
+/// Impacts match when ball and other are the same and the times differ by no more than this: a step, since
+/// some engines only know the step, and 5 ms, in which a slow ball may yet sink through a solver's slop.
+[[nodiscard]] inline double match_tolerance(double dt) {
+    return dt + 5e-3;
+}
+
+/// Impacts of each run that the other has not, matched in order of time per ball and other. One that lies
+/// within `tolerance` of `end` and has no match may have had it after the end, and is not counted.
+struct Unmatched {
+    std::size_t first = 0, second = 0;
+};
+[[nodiscard]] Unmatched count_unmatched(std::span<const Event> first, std::span<const Event> second,
+                                        double tolerance, double end);
+
+/// Runs the world, made for the window's scene, from the window's start in steps of dt, which divides its
+/// length. Engines' exceptions become failures.
+[[nodiscard]] Outcome run_window(World& world, const Window& window, double dt);
+/// CPU time of the same steps and nothing else, s.
+[[nodiscard]] double time_window(World& world, const Window& window, double dt);
+
+}  // namespace flipside::lab::sweep

@@ -1,0 +1,160 @@
+#include "lab/sweep/summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include <nlohmann/json.hpp>
+
+#include "lab/csv.hpp"
+#include "lab/whole_file.hpp"
+#include "world/input_error.hpp"
+#include "world/json_file.hpp"
+
+namespace flipside::lab::sweep {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Files of a folder by name. Folders list theirs in any order.
+std::vector<fs::path> files_in(const fs::path& folder, std::string_view extension) {
+    std::vector<fs::path> files;
+    if (!fs::is_directory(folder)) return files;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == extension) files.push_back(entry.path());
+    std::ranges::sort(files);
+    return files;
+}
+
+auto place(const Run& run) {
+    return std::tie(run.variant, run.entrant, run.dt, run.window);
+}
+
+/// Largest step first.
+bool before(const Run& a, const Run& b) {
+    return std::tuple(std::string_view(a.variant), std::string_view(a.entrant), -a.dt, a.window) <
+           std::tuple(std::string_view(b.variant), std::string_view(b.entrant), -b.dt, b.window);
+}
+
+/// The smallest value that `share` of the sorted ones do not exceed (nearest rank).
+double quantile(const std::vector<double>& sorted, double share) {
+    const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
+    return sorted[std::max<std::size_t>(rank, 1) - 1];
+}
+
+Figures figures_of(std::span<const Run> runs) {
+    Figures figures;
+    figures.variant = runs.front().variant;
+    figures.entrant = runs.front().entrant;
+    const Entrant& entrant = entrant_named(figures.entrant);
+    figures.engine = entrant.engine;
+    figures.settings = entrant.settings;
+    figures.dt = runs.front().dt;
+    figures.windows = runs.size();
+    std::vector<double> errors, typical;
+    double seconds = 0;
+    for (const Run& run : runs) {
+        const Outcome& outcome = run.outcome;
+        errors.push_back(outcome.error);
+        typical.push_back(outcome.typical);
+        if (!outcome.failure.empty()) ++figures.failed, ++figures.failures[outcome.failure];
+        figures.impacts += outcome.impacts;
+        figures.missed += outcome.missed;
+        figures.spurious += outcome.spurious;
+        if (std::isnan(run.cpu_min)) continue;
+        ++figures.timed;
+        seconds += run.seconds;
+        figures.cpu_min += run.cpu_min;
+        figures.cpu_median += run.cpu_median;
+    }
+    std::ranges::sort(errors);
+    std::ranges::sort(typical);
+    figures.median = quantile(errors, 0.5);
+    figures.p95 = quantile(errors, 0.95);
+    figures.max = errors.back();
+    figures.typical_median = quantile(typical, 0.5);
+    figures.typical_p95 = quantile(typical, 0.95);
+    figures.cpu_min = seconds > 0 ? figures.cpu_min / seconds : std::nan("");
+    figures.cpu_median = seconds > 0 ? figures.cpu_median / seconds : std::nan("");
+    return figures;
+}
+
+std::string text_of(const std::map<std::string, std::size_t>& failures) {
+    std::string text;
+    for (const auto& [name, count] : failures)
+        text += (text.empty() ? "" : "; ") + std::to_string(count) + ' ' + name;
+    return text;
+}
+
+void require_one_plan(std::span<const fs::path> folders) {
+    std::string first;
+    for (const fs::path& folder : folders) {
+        const std::string plan = read_file(folder / "plan.json");
+        if (first.empty()) first = plan;
+        if (plan != first)
+            throw InputError((folder / "plan.json").string(), "",
+                             "differs from that of " + folders.front().string() +
+                                 "; allowed are folders of one and the same sweep");
+    }
+}
+
+}  // namespace
+
+std::vector<Run> gather(std::span<const fs::path> folders) {
+    require_one_plan(folders);
+    std::vector<Run> all;
+    for (const fs::path& folder : folders) {
+        const std::vector<fs::path> files = files_in(folder / "runs", ".csv");
+        if (files.empty()) throw InputError(folder.string(), "", "holds no runs of a sweep");
+        for (const fs::path& file : files) std::ranges::move(read_runs(file), std::back_inserter(all));
+    }
+    std::ranges::stable_sort(all, before);
+    const auto repeated = std::ranges::unique(all, {}, place);
+    all.erase(repeated.begin(), repeated.end());
+    return all;
+}
+
+std::vector<Figures> summarize(std::span<const Run> runs) {
+    std::vector<Figures> all;
+    for (auto begin = runs.begin(); begin != runs.end();) {
+        const auto key = [](const Run& run) { return std::tie(run.variant, run.entrant, run.dt); };
+        const auto end =
+            std::find_if(begin, runs.end(), [&](const Run& run) { return key(run) != key(*begin); });
+        all.push_back(figures_of({begin, end}));
+        begin = end;
+    }
+    return all;
+}
+
+void write_summary(const fs::path& file, std::span<const Figures> all) {
+    WholeFile whole(file);
+    whole.out() << "variant,entrant,engine,settings,dt,windows,failed,failures,median,p95,max,"
+                   "typical_median,typical_p95,impacts,missed,spurious,timed,cpu_min,cpu_median\n";
+    CsvRow row;
+    for (const Figures& f : all) {
+        row.add(f.variant).add(f.entrant).add(f.engine).add(f.settings).add(f.dt).add(f.windows);
+        row.add(f.failed).add(text_of(f.failures)).add(f.median).add(f.p95).add(f.max);
+        row.add(f.typical_median).add(f.typical_p95).add(f.impacts).add(f.missed).add(f.spurious);
+        row.add(f.timed).add(f.cpu_min).add(f.cpu_median).write(whole.out());
+    }
+    whole.finish();
+}
+
+std::map<std::string, Windows> count_windows(std::span<const fs::path> folders) {
+    std::map<std::string, nlohmann::json> files;  // by name: one that several folders hold counts once
+    for (const fs::path& folder : folders)
+        for (const fs::path& file : files_in(folder / "windows", ".json"))
+            files[file.stem()] = parse_json(read_file(file), file.string());
+    std::map<std::string, Windows> counts;
+    for (const auto& [name, json] : files) {
+        Windows& of_variant = counts[name.substr(0, name.rfind('-'))];
+        of_variant.windows += json.at("windows").size();
+        of_variant.trajectories += json.at("trajectories").get<std::size_t>();
+        for (const auto& [reason, count] : json.at("skipped").items())
+            of_variant.skipped[reason] += count.get<std::size_t>();
+    }
+    return counts;
+}
+
+}  // namespace flipside::lab::sweep

@@ -1,0 +1,46 @@
+#pragma once
+/// A sweep's figures of merit: the rows of any number of folders brought together, one line per variant,
+/// entrant and step size. Figures and report are drawn from this.
+
+#include <map>
+
+#include "lab/sweep/sweep.hpp"
+
+namespace flipside::lab::sweep {
+
+struct Figures {
+    std::string variant, entrant;
+    std::string engine, settings;                 ///< of the entrant
+    double dt = 0;                                ///< s
+    std::size_t windows = 0;                      ///< runs
+    std::size_t failed = 0;                       ///< of these; their errors count as infinite
+    std::map<std::string, std::size_t> failures;  ///< those by name
+    /// Of the windows' errors (radii, worst ball): median, 95th percentile, maximum. Nearest rank.
+    double median = 0, p95 = 0, max = 0;
+    /// The same of the windows' typical errors (radii, median of the balls that were hit): with one ball it
+    /// is the same; with hundreds the worst ball tells of one grazing hit, this of the engine.
+    double typical_median = 0, typical_p95 = 0;
+    std::size_t impacts = 0, missed = 0, spurious = 0;  ///< sums over all windows
+    std::size_t timed = 0;                              ///< windows that were timed
+    /// CPU seconds per simulated second: sums over the timed windows of the least and of the median time.
+    double cpu_min = 0, cpu_median = 0;
+};
+
+/// All runs of these folders, sorted by variant, entrant, step size (largest first) and window; a run
+/// that several folders hold counts once. Throws InputError for a folder without runs, and for folders of
+/// different plans.
+[[nodiscard]] std::vector<Run> gather(std::span<const std::filesystem::path> folders);
+/// In the order of `runs`, which must be sorted as gather() does.
+[[nodiscard]] std::vector<Figures> summarize(std::span<const Run> runs);
+
+/// The CSV of the same columns, failures as "2 lost ball; 1 refused".
+void write_summary(const std::filesystem::path& file, std::span<const Figures> all);
+
+/// States that made no window, by variant and reason; and the trajectories that were followed.
+struct Windows {
+    std::size_t windows = 0, trajectories = 0;
+    std::map<std::string, std::size_t> skipped;
+};
+[[nodiscard]] std::map<std::string, Windows> count_windows(std::span<const std::filesystem::path> folders);
+
+}  // namespace flipside::lab::sweep

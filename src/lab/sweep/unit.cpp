@@ -1,0 +1,93 @@
+#include "lab/sweep/unit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace flipside::lab::sweep {
+
+namespace {
+
+constexpr double not_timed = std::numeric_limits<double>::quiet_NaN();
+
+/// An entrant at one step size.
+struct Lane {
+    const Entrant* entrant;
+    World* world;  ///< of the entrant, the same at all its step sizes
+    double dt;
+};
+
+/// A run to make, and what it takes.
+struct Task {
+    const Lane* lane;
+    std::size_t window;  ///< of the block
+    bool timed;
+    double work;  ///< balls times steps
+    std::vector<double> cpu{};
+};
+
+std::vector<Task> tasks_of(const Plan& plan, const Unit& unit, const Block& block,
+                           const std::vector<Lane>& lanes) {
+    std::vector<Task> tasks;
+    for (const Lane& lane : lanes)
+        for (std::size_t i = 0; i < block.windows.size(); ++i) {
+            const Window& window = block.windows[i];
+            const std::size_t balls = window.start.balls.size();
+            const double longest = unit.variant->longest * window_unit;
+            const std::size_t number = unit.block * plan.block_size() + i;
+            if (number % thinning(balls, longest, lane.dt) != 0) continue;
+            tasks.push_back(
+                {&lane, i, i < plan.timed(), static_cast<double>(balls) * window.seconds / lane.dt});
+        }
+    return tasks;
+}
+
+Run run_of(const Task& task, const Plan& plan, const Unit& unit, const Block& block) {
+    const Window& window = block.windows[task.window];
+    Run run{unit.variant->name, std::string(task.lane->entrant->name),
+            task.lane->dt,      unit.block * plan.block_size() + task.window,
+            window.seconds,     run_window(*task.lane->world, window, task.lane->dt),
+            not_timed,          not_timed};
+    return run;
+}
+
+void note_times(Run& run, std::vector<double> cpu) {
+    if (cpu.empty() || std::ranges::any_of(cpu, [](double time) { return std::isnan(time); })) return;
+    std::ranges::sort(cpu);
+    run.cpu_min = cpu.front();
+    run.cpu_median = cpu[(cpu.size() - 1) / 2];
+}
+
+}  // namespace
+
+std::vector<Run> measure_unit(const Plan& plan, const Unit& unit, const Block& block,
+                              const std::shared_ptr<const Scene>& scene,
+                              const std::function<void(double)>& watch) {
+    std::vector<std::unique_ptr<World>> worlds;
+    std::vector<Lane> lanes;
+    for (const Entrant& entrant : entrants()) {
+        worlds.push_back(engine_named(entrant.engine).make(scene, settings_of(entrant, *scene)));
+        for (const double dt : steps_of(entrant, plan)) lanes.push_back({&entrant, worlds.back().get(), dt});
+    }
+    std::vector<Task> tasks = tasks_of(plan, unit, block, lanes);
+    const auto rounds = static_cast<double>(plan.repetitions());
+    double whole = 0, done = 0;
+    for (const Task& task : tasks) whole += task.work * (task.timed ? 1 + rounds : 1);
+    const auto did = [&](const Task& task) { watch((done += task.work) / whole); };
+
+    std::vector<Run> runs;
+    for (const Task& task : tasks) {
+        runs.push_back(run_of(task, plan, unit, block));
+        did(task);
+    }
+    for (std::size_t round = 0; round < plan.repetitions(); ++round)
+        for (Task& task : tasks) {
+            if (!task.timed) continue;
+            task.cpu.push_back(time_window(*task.lane->world, block.windows[task.window], task.lane->dt));
+            did(task);
+        }
+    for (std::size_t i = 0; i < runs.size(); ++i) note_times(runs[i], tasks[i].cpu);
+    return runs;
+}
+
+}  // namespace flipside::lab::sweep

@@ -1,0 +1,99 @@
+#include "lab/sweep/variants.hpp"
+
+#include <algorithm>
+
+#include "lab/assets.hpp"
+#include "world/input_error.hpp"
+#include "world/scene_file.hpp"
+#include "world/script_file.hpp"
+
+namespace flipside::lab::sweep {
+
+namespace {
+
+bool has_field(const std::string& scene) {
+    try {
+        static_cast<void>(load_scene(scene_file(scene), 1));
+        return true;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+/// `count` launches of strengths that carry a ball onto the table, one after another as their place gets
+/// free.
+Script launches(int count, Dice& dice) {
+    constexpr double first = 0.1, weakest = 0.6;  // s; of the launcher's full strength
+    Script script;
+    for (int i = 0; i < count; ++i)
+        script.push_back({first, control::Launch{dice.between(weakest, 1), 1, 1}});
+    return script;
+}
+
+}  // namespace
+
+std::vector<Variant> standard_variants() {
+    return {
+        {.name = "pinball-1", .scene = "pinball", .balls = 1, .from = 1, .until = 12},
+        {.name = "pinball-8", .scene = "pinball", .balls = 8, .from = 1, .until = 12},
+        {.name = "toy", .scene = "toy", .from = 1, .until = 12},
+        // A tenth of a second of 320 balls holds some two hundred hits; later on they lie in heaps.
+        {.name = "rain", .scene = "rain", .balls = 320, .from = 0, .until = 1.5, .shortest = 3, .longest = 3},
+    };
+}
+
+std::vector<Variant> variants_of(const std::vector<std::string>& scenes, int balls) {
+    const std::vector<Variant> standard = standard_variants();
+    if (scenes.empty() && balls == 0) return standard;
+    std::vector<std::string> names = scenes;
+    if (names.empty())
+        for (const Variant& variant : standard)
+            if (std::ranges::find(names, variant.scene) == names.end()) names.push_back(variant.scene);
+
+    std::vector<Variant> variants;
+    for (const std::string& name : names) {
+        const std::size_t before = variants.size();
+        std::ranges::copy_if(standard, std::back_inserter(variants),
+                             [&](const Variant& variant) { return variant.scene == name; });
+        const auto scene = load_scene(scene_file(name));
+        if (variants.size() == before) variants.push_back({.name = scene.name, .scene = name});
+        if (balls == 0) continue;
+        if (!scene.launcher && !has_field(name))
+            throw InputError("--balls: scene '" + name + "' has neither a launcher nor a field of balls");
+        variants.resize(before + 1);
+        variants.back().name = scene.name + "-" + std::to_string(balls);
+        variants.back().balls = balls;
+    }
+    return variants;
+}
+
+std::shared_ptr<const Scene> load(const Variant& variant) {
+    const auto file = scene_file(variant.scene);
+    const bool field = variant.balls > 0 && has_field(variant.scene);
+    return std::make_shared<const Scene>(field ? load_scene(file, variant.balls) : load_scene(file));
+}
+
+Script trajectory_script(const Variant& variant, const Scene& scene, Dice& dice) {
+    const auto file = script_beside(scene_file(variant.scene));
+    const Script own = file ? load_script(*file, scene) : Script{};
+    const bool fired = variant.balls > 0 && scene.launcher && scene.balls.empty();
+
+    Script script;
+    if (fired) script = launches(variant.balls, dice);
+    if (!scene.balls.empty()) {
+        const double most = 5 * scene.balls.front().radius;
+        script.push_back({0, control::Nudge{{dice.between(-most, most), dice.between(-most, most)}}});
+    }
+    const double skipped = fired && !own.empty() ? dice.below(0.5 * own.back().time) : 0;
+    for (TimedControl timed : own) {
+        auto* launch = std::get_if<control::Launch>(&timed.control);
+        if (timed.time < skipped || (fired && launch != nullptr)) continue;
+        timed.time -= skipped;
+        if (launch != nullptr) launch->strength *= dice.between(0.9, 1);
+        script.push_back(timed);
+    }
+    std::ranges::stable_sort(script, {}, &TimedControl::time);
+    return script;
+}
+
+}  // namespace flipside::lab::sweep

@@ -1,0 +1,103 @@
+#include "lab/sweep/summary.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "lab/csv_table.hpp"
+#include "lab/whole_file.hpp"
+#include "world/input_error.hpp"
+
+namespace flipside::lab::sweep {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+using Runs = std::vector<Run>;  // within a test, Run is one of gtest's own
+
+Run run(const char* entrant, double dt, std::size_t window, double error) {
+    Run made{"toy", entrant, dt, window, 0.5, {"", error, error / 2, 3, 1, 0}, 1e-3, 2e-3};
+    if (error == inf) made.outcome.failure = "lost ball";
+    return made;
+}
+
+class SweepSummary : public ::testing::Test {
+  protected:
+    fs::path base = fs::temp_directory_path() / ("flipside-summary-" + std::to_string(getpid()));
+    void TearDown() override { fs::remove_all(base); }
+
+    fs::path folder(const char* name, const Plan& plan, const Runs& runs) const {
+        const fs::path made = base / name;
+        fs::create_directories(made / "runs");
+        write_whole_file(made / "plan.json", to_json(plan));
+        write_runs(made / "runs" / (std::string("toy-") + name + ".csv"), runs);
+        return made;
+    }
+};
+
+TEST_F(SweepSummary, FiguresByNearestRankWithFailuresAsInfinite) {
+    Runs runs;
+    for (std::size_t i = 0; i < 20; ++i) runs.push_back(run("box2d", 1.0 / 60, i, 0.01 * double(20 - i)));
+    runs[3] = run("box2d", 1.0 / 60, 3, inf);
+    runs[5].cpu_min = runs[5].cpu_median = std::nan("");
+    const std::vector<Figures> all = summarize(runs);
+    ASSERT_EQ(all.size(), 1U);
+    const Figures& f = all.front();
+    EXPECT_EQ(f.engine, "box2d");
+    EXPECT_EQ(f.windows, 20U);
+    EXPECT_EQ(f.failed, 1U);
+    EXPECT_EQ(f.failures.at("lost ball"), 1U);
+    EXPECT_DOUBLE_EQ(f.median, 0.10);  // 0.01 … 0.20 without 0.17, which is infinite: the 10th of 20
+    EXPECT_DOUBLE_EQ(f.p95, 0.20);     // the 19th
+    EXPECT_EQ(f.max, inf);
+    EXPECT_DOUBLE_EQ(f.typical_median, 0.05);
+    EXPECT_EQ(f.impacts, 60U);
+    EXPECT_EQ(f.missed, 20U);
+    EXPECT_EQ(f.timed, 19U);
+    EXPECT_NEAR(f.cpu_min, 2e-3, 1e-15);
+    EXPECT_NEAR(f.cpu_median, 4e-3, 1e-15);
+}
+
+TEST_F(SweepSummary, FoldersTogetherAreAsOne) {
+    const Plan plan{standard_variants()};
+    const Runs a{run("box2d", 1.0 / 60, 0, 0.1), run("box2d", 1.0 / 30, 0, 0.2),
+                 run("custom-discrete", 1.0 / 60, 0, 0.3)};
+    const Runs b{run("box2d", 1.0 / 60, 1, inf), run("box2d", 1.0 / 30, 1, 0.4),
+                 run("custom-discrete", 1.0 / 60, 1, 0.5)};
+    Runs both = b;
+    both.insert(both.end(), a.begin(), a.end());
+    const fs::path apart[] = {folder("b", plan, b), folder("a", plan, a), folder("again", plan, a)};
+    const fs::path whole[] = {folder("ab", plan, both)};
+    const auto figures = summarize(gather(apart));
+    write_summary(base / "apart.csv", figures);
+    write_summary(base / "whole.csv", summarize(gather(whole)));
+    const CsvTable first(base / "apart.csv"), second(base / "whole.csv");
+    ASSERT_EQ(first.rows(), 3U);
+    for (std::size_t i = 0; i < first.rows(); ++i)
+        for (const std::string& column : first.columns())
+            EXPECT_EQ(first.text(i, column), second.text(i, column)) << column;
+    EXPECT_EQ(first.number(0, "dt"), 1.0 / 30);
+    EXPECT_EQ(first.number(0, "median"), 0.2);
+    EXPECT_EQ(first.number(1, "max"), inf);
+    EXPECT_EQ(first.text(1, "failures"), "1 lost ball");
+    EXPECT_EQ(first.text(2, "entrant"), "custom-discrete");
+}
+
+TEST_F(SweepSummary, RefusesWhatDoesNotBelongTogether) {
+    Plan plan{standard_variants()}, other = plan;
+    other.seed = 2;
+    const Runs runs{run("box2d", 1.0 / 60, 0, 0.1)};
+    const fs::path folders[] = {folder("a", plan, runs), folder("b", other, runs)};
+    EXPECT_THROW(static_cast<void>(gather(folders)), InputError);
+    fs::remove_all(folders[0] / "runs");
+    EXPECT_THROW(static_cast<void>(gather({folders, 1})), InputError);
+    EXPECT_THROW(static_cast<void>(gather({&base, 1})), InputError);
+}
+
+}  // namespace
+}  // namespace flipside::lab::sweep
