@@ -16,7 +16,7 @@ started=$SECONDS
 stage() { printf '\n== %s (%d min %02d s)\n' "$1" $(((SECONDS - started) / 60)) $(((SECONDS - started) % 60)); }
 
 echo "Flipside: installs missing packages, $what."
-install_missing "${build_packages[@]}"
+install_missing "${build_packages[@]}" "${test_packages[@]}"
 if $gates; then
     install_missing "${gate_packages[@]}"
     stage "clang-format"

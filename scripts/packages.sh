@@ -10,8 +10,10 @@ build_packages=(
     libgtest-dev librapidcheck-dev             # tests
     fonts-inter fonts-dejavu-core              # what the window writes with
     xvfb xauth libgl1-mesa-dri                 # pictures without a display
+    gnuplot-nox                                # the figures of `flipside report`
     xdotool                                    # keys and clicks for the window's tests
 )
+test_packages=(chromium)                               # only ./test.sh: the report's page in a browser
 gate_packages=(clang-format-14 clang-tidy-14 clang-14)  # only ./test.sh --all
 
 missing_packages() {

@@ -108,6 +108,7 @@ TEST_F(CommandLine, BadUsageIsExitTwoAndOneLine) {
     expect_refused("render drop --engine custom --out x.png --view round", 2, "overlay");
     expect_refused("check " FLIPSIDE_SOURCE_DIR "/CMakeLists.txt", 2, "line 1");
     expect_refused("pairs --most 5", 2, "32");
+    expect_refused("report", 2, "--out");
     expect_refused("somersault", 2, "compare");
 }
 
@@ -117,11 +118,12 @@ TEST_F(CommandLine, WhatCannotBeDoneIsExitOne) {
     environment = "env DISPLAY=:32109";  // where nobody listens
     expect_refused("", 1, "no X server answers");
     expect_refused("render drop --engine custom --out " + file("x.png"), 1, "no X server answers");
+    expect_refused("report --out " + file("out/report"), 1, "cannot be made");  // out is a file
 }
 
 TEST_F(CommandLine, HelpIsNoError) {
     for (const char* command :
-         {"", "run ", "compare ", "play ", "render ", "check ", "scenes ", "engines ", "pairs "}) {
+         {"", "run ", "compare ", "play ", "render ", "check ", "scenes ", "engines ", "pairs ", "report "}) {
         const Result result = flipside(command + std::string("--help"));
         EXPECT_EQ(result.code, 0) << command;
         EXPECT_NE(result.out.find("Usage"), std::string::npos) << command;
@@ -257,6 +259,45 @@ TEST_F(CommandLine, AComparisonSaysWhereTheEnginesPart) {
     EXPECT_TRUE(pair["first_parting"].contains("custom"));
     EXPECT_TRUE(pair["first_parting"].contains("box2d"));
     EXPECT_GT(pair["contacts_in_same_order"], 0);
+}
+
+TEST_F(CommandLine, AReportNeedsGnuplotAndSaysSoBeforeItMeasures) {
+    const int status =
+        std::system(("env PATH=" + file("none") + " " FLIPSIDE_EXECUTABLE " report --quick --out " +
+                     file("report") + " 2> " + file("err"))
+                        .c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 1);
+    EXPECT_NE(text_of(file("err")).find("gnuplot-nox"), std::string::npos) << text_of(file("err"));
+    EXPECT_EQ(std::ranges::count(text_of(file("err")), '\n'), 1);
+    EXPECT_FALSE(fs::exists(file("report")));
+}
+
+TEST_F(CommandLine, AReportThatIsInterruptedLeavesWholeFilesAndGoesOn) {
+    const std::string out = file("report");
+    const pid_t child = fork();
+    if (child == 0) {
+        execl(FLIPSIDE_EXECUTABLE, "flipside", "report", "--quick", "--out", out.c_str(), nullptr);
+        _exit(127);
+    }
+    const auto measured = [&] {
+        std::error_code none;
+        const auto files = fs::directory_iterator(out + "/data", none);
+        return none ? 0 : std::distance(begin(files), end(files));
+    };
+    // One of the five may be under way.
+    for (int i = 0; i < 3000 && measured() < 5; ++i) usleep(1000);
+    kill(child, SIGINT);
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 1);
+    EXPECT_FALSE(fs::exists(out + "/index.html"));
+    ASSERT_GE(measured(), 4);
+    for (const auto& entry : fs::directory_iterator(out + "/data")) {
+        EXPECT_TRUE(entry.path().extension() == ".csv" || entry.path().extension() == ".json")
+            << entry.path();
+        EXPECT_EQ(text_of(entry.path()).back(), '\n') << entry.path();
+    }
+    expect_refused("report --out " + out, 2, "report.json");  // not --quick
 }
 
 TEST_F(CommandLine, AnInterruptLeavesNoFile) {

@@ -1,8 +1,7 @@
 #pragma once
 /// Pairs that can meet soon, sought with room to spare so that one search of the broad phase serves many
-/// flights (Verlet 1967, "Computer experiments on classical fluids"). What leaves its room is sought for
-/// alone. What it answers is what the broad phase itself would: the room changes the cost, never the
-/// outcome.
+/// flights (Verlet 1967, "Computer experiments on classical fluids"). What it answers is what the broad
+/// phase itself would: the room changes the cost, never the outcome.
 
 #include <cstdint>
 
@@ -16,83 +15,42 @@ class NearList {
     /// Keeps a reference to the still proxies.
     explicit NearList(const std::vector<Proxy>& still) : still_(still) {}
 
-    /// Calls `found` with every pair whose boxes overlap now and that may meet, those that
-    /// BroadPhase::find_pairs() finds and in its order. A proxy i that has left the room that it had, or is
-    /// active and was not then, gets the room `roomy(i)`, which must hold its box of now, and its partners
-    /// are sought; where many did, all are.
-    /// Cost: one box test per listed pair, and the searches.
-    void find_pairs(std::span<const Proxy> moving, BroadPhase& broad, auto&& roomy, auto&& found) {
-        begin(moving.size());
-        for (std::uint32_t i = 0; i < moving.size(); ++i) check(i, moving[i]);
-        find_pairs_of_checked(moving, broad, roomy, found);
-    }
-
-    /// The same in parts, for those who have each proxy at hand anyway: begin, check every moving proxy,
-    /// find.
-    void begin(std::size_t moving);
-    void check(std::uint32_t i, const Proxy& now) {
-        if (!holds(rooms_[i], now)) leavers_.push_back(i);
-    }
-    void find_pairs_of_checked(std::span<const Proxy> moving, BroadPhase& broad, auto&& roomy, auto&& found) {
-        const std::size_t strays = strays_.size() + leavers_.size();
-        if (!leavers_.empty() && (!can_mend_ || strays > most_strays(moving.size()))) {
-            for (std::size_t i = 0; i < moving.size(); ++i) give_room(i, moving[i], roomy(i));
-            search(broad);
-        } else if (!leavers_.empty()) {
-            for (const std::size_t i : leavers_) give_room(i, moving[i], roomy(i));
-            mend(broad);
+    /// Every pair whose boxes overlap now and that may meet, as BroadPhase::find_pairs() finds them. When a
+    /// proxy has left the room that it had in the last search, or is active and was not then, searches
+    /// anew, each proxy i in the box `roomy(i)`, which must hold its box of now.
+    /// Cost: one box test per listed pair, unless it searches.
+    void find_pairs(std::span<const Proxy> moving, BroadPhase& broad, auto&& roomy,
+                    std::vector<Pair>& pairs) {
+        if (!holds(moving)) {
+            make_room(room_, moving.size());
+            room_.assign(moving.begin(), moving.end());
+            for (std::size_t i = 0; i < moving.size(); ++i) room_[i].box = roomy(i);
+            broad.find_pairs(room_, listed_);
         }
-        sift(moving, found);
+        sift(moving, pairs);
+    }
+    /// The same, but searches without room when it must.
+    void find_pairs(std::span<const Proxy> moving, BroadPhase& broad, std::vector<Pair>& pairs) {
+        if (holds(moving))
+            sift(moving, pairs);
+        else
+            broad.find_pairs(moving, pairs);
     }
 
-    /// Makes room for so many moving proxies, of which so many are balls.
-    void reserve(std::size_t moving, std::size_t balls);
-
-    /// Box tests by sifting and mending since the start.
+    /// Box in which the list holds for a moving proxy.
+    [[nodiscard]] const Box& room(std::size_t moving) const { return room_[moving].box; }
+    /// The listed pairs whose later proxy is this moving one.
+    [[nodiscard]] std::span<const Pair> listed(std::size_t moving) const;
+    /// Box tests by sifting since the start.
     [[nodiscard]] std::uint64_t tests() const { return tests_; }
 
   private:
-    [[nodiscard]] static bool holds(const Proxy& room, const Proxy& now) {
-        return room.box.contains(now.box.min) && room.box.contains(now.box.max) &&
-               room.active >= now.active && room.ball == now.ball && room.layer == now.layer &&
-               room.collides_with == now.collides_with;
-    }
-    /// Strays are tested against each other, so the n² that costs must stay below a search.
-    [[nodiscard]] static std::size_t most_strays(std::size_t moving) { return moving / 64; }
-    void give_room(std::size_t i, const Proxy& now, const Box& room) {
-        rooms_[i] = now;
-        rooms_[i].box = room;
-    }
-    void search(BroadPhase& broad);
-    void mend(BroadPhase& broad);
-
-    /// Without a branch per pair: nothing would foretell which boxes overlap.
-    void sift(std::span<const Proxy> moving, auto&& found) {
-        const auto first = static_cast<Handle>(still_.size());
-        make_room(found_, listed_.size());
-        found_.resize(listed_.size());
-        Pair* to = found_.data();
-        for (const Pair pair : listed_) {
-            const Proxy& a = *(pair.a < first ? still_.data() + pair.a : moving.data() + (pair.a - first));
-            const Proxy& b = moving[pair.b - first];
-            const bool may = a.active | b.active;
-            const bool overlapping = (a.box.min.x <= b.box.max.x) & (b.box.min.x <= a.box.max.x) &
-                                     (a.box.min.y <= b.box.max.y) & (b.box.min.y <= a.box.max.y);
-            tests_ += may ? 1 : 0;
-            *to = pair;
-            to += may & overlapping ? 1 : 0;
-        }
-        for (const Pair* pair = found_.data(); pair != to; ++pair) found(*pair);
-    }
+    [[nodiscard]] bool holds(std::span<const Proxy> moving) const;
+    void sift(std::span<const Proxy> moving, std::vector<Pair>& pairs);
 
     const std::vector<Proxy>& still_;
-    std::vector<Proxy> rooms_;  ///< what the broad phase was last given, except for the strays
-    std::vector<Pair> listed_;  ///< in order
-    std::vector<std::uint32_t> leavers_;
-    std::vector<std::uint32_t> strays_;  ///< all that left since the search
-    std::vector<Handle> around_;         ///< scratch
-    std::vector<Pair> found_;            ///< scratch
-    bool can_mend_ = false;
+    std::vector<Proxy> room_;
+    std::vector<Pair> listed_;
     std::uint64_t tests_ = 0;
 };
 

@@ -57,15 +57,11 @@ class DiscreteSolver {
         [[nodiscard]] double duration() const { return end - begin; }
     };
 
-    void start_flights(double duration);
-    void find_candidates();
-    void finish_flights(double duration);
-    [[nodiscard]] PieceIndex moving_pieces() const {
-        return layout_.size() - static_cast<PieceIndex>(layout_.still_proxies().size());
-    }
+    void find_candidates(double duration, BroadPhase& broad);
     [[nodiscard]] double way(const Ball& ball, double duration) const;
     [[nodiscard]] Box room_of(std::size_t moving) const;
     [[nodiscard]] std::span<const Candidate> look_around(const Ball& ball, double reach);
+    void fly_all(double duration);
     void fly(Ball& ball, std::span<const Candidate> near, double duration);
     [[nodiscard]] double first_touch_of(const Ball& ball, PieceIndex index, double at, double duration) const;
     [[nodiscard]] bool sinks(double approach, const Ball& ball, double duration) const;
@@ -104,7 +100,6 @@ class DiscreteSolver {
     Table* table_ = nullptr;
     std::vector<Ball>* balls_ = nullptr;
     StepRecord* record_ = nullptr;
-    BroadPhase* broad_ = nullptr;
     double dt_ = 0;
     Span span_{};
 
@@ -112,11 +107,10 @@ class DiscreteSolver {
 
     // Scratch, kept to save allocations; nothing in it outlives a motion iteration.
     std::vector<Proxy> moving_;
-    std::vector<std::uint32_t> waiting_;  ///< balls whose flight a part may stop
-    std::vector<Candidate> candidates_;   ///< by ball
+    std::vector<Pair> pairs_;
+    std::vector<Candidate> candidates_;  ///< by ball
     std::vector<BallPair> ball_pairs_;
     std::vector<Candidate> around_;  ///< what look_around() found
-    std::vector<Handle> found_;      ///< what the broad phase found for it
     std::vector<Vec2> started_;      ///< where each ball was before it flew
     /// An overlap with a part; the deepest come first.
     struct Deep {

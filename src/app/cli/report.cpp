@@ -1,0 +1,49 @@
+#include "lab/report/report.hpp"
+
+#include <cstdio>
+#include <memory>
+
+#include "app/cli/commands.hpp"
+#include "app/cli/interrupt.hpp"
+#include "app/cli/progress.hpp"
+
+namespace flipside::app {
+
+namespace {
+
+struct Options {
+    std::string out;
+    bool quick = false;
+};
+
+int report(const Options& options) {
+    catch_interrupts();
+    {
+        Progress progress(1);
+        const auto watch = [&](double share) {
+            progress.at(share);
+            stop_if_interrupted();
+        };
+        lab::report::make_report(
+            {options.out, options.quick ? lab::report::quick_effort() : lab::report::full_effort()}, watch);
+    }
+    std::printf("%s\n", (std::filesystem::path(options.out) / "index.html").c_str());
+    return 0;
+}
+
+}  // namespace
+
+void add_report(CLI::App& program, Action& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App& command = *program.add_subcommand(
+        "report", "Measure speed and error of all engines, draw the figures, and write one HTML page");
+    command
+        .add_option("--out", options->out,
+                    "The folder of the report; a report that was stopped goes on there")
+        ->required()
+        ->type_name("DIR");
+    command.add_flag("--quick", options->quick, "In two minutes instead of a quarter of an hour");
+    command.callback([options, &chosen] { chosen = [options] { return report(*options); }; });
+}
+
+}  // namespace flipside::app

@@ -1,0 +1,36 @@
+#pragma once
+/// The chapters of a report: what each must measure, and what it makes of the files. A chapter shows what
+/// stands in its files and nothing else, so the same files give the same figures.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "lab/report/effort.hpp"
+#include "lab/report/measurement.hpp"
+#include "lab/report/page.hpp"
+
+namespace flipside::lab::report {
+
+struct Chapter {
+    std::string id, title, intro;
+    std::vector<Measurement> measurements;
+    /// From the folder of data.
+    std::function<Content(const std::filesystem::path& data)> show;
+};
+
+/// Box tests of every broad phase, in the toy's experiment and up to 100,000 balls.
+[[nodiscard]] Chapter broad_phase_chapter(const Effort& effort);
+/// A step's cost with the number of balls, ours and Box2D's, in rain.
+[[nodiscard]] Chapter growth_chapter(const Effort& effort);
+/// Energy where it must stay as it is.
+[[nodiscard]] Chapter energy_chapter(const Effort& effort);
+/// How fast the engines part on the pinball table.
+[[nodiscard]] Chapter divergence_chapter(const Effort& effort);
+/// How deep balls lie in what they touch.
+[[nodiscard]] Chapter penetration_chapter(const Effort& effort);
+
+/// All, in the order of the page.
+[[nodiscard]] std::vector<Chapter> chapters(const Effort& effort);
+
+}  // namespace flipside::lab::report

@@ -1,0 +1,32 @@
+#include "lab/report/contender.hpp"
+
+#include <algorithm>
+
+namespace flipside::lab::report {
+
+std::vector<Contender> contenders() {
+    std::vector<Contender> all{
+        {"custom, continuous", "custom-continuous", "custom", "solver=continuous",
+         std::string(colour::custom), 1, 7},
+        {"custom, discrete", "custom-discrete", "custom", "solver=discrete", std::string(colour::custom), 2,
+         6},
+        {"box2d", "box2d", "box2d", "", std::string(colour::box2d), 1, 5},
+        {"reference", "reference", "reference", "", std::string(colour::reference), 4, 9}};
+    std::erase_if(all, [](const Contender& contender) {
+        return std::ranges::find(engines(), contender.engine, &Engine::name) == engines().end();
+    });
+    return all;
+}
+
+Settings settings_of(const Contender& contender, const Scene& scene) {
+    const Engine& engine = engine_named(contender.engine);
+    if (contender.setting.empty()) return settings_for(engine, scene);
+    const Engine* const used[] = {&engine};
+    return settings_for(engine, scene, parse_changes({&contender.setting, 1}, used));
+}
+
+Series series_of(const Contender& contender) {
+    return {contender.name, contender.colour, contender.dash, contender.marker, 0.8, true, {}};
+}
+
+}  // namespace flipside::lab::report

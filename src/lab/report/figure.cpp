@@ -1,0 +1,90 @@
+#include "lab/report/figure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "lab/csv.hpp"
+#include "lab/whole_file.hpp"
+
+namespace flipside::lab::report {
+
+namespace {
+
+/// Steps of 1, 2 or 5 times a power of ten, about five across the range.
+double round_step(double span) {
+    const double power = std::pow(10, std::floor(std::log10(span / 5)));
+    const double rest = span / 5 / power;
+    return power * (rest > 5 ? 10 : rest > 2 ? 5 : rest > 1 ? 2 : 1);
+}
+
+constexpr double margin = 0.02;  ///< of the span, at either end
+
+Range rounded(Range range, const Axis& axis) {
+    if (axis.logarithmic) {
+        const double from = std::floor(std::log10(range.from));
+        const double to = std::max(std::ceil(std::log10(range.to)), from + 1), more = margin * (to - from);
+        return {std::pow(10, from - more), std::pow(10, to + more)};
+    }
+    const double step = round_step(range.to > range.from ? range.to - range.from : 1);
+    const double from = step * std::floor(range.from / step);
+    const double to = std::max(step * std::ceil(range.to / step), from + step), more = margin * (to - from);
+    return {from - more, to + more};
+}
+
+Range range_of(const Figure& figure, const Axis& axis, double Point::*coordinate) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Range range{infinity, -infinity};
+    for (const Series& series : figure.series) {
+        for (const Point& point : series.points) {
+            double value = point.*coordinate;
+            if (!std::isfinite(value)) continue;
+            if (axis.logarithmic) {
+                value = std::max(value, axis.floor);
+                if (value <= 0) continue;
+            }
+            range = {std::min(range.from, value), std::max(range.to, value)};
+        }
+    }
+    if (range.from > range.to) range = {1, 1};
+    return rounded(range, axis);
+}
+
+}  // namespace
+
+Frame frame_of(const Figure& figure) {
+    return {range_of(figure, figure.x, &Point::x), range_of(figure, figure.y, &Point::y)};
+}
+
+std::vector<std::pair<const Series*, const Point*>> rows_of(const Figure& figure) {
+    std::vector<std::pair<const Series*, const Point*>> rows;
+    for (const Series& series : figure.series)
+        for (const bool failed : {false, true})
+            for (const Point& point : series.points)
+                if (std::isinf(point.y) == failed) rows.emplace_back(&series, &point);
+    return rows;
+}
+
+void write_csv(const Figure& figure, const std::filesystem::path& file) {
+    WholeFile csv(file);
+    CsvRow row;
+    row.add("series").add(figure.x.column).add(figure.y.column).add("point").write(csv.out());
+    for (const auto& [series, point] : rows_of(figure))
+        row.add(series->name).add(point->x).add(point->y).add(point->says).write(csv.out());
+    csv.finish();
+}
+
+std::string short_number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g", value);
+    return text;
+}
+
+std::string step_text(double dt) {
+    const double per_second = std::round(1 / dt);
+    return std::abs(per_second * dt - 1) < 1e-9 ? "1/" + short_number(per_second) + " s"
+                                                : short_number(dt) + " s";
+}
+
+}  // namespace flipside::lab::report

@@ -1,0 +1,164 @@
+#include "lab/report/gnuplot.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "lab/failure.hpp"
+#include "lab/report/process.hpp"
+#include "lab/report/svg.hpp"
+#include "lab/whole_file.hpp"
+
+namespace flipside::lab::report {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// In gnuplot's single quotes nothing but the quote itself has a meaning.
+std::string in_quotes(std::string_view text) {
+    std::string out = "'";
+    for (const char c : text) out.append(c == '\'' ? 2 : 1, c == '\n' ? ' ' : c);
+    return out + "'";
+}
+
+std::string number(double value) {
+    char text[32];
+    return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+Range just_inside(const Range& range, const Axis& axis) {
+    constexpr double hair = 1e-6;  // of the span
+    if (!axis.logarithmic) {
+        const double step = hair * (range.to - range.from);
+        return {range.from + step, range.to - step};
+    }
+    const double factor = std::pow(range.to / range.from, hair);
+    return {range.from * factor, range.to / factor};
+}
+
+void write_axis(std::ostream& out, char name, const Axis& axis, const Range& range) {
+    const Range inside = just_inside(range, axis);
+    out << "set format " << name << " '%g'\n";
+    if (axis.logarithmic) {
+        // Labels on at most about eight decades.
+        const double decades = std::round(std::log10(range.to / range.from));
+        const double apart = std::pow(10, std::max(1.0, std::ceil(decades / 8)));
+        out << "set logscale " << name << "\nset format " << name << " '10^{%T}'\nset " << name << "tics "
+            << number(apart) << (apart > 10 ? "\nunset m" : "\nset m") << name << "tics\n";
+    }
+    out << "set " << name << "range [" << number(range.from) << ':' << number(range.to) << "]\n"
+        << "set " << name << "label " << in_quotes(axis.label)
+        << " noenhanced textcolor rgb ink\n"
+        // An infinite value, of a failed run, comes to the upper edge; what is below the range to the lower.
+        // Just inside: what rounds to beyond the border is not drawn.
+        << "at_" << name << "(v) = v < " << number(inside.from) << " ? " << number(inside.from) << " : v > "
+        << number(inside.to) << " ? " << number(inside.to) << " : v\n";
+}
+
+void write_frame(std::ostream& out, const Figure& figure) {
+    const auto across = [](double px) { return number(px / picture_width); };
+    const auto up = [](double px) { return number(1 - px / picture_height); };
+    const Frame frame = frame_of(figure);
+    out << "ink = " << in_quotes(ink) << "\nset encoding utf8\nset datafile separator comma\n"
+        << "set lmargin at screen " << across(box_left) << "\nset rmargin at screen " << across(box_right)
+        << "\nset tmargin at screen " << up(box_top) << "\nset bmargin at screen " << up(box_bottom) << '\n'
+        << "set border 3 linecolor rgb ink\nset tics nomirror textcolor rgb ink\n"
+        << "set grid linecolor rgb '#909090' linewidth 0.4 dashtype 1\n"
+        << "set key at screen " << across(box_right + 15) << ", screen " << up(box_top)
+        << " left top Left reverse samplen 2.5 noenhanced textcolor rgb ink\n";
+    write_axis(out, 'x', figure.x, frame.x);
+    write_axis(out, 'y', figure.y, frame.y);
+    for (const Mark& mark : figure.marks)
+        out << "set arrow from " << number(mark.x) << ", graph 0 to " << number(mark.x)
+            << ", graph 1 nohead dashtype 3 linewidth 2 linecolor rgb " << in_quotes(mark.colour)
+            << "\nset label " << in_quotes(mark.says) << " at " << number(mark.x)
+            << ", graph 0.97 rotate by -90 offset 0.7,0 left noenhanced font ',11' textcolor rgb "
+            << in_quotes(mark.colour) << '\n';
+}
+
+/// The plot elements that show one series, whose rows in the CSV file begin with number `row`.
+std::vector<std::string> elements_of(const Series& series, std::size_t row) {
+    const auto failed = static_cast<std::size_t>(
+        std::ranges::count_if(series.points, [](const Point& p) { return std::isinf(p.y); }));
+    const std::size_t good = series.points.size() - failed;
+    const std::string look = " linecolor rgb " + in_quotes(series.colour);
+    const auto rows = [](std::size_t from, std::size_t count) {
+        return "csv skip 1 every ::" + std::to_string(from) + "::" + std::to_string(from + count - 1) +
+               " using (at_x($2)):(at_y($3))";
+    };
+    const auto labels = [&](std::size_t from, std::size_t count, int marker, double size) {
+        return rows(from, count) + ":(sprintf('%d', $0 + " + std::to_string(from) +
+               ")) with labels hypertext point pointtype " + std::to_string(marker) + " pointsize " +
+               number(size) + look + " notitle";
+    };
+    const std::string line = " dashtype " + std::to_string(series.dash) + " linewidth 2";
+    const std::string marker =
+        " pointtype " + std::to_string(series.marker) + " pointsize " + number(series.size);
+    std::vector<std::string> elements;
+    if (good > 0 && series.joined)
+        elements.push_back(rows(row, good) + " with lines" + line + look + " notitle");
+    if (good > 0) elements.push_back(labels(row, good, series.marker, series.size));
+    if (failed > 0) elements.push_back(labels(row + good, failed, 2, 1.2));
+    elements.push_back("NaN with " + (series.joined ? "linespoints" + line : std::string("points")) + marker +
+                       look + " title " + in_quotes(series.name));
+    return elements;
+}
+
+std::string text_of(const fs::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+}  // namespace
+
+std::string script_of(const Figure& figure, const std::string& csv) {
+    std::ostringstream out;
+    out << "# " << figure.id << ": run by `gnuplot -d " << figure.id << ".gp` in this folder.\n"
+        << "csv = " << in_quotes(csv) << '\n';
+    write_frame(out, figure);
+    std::string plot = "plot ";
+    std::size_t row = 0;
+    for (const Series& series : figure.series) {
+        for (const std::string& element : elements_of(series, row))
+            plot += (plot == "plot " ? "" : ", \\\n     ") + element;
+        row += series.points.size();
+    }
+    const auto size = [](double scale) {
+        return number(scale * picture_width) + "," + number(scale * picture_height);
+    };
+    out << "set terminal svg size " << size(1) << " font 'sans-serif,14' name " << in_quotes(svg_name(figure))
+        << "\nset output " << in_quotes(figure.id + ".svg") << '\n'
+        << plot << '\n'
+        << "set terminal pngcairo size " << size(2)
+        << " fontscale 1.9 linewidth 2 pointscale 2 font 'DejaVu Sans,11'\n"
+        << "set output " << in_quotes(figure.id + ".png") << "\nreplot\n";
+    return out.str();
+}
+
+std::string draw(const Figure& figure, const fs::path& csv, const fs::path& pictures) {
+    const fs::path script = pictures / (figure.id + ".gp"), svg = pictures / (figure.id + ".svg");
+    write_whole_file(script, script_of(figure, fs::relative(csv, pictures).string()));
+    const Finished done = run_program(
+        {"gnuplot", "-d", "-e", "cd " + in_quotes(fs::absolute(pictures).string()), fs::absolute(script)});
+    if (done.code != 0)
+        throw Failure("gnuplot cannot draw " + script.string() + ": " +
+                      (done.said.empty() ? "exit code " + std::to_string(done.code) : done.said));
+    std::string text = inline_svg(text_of(svg), figure);
+    write_whole_file(svg, text);
+    return text;
+}
+
+std::string gnuplot_version() {
+    try {
+        const Finished done = run_program({"gnuplot", "--version"});
+        if (done.code == 0) return done.said.substr(0, done.said.find('\n'));
+    } catch (const Failure&) {  // said below, with what helps
+    }
+    throw Failure("gnuplot cannot be run, and it draws the figures; on Debian install gnuplot-nox");
+}
+
+}  // namespace flipside::lab::report

@@ -1,0 +1,24 @@
+#pragma once
+/// The report: measures what its chapters need, draws their figures and writes the page.
+///
+///     DIR/data/            what was measured, a file per measurement; figure-ID.csv: the points of each
+///     figure DIR/figures/         ID.svg, ID.png and the gnuplot script ID.gp that drew them DIR/index.html
+///     the page, which needs none of the others
+
+#include <filesystem>
+#include <string>
+
+#include "lab/report/chapter.hpp"
+
+namespace flipside::lab::report {
+
+struct ReportInput {
+    std::filesystem::path out;
+    Effort effort;
+};
+
+/// A report that was stopped goes on where it was. Throws Failure when gnuplot is missing, and InputError
+/// when `out` holds the data of another effort or build: they would not say what the page says they do.
+void make_report(const ReportInput& input, const Watch& watch);
+
+}  // namespace flipside::lab::report

@@ -1,0 +1,135 @@
+// A whole report of very little work: its figures show what their CSV files say, and a report that was
+// stopped ends as one that was not.
+
+#include "lab/report/report.hpp"
+
+#include <cmath>
+#include <map>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "drawn.hpp"
+#include "lab/csv_table.hpp"
+#include "lab/failure.hpp"
+#include "lab/report/gnuplot.hpp"
+#include "tiny_effort.hpp"
+#include "world/input_error.hpp"
+
+namespace flipside::lab::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Reports : public ::testing::Test {
+  protected:
+    fs::path folder = fs::temp_directory_path() / ("flipside-report-" + std::to_string(getpid()));
+    void SetUp() override { fs::create_directory(folder); }
+    void TearDown() override { fs::remove_all(folder); }
+
+    static void make(const fs::path& out) {
+        make_report({out, tiny_effort()}, [](double) {});
+    }
+
+    static std::vector<Figure> figures_in(const fs::path& out) {
+        std::vector<Figure> figures;
+        for (const Chapter& chapter : chapters(tiny_effort()))
+            for (Figure& figure : chapter.show(out / "data").figures) figures.push_back(std::move(figure));
+        return figures;
+    }
+    /// Everything below a folder that must be the same in two reports with the same measurements.
+    static std::map<std::string, std::string> files_in(const fs::path& out) {
+        std::map<std::string, std::string> files;
+        for (const auto& entry : fs::recursive_directory_iterator(out))
+            if (entry.is_regular_file()) files[fs::relative(entry, out)] = text_of(entry);
+        return files;
+    }
+};
+
+/// Where a value stands between the ends of an axis, 0 … 1, those beyond at the end.
+double place(double value, const Axis& axis, const Range& range) {
+    if (axis.logarithmic)
+        return value <= range.from
+                   ? 0
+                   : std::min(1.0, std::log(value / range.from) / std::log(range.to / range.from));
+    return std::clamp((value - range.from) / (range.to - range.from), 0.0, 1.0);
+}
+
+TEST_F(Reports, EveryFigureShowsWhatItsCsvSaysInAPageThatNeedsNothingElse) {
+    make(folder);
+    const auto figures = figures_in(folder);
+    EXPECT_GE(figures.size(), 10U);
+    for (const Figure& figure : figures) {
+        const CsvTable table(folder / "data" / ("figure-" + figure.id + ".csv"));
+        const auto points = points_of(text_of(folder / "figures" / (figure.id + ".svg")));
+        EXPECT_GT(table.rows(), 1U) << figure.id;
+        ASSERT_EQ(points.size(), table.rows()) << figure.id;
+        const Frame frame = frame_of(figure);
+        for (std::size_t row = 0; row < table.rows(); ++row) {
+            const double across = place(table.number(row, figure.x.column), figure.x, frame.x);
+            const double up = place(table.number(row, figure.y.column), figure.y, frame.y);
+            EXPECT_NEAR(points[row].x, box_left + across * (box_right - box_left), 0.02)
+                << figure.id << " row " << row;
+            EXPECT_NEAR(points[row].y, box_bottom - up * (box_bottom - box_top), 0.02)
+                << figure.id << " row " << row;
+        }
+        EXPECT_EQ(text_of(folder / "figures" / (figure.id + ".png")).substr(1, 3), "PNG") << figure.id;
+        EXPECT_GT(figure.reading.size(), 80U) << figure.id;
+    }
+
+    // The page holds every figure and needs nothing else.
+    const std::string page = text_of(folder / "index.html");
+    for (const Figure& figure : figures)
+        EXPECT_NE(page.find("<figure id=\"" + figure.id + "\""), std::string::npos);
+    for (const char* words : {"Compiler", "-ffp-contract=off", "Box2D 2.", "gnuplot 5", "Commit"})
+        EXPECT_NE(page.find(words), std::string::npos) << words;
+    for (const char* outside : {"<script src", "<link rel=\"stylesheet", "@import", "url(", "<img"})
+        EXPECT_EQ(page.find(outside), std::string::npos) << outside;
+    // Ids are there once only, though every picture brings its own.
+    std::map<std::string, int> ids;
+    const std::regex id("\\sid=[\"']([^\"']*)[\"']");
+    for (std::sregex_iterator at(page.begin(), page.end(), id), end; at != end; ++at) ++ids[(*at)[1]];
+    for (const auto& [name, count] : ids) EXPECT_EQ(count, 1) << name;
+}
+
+TEST_F(Reports, OneThatWasStoppedEndsAsOneThatWasNot) {
+    make(folder / "whole");
+    auto expected = files_in(folder / "whole");
+    // Stopped after each of several shares of the work, with what is left of a measurement under way removed.
+    for (const double stop : {0.2, 0.5, 0.9}) {
+        try {
+            make_report({folder / "parts", tiny_effort()}, [stop](double share) {
+                if (share > stop) throw Failure("stopped");
+            });
+            FAIL() << "was not stopped";
+        } catch (const Failure& stopped) {
+            EXPECT_STREQ(stopped.what(), "stopped");
+        }
+        for (const auto& [name, text] : files_in(folder / "parts"))
+            EXPECT_TRUE(expected.contains(name)) << name << " at " << stop;
+    }
+    make(folder / "parts");
+    auto found = files_in(folder / "parts");
+    ASSERT_EQ(found.size(), expected.size());
+    // What was measured by the clock differs between two reports, and with it what is drawn of it.
+    const auto is_timed = [](const std::string& name) {
+        return name == "index.html" || name.find("growth") != std::string::npos ||
+               name.find("pairs") != std::string::npos;
+    };
+    std::erase_if(expected, [&](const auto& file) { return is_timed(file.first); });
+    for (const auto& [name, text] : expected) EXPECT_EQ(found.at(name), text) << name;
+    // Once measured, even those stay: the same report again.
+    make(folder / "parts");
+    EXPECT_EQ(files_in(folder / "parts"), found);
+}
+
+TEST_F(Reports, DataOfAnotherEffortAreRefused) {
+    const auto stop = [](double) { throw Failure("stopped"); };
+    EXPECT_THROW(make_report({folder, tiny_effort()}, stop), Failure);
+    Effort other = tiny_effort();
+    other.name = "other";
+    EXPECT_THROW(make_report({folder, other}, [](double) {}), InputError);
+}
+
+}  // namespace
+}  // namespace flipside::lab::report
