@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "../lab/report/made_up_sweep.hpp"
 #include "../lab/report/tiny_effort.hpp"
 #include "lab/csv_table.hpp"
 #include "lab/report/process.hpp"
@@ -48,7 +49,8 @@ constexpr const char* around = R"(<!DOCTYPE html><meta charset="utf-8"><body>
 
 TEST(ReportPage, IsShownByABrowserAsItIsMeant) {
     const fs::path folder = fs::temp_directory_path() / ("flipside-page-" + std::to_string(getpid()));
-    make_report({folder, tiny_effort()}, [](double) {});
+    make_up_sweep(folder / "swept");
+    make_report({folder, {folder / "swept"}, tiny_effort()}, [](double) {});
     std::size_t points = 0;
     for (const auto& entry : fs::directory_iterator(folder / "data"))
         if (entry.path().filename().string().starts_with("figure-")) points += CsvTable(entry).rows();

@@ -13,6 +13,7 @@ namespace {
 
 struct Options {
     std::string out;
+    std::vector<std::string> from;
     bool quick = false;
 };
 
@@ -24,8 +25,10 @@ int report(const Options& options) {
             progress.at(share);
             stop_if_interrupted();
         };
-        lab::report::make_report(
-            {options.out, options.quick ? lab::report::quick_effort() : lab::report::full_effort()}, watch);
+        lab::report::make_report({options.out,
+                                  {options.from.begin(), options.from.end()},
+                                  options.quick ? lab::report::quick_effort() : lab::report::full_effort()},
+                                 watch);
     }
     std::printf("%s\n", (std::filesystem::path(options.out) / "index.html").c_str());
     return 0;
@@ -42,6 +45,10 @@ void add_report(CLI::App& program, Action& chosen) {
                     "The folder of the report; a report that was stopped goes on there")
         ->required()
         ->type_name("DIR");
+    command
+        .add_option("--from", options->from,
+                    "Folders of one sweep (its shards), to be shown instead of measuring one")
+        ->type_name("DIR...");
     command.add_flag("--quick", options->quick, "In two minutes instead of a quarter of an hour");
     command.callback([options, &chosen] { chosen = [options] { return report(*options); }; });
 }

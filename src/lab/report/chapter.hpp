@@ -19,18 +19,24 @@ struct Chapter {
     std::function<Content(const std::filesystem::path& data)> show;
 };
 
-/// Box tests of every broad phase, in the toy's experiment and up to 100,000 balls.
-[[nodiscard]] Chapter broad_phase_chapter(const Effort& effort);
-/// A step's cost with the number of balls, ours and Box2D's, in rain.
-[[nodiscard]] Chapter growth_chapter(const Effort& effort);
+/// Speed against error on exact windows: measured, or where `from` names folders of `flipside sweep`, theirs.
+[[nodiscard]] Chapter work_precision_chapter(const Effort& effort,
+                                             const std::vector<std::filesystem::path>& from);
+/// Experiments with known answers, as tables.
+[[nodiscard]] Chapter hard_case_chapter(const Effort& effort);
 /// Energy where it must stay as it is.
 [[nodiscard]] Chapter energy_chapter(const Effort& effort);
 /// How fast the engines part on the pinball table.
 [[nodiscard]] Chapter divergence_chapter(const Effort& effort);
 /// How deep balls lie in what they touch.
 [[nodiscard]] Chapter penetration_chapter(const Effort& effort);
+/// A step's cost with the number of balls, ours and Box2D's, in rain.
+[[nodiscard]] Chapter growth_chapter(const Effort& effort);
+/// Box tests of every broad phase, in the toy's experiment and up to 100,000 balls.
+[[nodiscard]] Chapter broad_phase_chapter(const Effort& effort);
 
 /// All, in the order of the page.
-[[nodiscard]] std::vector<Chapter> chapters(const Effort& effort);
+[[nodiscard]] std::vector<Chapter> chapters(const Effort& effort,
+                                            const std::vector<std::filesystem::path>& from);
 
 }  // namespace flipside::lab::report

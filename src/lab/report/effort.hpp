@@ -1,30 +1,70 @@
 #pragma once
 /// How much a report measures.
 
-#include <cstddef>
+#include <string>
 #include <vector>
+
+#include "lab/sweep/variants.hpp"
 
 namespace flipside::lab::report {
 
 struct Effort {
-    const char* name;             ///< data of one effort do not mix with those of another
-    double pair_seconds;          ///< simulated, of the toy's experiment, for each number of balls
-    std::size_t most_pair_balls;  ///< in the growth of broad phases
-    int gas_balls;
+    std::string name;  ///< data of one effort do not mix with those of another
+    std::vector<sweep::Variant> variants;
+    bool quick_sweep;                ///< as `flipside sweep --quick`
+    double sweep_seconds;            ///< CPU time it takes, about
+    std::vector<std::string> cases;  ///< by name; all where none is named
+    bool quick_cases;                ///< as `flipside cases --quick`
+    double case_seconds;             ///< CPU time they take on one engine, about
     double energy_seconds;
+    int gas_balls;
     double divergence_seconds;
     int rain_balls;  ///< of the penetration
     double rain_seconds;
     std::vector<int> growth_balls;  ///< rain with these numbers of balls
     double growth_seconds;          ///< simulated, for each of them
     double growth_limit;            ///< CPU seconds after which such a run is given up
+    double pair_seconds;            ///< simulated, of the toy's experiment, for each number of balls
+    std::size_t most_pair_balls;    ///< in the growth of broad phases
 };
 
 [[nodiscard]] inline Effort full_effort() {
-    return {"full", 60, 100'000, 200, 6, 10, 300, 5, {100, 320, 1000, 3200, 10'000, 32'000, 100'000}, 1, 15};
+    return {.name = "full",
+            .variants = sweep::standard_variants(),
+            .quick_sweep = false,
+            .sweep_seconds = 400,
+            .cases = {},
+            .quick_cases = false,
+            .case_seconds = 30,
+            .energy_seconds = 6,
+            .gas_balls = 200,
+            .divergence_seconds = 10,
+            .rain_balls = 300,
+            .rain_seconds = 5,
+            .growth_balls = {100, 320, 1000, 3200, 10'000, 32'000, 100'000},
+            .growth_seconds = 1,
+            .growth_limit = 20,
+            .pair_seconds = 60,
+            .most_pair_balls = 100'000};
 }
 [[nodiscard]] inline Effort quick_effort() {
-    return {"quick", 10, 32'000, 100, 3, 5, 100, 3, {100, 320, 1000, 3200}, 0.5, 3};
+    return {.name = "quick",
+            .variants = sweep::standard_variants(),
+            .quick_sweep = true,
+            .sweep_seconds = 60,
+            .cases = {},
+            .quick_cases = true,
+            .case_seconds = 2,
+            .energy_seconds = 3,
+            .gas_balls = 100,
+            .divergence_seconds = 5,
+            .rain_balls = 100,
+            .rain_seconds = 3,
+            .growth_balls = {100, 320, 1000, 3200},
+            .growth_seconds = 0.5,
+            .growth_limit = 3,
+            .pair_seconds = 10,
+            .most_pair_balls = 32'000};
 }
 
 }  // namespace flipside::lab::report

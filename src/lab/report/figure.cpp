@@ -51,6 +51,13 @@ Range range_of(const Figure& figure, const Axis& axis, double Point::*coordinate
     return rounded(range, axis);
 }
 
+/// gnuplot reads line by line, quotes or not.
+std::string in_one_line(const std::string& text) {
+    std::string line;
+    for (const char c : text) line += c == '\n' ? std::string("; ") : std::string(1, c);
+    return line;
+}
+
 }  // namespace
 
 Frame frame_of(const Figure& figure) {
@@ -71,7 +78,7 @@ void write_csv(const Figure& figure, const std::filesystem::path& file) {
     CsvRow row;
     row.add("series").add(figure.x.column).add(figure.y.column).add("point").write(csv.out());
     for (const auto& [series, point] : rows_of(figure))
-        row.add(series->name).add(point->x).add(point->y).add(point->says).write(csv.out());
+        row.add(series->name).add(point->x).add(point->y).add(in_one_line(point->says)).write(csv.out());
     csv.finish();
 }
 

@@ -67,7 +67,8 @@ struct Frame {
 
 /// All points in the order of the CSV's rows: by series, those of failed runs last in each.
 [[nodiscard]] std::vector<std::pair<const Series*, const Point*>> rows_of(const Figure& figure);
-/// A row per point: series, x and y under the axes' names, point (what it says).
+/// A row and a line per point: series, x and y under the axes' names, point (what it says, lines joined by ";
+/// ").
 void write_csv(const Figure& figure, const std::filesystem::path& file);
 
 /// A number for people: 4 significant digits.

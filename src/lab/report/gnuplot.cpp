@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 #include "lab/failure.hpp"
 #include "lab/report/process.hpp"
 #include "lab/report/svg.hpp"
 #include "lab/whole_file.hpp"
+#include "world/json_file.hpp"
 
 namespace flipside::lab::report {
 
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// In gnuplot's single quotes nothing but the quote itself has a meaning.
-std::string in_quotes(std::string_view text) {
+std::string in_single_quotes(std::string_view text) {
     std::string out = "'";
     for (const char c : text) out.append(c == '\'' ? 2 : 1, c == '\n' ? ' ' : c);
     return out + "'";
@@ -50,7 +50,7 @@ void write_axis(std::ostream& out, char name, const Axis& axis, const Range& ran
             << number(apart) << (apart > 10 ? "\nunset m" : "\nset m") << name << "tics\n";
     }
     out << "set " << name << "range [" << number(range.from) << ':' << number(range.to) << "]\n"
-        << "set " << name << "label " << in_quotes(axis.label)
+        << "set " << name << "label " << in_single_quotes(axis.label)
         << " noenhanced textcolor rgb ink\n"
         // An infinite value, of a failed run, comes to the upper edge; what is below the range to the lower.
         // Just inside: what rounds to beyond the border is not drawn.
@@ -62,7 +62,7 @@ void write_frame(std::ostream& out, const Figure& figure) {
     const auto across = [](double px) { return number(px / picture_width); };
     const auto up = [](double px) { return number(1 - px / picture_height); };
     const Frame frame = frame_of(figure);
-    out << "ink = " << in_quotes(ink) << "\nset encoding utf8\nset datafile separator comma\n"
+    out << "ink = " << in_single_quotes(ink) << "\nset encoding utf8\nset datafile separator comma\n"
         << "set lmargin at screen " << across(box_left) << "\nset rmargin at screen " << across(box_right)
         << "\nset tmargin at screen " << up(box_top) << "\nset bmargin at screen " << up(box_bottom) << '\n'
         << "set border 3 linecolor rgb ink\nset tics nomirror textcolor rgb ink\n"
@@ -73,10 +73,10 @@ void write_frame(std::ostream& out, const Figure& figure) {
     write_axis(out, 'y', figure.y, frame.y);
     for (const Mark& mark : figure.marks)
         out << "set arrow from " << number(mark.x) << ", graph 0 to " << number(mark.x)
-            << ", graph 1 nohead dashtype 3 linewidth 2 linecolor rgb " << in_quotes(mark.colour)
-            << "\nset label " << in_quotes(mark.says) << " at " << number(mark.x)
+            << ", graph 1 nohead dashtype 3 linewidth 2 linecolor rgb " << in_single_quotes(mark.colour)
+            << "\nset label " << in_single_quotes(mark.says) << " at " << number(mark.x)
             << ", graph 0.97 rotate by -90 offset 0.7,0 left noenhanced font ',11' textcolor rgb "
-            << in_quotes(mark.colour) << '\n';
+            << in_single_quotes(mark.colour) << '\n';
 }
 
 /// The plot elements that show one series, whose rows in the CSV file begin with number `row`.
@@ -84,7 +84,7 @@ std::vector<std::string> elements_of(const Series& series, std::size_t row) {
     const auto failed = static_cast<std::size_t>(
         std::ranges::count_if(series.points, [](const Point& p) { return std::isinf(p.y); }));
     const std::size_t good = series.points.size() - failed;
-    const std::string look = " linecolor rgb " + in_quotes(series.colour);
+    const std::string look = " linecolor rgb " + in_single_quotes(series.colour);
     const auto rows = [](std::size_t from, std::size_t count) {
         return "csv skip 1 every ::" + std::to_string(from) + "::" + std::to_string(from + count - 1) +
                " using (at_x($2)):(at_y($3))";
@@ -103,14 +103,8 @@ std::vector<std::string> elements_of(const Series& series, std::size_t row) {
     if (good > 0) elements.push_back(labels(row, good, series.marker, series.size));
     if (failed > 0) elements.push_back(labels(row + good, failed, 2, 1.2));
     elements.push_back("NaN with " + (series.joined ? "linespoints" + line : std::string("points")) + marker +
-                       look + " title " + in_quotes(series.name));
+                       look + " title " + in_single_quotes(series.name));
     return elements;
-}
-
-std::string text_of(const fs::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return text.str();
 }
 
 }  // namespace
@@ -118,7 +112,7 @@ std::string text_of(const fs::path& file) {
 std::string script_of(const Figure& figure, const std::string& csv) {
     std::ostringstream out;
     out << "# " << figure.id << ": run by `gnuplot -d " << figure.id << ".gp` in this folder.\n"
-        << "csv = " << in_quotes(csv) << '\n';
+        << "csv = " << in_single_quotes(csv) << '\n';
     write_frame(out, figure);
     std::string plot = "plot ";
     std::size_t row = 0;
@@ -130,24 +124,26 @@ std::string script_of(const Figure& figure, const std::string& csv) {
     const auto size = [](double scale) {
         return number(scale * picture_width) + "," + number(scale * picture_height);
     };
-    out << "set terminal svg size " << size(1) << " font 'sans-serif,14' name " << in_quotes(svg_name(figure))
-        << "\nset output " << in_quotes(figure.id + ".svg") << '\n'
+    out << "set terminal svg size " << size(1) << " font 'sans-serif,14' name "
+        << in_single_quotes(svg_name(figure)) << "\nset output " << in_single_quotes(figure.id + ".svg")
+        << '\n'
         << plot << '\n'
         << "set terminal pngcairo size " << size(2)
         << " fontscale 1.9 linewidth 2 pointscale 2 font 'DejaVu Sans,11'\n"
-        << "set output " << in_quotes(figure.id + ".png") << "\nreplot\n";
+        << "set output " << in_single_quotes(figure.id + ".png") << "\nreplot\n";
     return out.str();
 }
 
 std::string draw(const Figure& figure, const fs::path& csv, const fs::path& pictures) {
     const fs::path script = pictures / (figure.id + ".gp"), svg = pictures / (figure.id + ".svg");
     write_whole_file(script, script_of(figure, fs::relative(csv, pictures).string()));
-    const Finished done = run_program(
-        {"gnuplot", "-d", "-e", "cd " + in_quotes(fs::absolute(pictures).string()), fs::absolute(script)});
+    const Finished done =
+        run_program({"gnuplot", "-d", "-e", "cd " + in_single_quotes(fs::absolute(pictures).string()),
+                     fs::absolute(script)});
     if (done.code != 0)
         throw Failure("gnuplot cannot draw " + script.string() + ": " +
                       (done.said.empty() ? "exit code " + std::to_string(done.code) : done.said));
-    std::string text = inline_svg(text_of(svg), figure);
+    std::string text = inline_svg(read_file(svg), figure);
     write_whole_file(svg, text);
     return text;
 }

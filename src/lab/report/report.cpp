@@ -1,9 +1,11 @@
 #include "lab/report/report.hpp"
 
+#include <algorithm>
 #include <system_error>
 
 #include <nlohmann/json.hpp>
 
+#include "lab/engines.hpp"
 #include "lab/failure.hpp"
 #include "lab/report/facts.hpp"
 #include "lab/report/gnuplot.hpp"
@@ -25,12 +27,6 @@ void make_folder(const fs::path& folder) {
     if (error) throw Failure(folder.string() + ": cannot be made (" + error.message() + ")");
 }
 
-std::string text_of(const fs::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
-}
-
 /// Notes what the folder's data are of, or checks that they are of the same.
 void claim(const fs::path& data, const Effort& effort) {
     const fs::path file = data / "report.json";
@@ -38,55 +34,70 @@ void claim(const fs::path& data, const Effort& effort) {
         {"format", "flipside-report-data/1"}, {"effort", effort.name}, {"commit", build_commit()}};
     const std::string text = json.dump(2) + '\n';
     if (!exists(file)) return write_whole_file(file, text);
-    if (text_of(file) != text)
+    if (read_file(file) != text)
         throw InputError(file.string() +
                          ": the data beside it are of another build or of another effort than '" +
                          effort.name + "' (--quick or not); remove the folder or name another one");
 }
 
-std::vector<Chapter> measured(const ReportInput& input, const fs::path& data, const Watch& watch) {
-    std::vector<Chapter> all = chapters(input.effort);
+void measure(const std::vector<Chapter>& all, const fs::path& data, const Watch& watch) {
     std::vector<Measurement> measurements;
     for (const Chapter& chapter : all)
         measurements.insert(measurements.end(), chapter.measurements.begin(), chapter.measurements.end());
     take(measurements, data, [&](double share) { watch((1 - share_of_drawing) * share); });
-    return all;
+}
+
+/// Draws the chapter's figures; their points lie beside the data.
+PageChapter drawn(const Chapter& chapter, const fs::path& data, const fs::path& pictures,
+                  const std::function<void()>& watch) {
+    PageChapter shown{chapter.id, chapter.title, chapter.intro, chapter.show(data), {}};
+    for (const Figure& figure : shown.content.figures) {
+        watch();
+        const fs::path csv = data / ("figure-" + figure.id + ".csv");
+        write_csv(figure, csv);
+        shown.svgs.push_back(draw(figure, csv, pictures));
+    }
+    return shown;
+}
+
+Page empty_page(const ReportInput& input, const std::string& gnuplot) {
+    Page page{
+        "Flipside: speed and error of physics engines",
+        "What each engine makes of scenes whose right answer is known, and what it costs. Point at a point "
+        "of a figure, or tap it, and it says which setting it is.",
+        {},
+        build_facts()};
+    std::string from;
+    for (const fs::path& folder : input.from) from += (from.empty() ? "" : ", ") + folder.string();
+    page.facts.emplace_back("Drawn with", gnuplot);
+    page.facts.emplace_back("Effort", input.effort.name + (from.empty() ? "" : "; sweep from " + from));
+    page.facts.emplace_back("Date", today());
+    return page;
 }
 
 }  // namespace
 
-std::vector<Chapter> chapters(const Effort& effort) {
-    return {energy_chapter(effort), divergence_chapter(effort), penetration_chapter(effort),
-            growth_chapter(effort), broad_phase_chapter(effort)};
+std::vector<Chapter> chapters(const Effort& effort, const std::vector<fs::path>& from) {
+    std::vector<Chapter> all{hard_case_chapter(effort),  energy_chapter(effort),
+                             divergence_chapter(effort), penetration_chapter(effort),
+                             growth_chapter(effort),     broad_phase_chapter(effort)};
+    // Windows are the reference's.
+    if (!from.empty() || std::ranges::find(engines(), "reference", &Engine::name) != engines().end())
+        all.insert(all.begin(), work_precision_chapter(effort, from));
+    return all;
 }
 
 void make_report(const ReportInput& input, const Watch& watch) {
-    const std::string gnuplot = gnuplot_version();
+    Page page = empty_page(input, gnuplot_version());
+    const std::vector<Chapter> all = chapters(input.effort, input.from);
     const fs::path data = input.out / "data", pictures = input.out / "figures";
     make_folder(data);
     make_folder(pictures);
     claim(data, input.effort);
-
-    Page page{"Flipside: speed and error of two physics engines",
-              "What each engine makes of scenes whose right answer is known, and what it costs. Point at a "
-              "point of a "
-              "figure, or tap it, and it says which setting it is.",
-              {},
-              build_facts()};
-    page.facts.emplace_back("Drawn with", gnuplot);
-    page.facts.emplace_back("Effort", input.effort.name);
-    page.facts.emplace_back("Date", today());
-    const std::vector<Chapter> all = measured(input, data, watch);
+    measure(all, data, watch);
     for (const Chapter& chapter : all) {
-        PageChapter shown{chapter.id, chapter.title, chapter.intro, chapter.show(data), {}};
-        for (const Figure& figure : shown.content.figures) {
-            watch(1 - share_of_drawing *
-                          (1 - static_cast<double>(page.chapters.size()) / static_cast<double>(all.size())));
-            const fs::path csv = data / ("figure-" + figure.id + ".csv");
-            write_csv(figure, csv);
-            shown.svgs.push_back(draw(figure, csv, pictures));
-        }
-        page.chapters.push_back(std::move(shown));
+        const double left = 1 - static_cast<double>(page.chapters.size()) / static_cast<double>(all.size());
+        page.chapters.push_back(drawn(chapter, data, pictures, [&] { watch(1 - share_of_drawing * left); }));
     }
     write_whole_file(input.out / "index.html", html_of(page));
 }

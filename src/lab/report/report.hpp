@@ -14,6 +14,7 @@ namespace flipside::lab::report {
 
 struct ReportInput {
     std::filesystem::path out;
+    std::vector<std::filesystem::path> from;  ///< folders of one sweep, to be shown instead of measuring one
     Effort effort;
 };
 

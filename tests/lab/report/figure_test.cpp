@@ -29,8 +29,9 @@ class Figures : public ::testing::Test {
     /// a command.
     static Figure awkward() {
         Series first{"a, \"b\" & <c>_d'{}^", "#56b4e9", 2, 7, 0.8, true, {}};
-        first.points = {
-            {0.001, 1e-3, "dt = 1/60 s, \"fast\""}, {0.01, infinity, "lost <all> balls"}, {1, 1e-7, "%d $1"}};
+        first.points = {{0.001, 1e-3, "dt = 1/60 s, \"fast\""},
+                        {0.01, infinity, "lost <all> balls"},
+                        {1, 1e-7, "%d\n$1"}};
         Series second{"second", "#e69f00", 1, 5, 0.8, false, {{0.1, 0, "nothing at all"}}};
         return {"awk-ward",         "A figure's title",
                 {"x_1", "x", true}, {"y^2", "y", true, 1e-9},
@@ -61,6 +62,7 @@ TEST_F(Figures, TheCsvHoldsEveryPointWithAllItsBits) {
     EXPECT_EQ(table.number(0, "x"), 0.001);
     EXPECT_EQ(table.number(1, "y"), 1e-7);
     EXPECT_EQ(table.text(0, "point"), "dt = 1/60 s, \"fast\"");
+    EXPECT_EQ(table.text(1, "point"), "%d; $1");
     EXPECT_EQ(table.number(2, "y"), infinity);  // the failed one is the last of its series
     EXPECT_EQ(table.text(2, "point"), "lost <all> balls");
     EXPECT_EQ(table.number(3, "y"), 0);

@@ -3,6 +3,7 @@
 
 #include "lab/report/report.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -13,6 +14,7 @@
 #include "lab/csv_table.hpp"
 #include "lab/failure.hpp"
 #include "lab/report/gnuplot.hpp"
+#include "made_up_sweep.hpp"
 #include "tiny_effort.hpp"
 #include "world/input_error.hpp"
 
@@ -24,16 +26,18 @@ namespace fs = std::filesystem;
 class Reports : public ::testing::Test {
   protected:
     fs::path folder = fs::temp_directory_path() / ("flipside-report-" + std::to_string(getpid()));
-    void SetUp() override { fs::create_directory(folder); }
+    fs::path swept = folder / "swept";
+    void SetUp() override { make_up_sweep(swept); }
     void TearDown() override { fs::remove_all(folder); }
 
-    static void make(const fs::path& out) {
-        make_report({out, tiny_effort()}, [](double) {});
+    [[nodiscard]] ReportInput input(const fs::path& out) const { return {out, {swept}, tiny_effort()}; }
+    void make(const fs::path& out) const {
+        make_report(input(out), [](double) {});
     }
 
-    static std::vector<Figure> figures_in(const fs::path& out) {
+    [[nodiscard]] std::vector<Figure> figures_in(const fs::path& out) const {
         std::vector<Figure> figures;
-        for (const Chapter& chapter : chapters(tiny_effort()))
+        for (const Chapter& chapter : chapters(tiny_effort(), {swept}))
             for (Figure& figure : chapter.show(out / "data").figures) figures.push_back(std::move(figure));
         return figures;
     }
@@ -58,7 +62,7 @@ double place(double value, const Axis& axis, const Range& range) {
 TEST_F(Reports, EveryFigureShowsWhatItsCsvSaysInAPageThatNeedsNothingElse) {
     make(folder);
     const auto figures = figures_in(folder);
-    EXPECT_GE(figures.size(), 10U);
+    EXPECT_GE(figures.size(), 12U);
     for (const Figure& figure : figures) {
         const CsvTable table(folder / "data" / ("figure-" + figure.id + ".csv"));
         const auto points = points_of(text_of(folder / "figures" / (figure.id + ".svg")));
@@ -98,7 +102,7 @@ TEST_F(Reports, OneThatWasStoppedEndsAsOneThatWasNot) {
     // Stopped after each of several shares of the work, with what is left of a measurement under way removed.
     for (const double stop : {0.2, 0.5, 0.9}) {
         try {
-            make_report({folder / "parts", tiny_effort()}, [stop](double share) {
+            make_report(input(folder / "parts"), [stop](double share) {
                 if (share > stop) throw Failure("stopped");
             });
             FAIL() << "was not stopped";
@@ -114,7 +118,7 @@ TEST_F(Reports, OneThatWasStoppedEndsAsOneThatWasNot) {
     // What was measured by the clock differs between two reports, and with it what is drawn of it.
     const auto is_timed = [](const std::string& name) {
         return name == "index.html" || name.find("growth") != std::string::npos ||
-               name.find("pairs") != std::string::npos;
+               name.find("pairs") != std::string::npos || name.find("case") != std::string::npos;
     };
     std::erase_if(expected, [&](const auto& file) { return is_timed(file.first); });
     for (const auto& [name, text] : expected) EXPECT_EQ(found.at(name), text) << name;
@@ -123,12 +127,50 @@ TEST_F(Reports, OneThatWasStoppedEndsAsOneThatWasNot) {
     EXPECT_EQ(files_in(folder / "parts"), found);
 }
 
+const Series& series_named(const Figure& figure, const std::string& name) {
+    return *std::ranges::find(figure.series, name, &Series::name);
+}
+
+TEST_F(Reports, WorkAndPrecisionAreThoseOfTheSweep) {
+    const Chapter chapter = work_precision_chapter(tiny_effort(), {swept});
+    EXPECT_TRUE(chapter.measurements.empty());
+    const Content content = chapter.show({});
+    ASSERT_EQ(content.figures.size(), 2U);
+    const Figure &work = content.figures[0], &order = content.figures[1];
+    for (const char* entrant : {"custom-continuous", "custom-discrete", "box2d"}) {
+        const Series& points = series_named(work, entrant);
+        ASSERT_EQ(points.points.size(), 6U) << entrant;
+        double dt = 1. / 30;
+        for (const Point& point : points.points) {
+            EXPECT_NEAR(point.x, made_up_cost(dt), 1e-12) << entrant;
+            EXPECT_NEAR(point.y, made_up_error(entrant, dt), 1e-15) << entrant;
+            EXPECT_NE(point.says.find("dt = " + step_text(dt)), std::string::npos) << point.says;
+            dt /= 2;
+        }
+    }
+    const Series& failing = series_named(work, "box2d-no-bullets");
+    EXPECT_TRUE(std::isinf(failing.points[0].y));
+    EXPECT_NE(failing.points[0].says.find("3 failed: lost ball"), std::string::npos)
+        << failing.points[0].says;
+    EXPECT_FALSE(std::isinf(failing.points[1].y));
+    // The fitted orders are those that were made up; what lies at rounding has none.
+    EXPECT_EQ(series_named(order, "custom-discrete: order 1.00").points.size(), 2U);
+    EXPECT_EQ(series_named(order, "box2d: order 2.00").points.size(), 2U);
+    EXPECT_TRUE(std::ranges::none_of(order.series, [](const Series& series) {
+        return series.name.starts_with("custom-continuous: order");
+    }));
+}
+
+TEST_F(Reports, FoldersWithoutASweepAreRefused) {
+    EXPECT_THROW(make_report({folder / "out", {folder}, tiny_effort()}, [](double) {}), InputError);
+}
+
 TEST_F(Reports, DataOfAnotherEffortAreRefused) {
     const auto stop = [](double) { throw Failure("stopped"); };
-    EXPECT_THROW(make_report({folder, tiny_effort()}, stop), Failure);
+    EXPECT_THROW(make_report(input(folder), stop), Failure);
     Effort other = tiny_effort();
     other.name = "other";
-    EXPECT_THROW(make_report({folder, other}, [](double) {}), InputError);
+    EXPECT_THROW(make_report({folder, {swept}, other}, [](double) {}), InputError);
 }
 
 }  // namespace

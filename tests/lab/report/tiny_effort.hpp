@@ -6,7 +6,19 @@
 namespace flipside::lab::report {
 
 inline Effort tiny_effort() {
-    return {"tiny", 0.05, 100, 9, 0.2, 0.7, 10, 0.2, {10, 20}, 0.1, 5};
+    Effort effort = quick_effort();
+    effort.name = "tiny";
+    effort.cases = {"zeno-drop", "galperin"};
+    effort.energy_seconds = 0.2;
+    effort.gas_balls = 9;
+    effort.divergence_seconds = 0.7;
+    effort.rain_balls = 10;
+    effort.rain_seconds = 0.2;
+    effort.growth_balls = {10, 20};
+    effort.growth_seconds = 0.1;
+    effort.pair_seconds = 0.05;
+    effort.most_pair_balls = 100;
+    return effort;
 }
 
 }  // namespace flipside::lab::report
