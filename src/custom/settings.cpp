@@ -76,10 +76,10 @@ constexpr SettingSpec specs[] = {
     {.name = "search_room",
      .type = SettingType::real,
      .unit = "radii",
-     .initial = 1,
+     .initial = 0.25,
      .min = 0,
      .max = 1e3,
-     .about = "room around a ball's way within which one search for pairs serves all flights of a step; 0 "
+     .about = "room beyond a ball's reach within which one search for pairs serves all flights of a step; 0 "
               "searches for every flight, as the toy does; changes the cost, never the outcome"},
     {.name = "sleep",
      .type = SettingType::toggle,

@@ -4,6 +4,8 @@
 #include <functional>
 #include <tuple>
 
+#include "custom/broad_phase/room.hpp"
+
 namespace flipside::custom {
 
 namespace {
@@ -46,6 +48,7 @@ void each_missing(const std::vector<T>& these, const std::vector<T>& those, auto
 
 void TouchList::reserve(std::size_t balls) {
     for (auto* list : {&before_, &now_}) make_room(*list, balls, touches_per_ball);
+    make_room(pairs_, balls, contacts_per_ball);
     for (auto* list : {&sensed_before_, &sensed_}) make_room(*list, balls, touches_per_ball);
 }
 
@@ -63,6 +66,7 @@ void TouchList::look(const Layout& layout, const Table& table, const Ball& ball,
     const bool sensor = table.scene().parts[piece.part].sensor;
     if (!sensor && !layout.stops(table, index, pose, ball)) return;
     ++narrow_tests_;
+    if (!layout.moves(index) && misses(ball.position, ball.radius * (1 + 2 * touch_distance), piece)) return;
     const Touch found = touch(ball.position, ball.radius, piece, pose);
     if (found.past_end) return;
     if (sensor && found.separation <= 0) sensed_.push_back({ball.number, piece.part});
@@ -86,7 +90,10 @@ void TouchList::refresh(const Layout& layout, const Table& table, std::span<cons
         return bounds_of(ball.position, ball.radius * (1 + touch_distance));
     };
     layout.place(table, balls, 0, 0, everything, box_of, moving_);
-    near.find_pairs(moving_, broad, pairs_);
+    pairs_.clear();
+    near.find_pairs(
+        moving_, broad, [&](std::size_t i) { return moving_[i].box; },
+        [&](Pair pair) { pairs_.push_back(pair); });
     look_at(layout, table, balls, pairs_);
 }
 
@@ -108,6 +115,8 @@ void TouchList::look_at(const Layout& layout, const Table& table, std::span<cons
         }
         const Ball& lower = balls[pair.a - layout.size()];
         ++narrow_tests_;
+        const double reach = (lower.radius + ball.radius) * (1 + 2 * touch_distance);
+        if (length_squared(lower.position - ball.position) > reach * reach) continue;
         const Touch found = touch(lower.position, lower.radius, ball.position, ball.radius);
         if (found.separation <= touch_distance * std::min(lower.radius, ball.radius))
             now_.push_back(

@@ -157,6 +157,7 @@ class AdaptiveQuadtree final : public BroadPhase {
     void find_pairs(std::span<const Proxy> moving, std::vector<Pair>& pairs) override {
         pairs.clear();
         if (std::ranges::none_of(moving, &Proxy::active)) return;
+        moving_ = moving;
         const auto first = static_cast<Handle>(still_.size());
         order_.start(first, moving.size());
         const auto test = [&](Handle b, const Proxy& other, Handle a) {
@@ -178,6 +179,16 @@ class AdaptiveQuadtree final : public BroadPhase {
         order_.finish(pairs);
     }
 
+    void find_overlapping(const Box& box, std::vector<Handle>& found) override {
+        const auto look_at = [&](Handle handle, const Proxy& proxy) {
+            ++tests_;
+            if (overlap(box, proxy.box)) found.push_back(handle);
+        };
+        const auto first = static_cast<Handle>(still_.size());
+        tests_ += still_tree_.reach(box, [&](Handle i) { look_at(i, still_[i]); });
+        tests_ += moving_tree_.reach(box, [&](Handle i) { look_at(first + i, moving_[i]); });
+    }
+
     [[nodiscard]] BroadPhaseFacts facts() const override {
         BroadPhaseFacts facts{
             .name = "adaptive quadtree", .levels = moving_tree_.levels(), .nodes = moving_tree_.nodes()};
@@ -194,6 +205,7 @@ class AdaptiveQuadtree final : public BroadPhase {
 
   private:
     std::vector<Proxy> still_;
+    std::span<const Proxy> moving_;
     Tree still_tree_, moving_tree_;
     PairOrder order_;
 };

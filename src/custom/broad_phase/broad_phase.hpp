@@ -46,6 +46,10 @@ class BroadPhase {
     /// Replaces `pairs` by every overlapping pair that may meet, each once, in order. Pairs of still
     /// proxies are never looked at. Allocates only while it meets larger inputs than ever before.
     virtual void find_pairs(std::span<const Proxy> moving, std::vector<Pair>& pairs) = 0;
+    /// Adds to `found` every still proxy, and every moving one of the last find_pairs(), whose box overlaps
+    /// this one; each once, in no order. `moving` must still be there, and have had an active one. Whether
+    /// one that was moved since is found is left open.
+    virtual void find_overlapping(const Box& box, std::vector<Handle>& found) = 0;
     /// Tests of one box against another since the start, those that insertion cost included.
     [[nodiscard]] std::uint64_t tests() const { return tests_; }
     [[nodiscard]] virtual BroadPhaseFacts facts() const = 0;

@@ -12,6 +12,7 @@ class BruteForce final : public BroadPhase {
 
     void find_pairs(std::span<const Proxy> moving, std::vector<Pair>& pairs) override {
         pairs.clear();
+        moving_ = moving;
         const auto first = static_cast<Handle>(still_.size());
         const auto count = static_cast<Handle>(moving.size());
         for (Handle b = 0; b < count; ++b) {
@@ -20,6 +21,13 @@ class BruteForce final : public BroadPhase {
             for (Handle a = 0; a < b; ++a)
                 if (test(moving[a], moving[b])) pairs.push_back({first + a, first + b});
         }
+    }
+    void find_overlapping(const Box& box, std::vector<Handle>& found) override {
+        tests_ += still_.size() + moving_.size();
+        for (Handle i = 0; i < still_.size(); ++i)
+            if (overlap(box, still_[i].box)) found.push_back(i);
+        for (Handle i = 0; i < moving_.size(); ++i)
+            if (overlap(box, moving_[i].box)) found.push_back(static_cast<Handle>(still_.size()) + i);
     }
     [[nodiscard]] BroadPhaseFacts facts() const override { return {.name = "brute force"}; }
     void inspect(Inspector&) const override {}
@@ -32,6 +40,7 @@ class BruteForce final : public BroadPhase {
     }
 
     std::vector<Proxy> still_;
+    std::span<const Proxy> moving_;
 };
 
 }  // namespace

@@ -38,7 +38,8 @@ struct Cells {
 /// How the world is divided.
 struct Division {
     Vec2 origin;
-    double size = 0;  ///< m, of a cell
+    double size = 0;      ///< m, of a cell
+    double per_size = 0;  ///< 1/m, its inverse
     std::uint32_t columns = 1, rows = 1;
 
     [[nodiscard]] std::uint32_t column(double x) const { return place(x - origin.x, columns); }
@@ -60,7 +61,7 @@ struct Division {
   private:
     [[nodiscard]] std::uint32_t place(double offset, std::uint32_t count) const {
         // Written so that anything outside, even at infinity, lands in the outermost cell.
-        const double at = offset / size;
+        const double at = offset * per_size;
         return at > 0 ? static_cast<std::uint32_t>(std::min(at, count - 1.0)) : 0;
     }
 };
@@ -68,7 +69,11 @@ struct Division {
 class Grid final : public BroadPhase {
   public:
     Grid(std::span<const Proxy> still, const Box& world, double cell) : world_(world), automatic_(cell == 0) {
-        for (const Proxy& proxy : still) still_.push_back({proxy, first_moving(), {}});
+        for (const Proxy& proxy : still) {
+            still_.push_back({proxy, first_moving(), {}});
+            layers_of_still_ |= proxy.layer;
+            masks_of_still_ &= proxy.collides_with;
+        }
         const Vec2 size = world.max - world.min;
         constexpr double most_cells = 1 << 22;
         if (automatic_) make_room(16);
@@ -84,9 +89,22 @@ class Grid final : public BroadPhase {
         moving_ = moving;
         sort_small();
         for (const Wide& wide : wide_) look_around(wide);
-        for (std::uint32_t i = 0; i < entries_.size(); ++i) look_around(i);
+        everyone_meets() ? look_around_small<true>() : look_around_small<false>();
         order_.finish(pairs);
-        moving_ = {};
+    }
+
+    void find_overlapping(const Box& box, std::vector<Handle>& found) override {
+        const auto look_at = [&](Handle handle, const Proxy& proxy) {
+            ++tests_;
+            if (overlap(box, proxy.box)) found.push_back(handle);
+        };
+        each_large_under(cells_.under(box), look_at);
+        // The middles of small ones are less than half a cell inside their boxes.
+        const Cells around = with_margin(box);
+        for (std::uint32_t y = around.bottom; y <= around.top; ++y)
+            for (std::uint32_t i = begin_[cells_.at(around.left, y)];
+                 i < begin_[cells_.at(around.right, y) + 1]; ++i)
+                look_at(entries_[i].handle, entries_[i].proxy);
     }
 
     [[nodiscard]] BroadPhaseFacts facts() const override {
@@ -131,6 +149,37 @@ class Grid final : public BroadPhase {
         Cells cells;   ///< without the margin
         Cells listed;  ///< with it
     };
+    /// What lies together in a list.
+    struct Run {
+        std::uint32_t begin, end;
+        [[nodiscard]] std::uint32_t size() const { return end - begin; }
+    };
+    /// Tests of one small proxy against others, without a branch: nothing would foretell what is near.
+    template <bool everyone>
+    struct Looking {
+        const Proxy& own;
+        Handle handle;
+        Pair* to;
+        std::uint32_t found = 0, tests = 0;
+
+        Looking(const Entry& entry, Pair* pairs) : own(entry.proxy), handle(entry.handle), to(pairs) {}
+        void at(const Entry& other) {
+            at(other.proxy, std::min(handle, other.handle), std::max(handle, other.handle));
+        }
+        void at(const Proxy& other, Handle low, Handle high) {
+            const Box &a = own.box, &b = other.box;
+            const bool overlapping =
+                (a.min.x <= b.max.x) & (b.min.x <= a.max.x) & (a.min.y <= b.max.y) & (b.min.y <= a.max.y);
+            to[found] = {low, high};
+            if (everyone) {
+                found += static_cast<std::uint32_t>(overlapping);
+                return;
+            }
+            const bool may = may_meet(own, other);
+            found += static_cast<std::uint32_t>(may & overlapping);
+            tests += static_cast<std::uint32_t>(may);
+        }
+    };
     /// A link in the list of wide proxies of one cell.
     struct Listing {
         std::uint32_t wide;  ///< into wide_
@@ -168,8 +217,11 @@ class Grid final : public BroadPhase {
         }
         const auto count = static_cast<double>(moving.size());
         const double mean = sum / count, fewest = smallest_cell(4 * count + 256);
-        const double wanted = std::max((1 + 1e-9) / fits * std::min(most, 1.5 * mean), fewest);
-        if (std::max(mean / fits, fewest) > cells_.size || 3 * wanted < cells_.size) divide(wanted);
+        const auto cell_for = [&](double means) {
+            return std::max((1 + 1e-9) / fits * std::min(most, means * mean), fewest);
+        };
+        const double wanted = cell_for(2.2);
+        if (cell_for(1.8) > cells_.size || 3 * wanted < cells_.size) divide(wanted);
     }
 
     /// Lists what is still in the smallest cells that there will be for so many moving proxies, so that no
@@ -189,7 +241,7 @@ class Grid final : public BroadPhase {
         const auto needed = [&](double length) {
             return static_cast<std::uint32_t>(std::max(1.0, std::ceil(length / size)));
         };
-        cells_ = {world_.min, size, needed(whole.x), needed(whole.y)};
+        cells_ = {world_.min, size, 1 / size, needed(whole.x), needed(whole.y)};
         list_still();
         first_wide_.assign(cells_.count(), nobody);
         listings_.clear();
@@ -260,56 +312,93 @@ class Grid final : public BroadPhase {
                 entries_[--begin_[cells_.at(column, row)]] = {moving_[i], first_moving() + i, column, row};
     }
 
-    void look_around(std::uint32_t i) {
-        const Entry& entry = entries_[i];
-        const Cell cell = cells_.at(entry.column, entry.row);
-        for (std::uint32_t k = still_begin_[cell]; k < still_begin_[cell + 1]; ++k)
-            test(entry.proxy, entry.handle, still_[still_listed_[k]].proxy, still_[still_listed_[k]].handle);
+    [[nodiscard]] bool everyone_meets() const {
+        if (entries_.empty()) return false;
+        const Proxy& one = entries_.front().proxy;
+        const auto alike = [&](const Entry& entry) {
+            const Proxy& p = entry.proxy;
+            return p.active & p.ball & (p.layer == one.layer) & (p.collides_with == one.collides_with);
+        };
+        return layers_meet(one, one) && (one.layer & masks_of_still_) != 0 &&
+               (layers_of_still_ & ~one.collides_with) == 0 && std::ranges::all_of(entries_, alike);
+    }
+
+    /// Each small one against what is still or wide in its cell and the small ones after it. `everyone`:
+    /// any two may meet, so that need not be asked.
+    template <bool everyone>
+    void look_around_small() {
+        const Entry* const entries = entries_.data();
+        const std::uint32_t* const begin = begin_.data();
+        const auto count = static_cast<std::uint32_t>(entries_.size());
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const Entry& entry = entries[i];
+            const Cell cell = cells_.at(entry.column, entry.row);
+            // Neighbours whose middles the largest small box around can have.
+            const Box& box = entry.proxy.box;
+            const Vec2 low = cells_.corner(entry.column, entry.row);
+            const bool left = (entry.column > 0) & (box.min.x - reach_.x <= low.x);
+            const bool right =
+                (entry.column + 1 < cells_.columns) & (box.max.x + reach_.x >= low.x + cells_.size);
+            const bool above = (entry.row + 1 < cells_.rows) & (box.max.y + reach_.y >= low.y + cells_.size);
+            const Cell past = cell + (right ? 2 : 1), over = above ? cells_.columns : 0;
+            const Run still{still_begin_[cell], still_begin_[cell + 1]};
+            const Run rest{i + 1, begin[past]};
+            const Cell next = cell - (left ? 1 : 0) + over;
+            const Run next_row{begin[next], above ? begin[past + over] : begin[next]};
+
+            Looking<everyone> look(entry, order_.room_for(still.size() + rest.size() + next_row.size()));
+            const Handle* const listed = still_listed_.data();
+            for (std::uint32_t k = still.begin; k < still.end; ++k) {
+                const Still& other = still_[listed[k]];
+                look.at(other.proxy, other.handle, entry.handle);
+            }
+            for (std::uint32_t k = rest.begin; k < rest.end; ++k) look.at(entries[k]);
+            for (std::uint32_t k = next_row.begin; k < next_row.end; ++k) look.at(entries[k]);
+            tests_ += everyone ? still.size() + rest.size() + next_row.size() : look.tests;
+            order_.took(look.found);
+            if (!wide_.empty()) look_at_wide(entry, cell);
+        }
+    }
+
+    void look_at_wide(const Entry& entry, Cell cell) {
         for (std::uint32_t k = first_wide_[cell]; k != nobody; k = listings_[k].next) {
             const Wide& wide = wide_[listings_[k].wide];
             test(entry.proxy, entry.handle, proxy(wide), wide.handle);
         }
-        // Neighbours whose middles the largest small box around can have.
-        const Box& box = entry.proxy.box;
-        const Vec2 low = cells_.corner(entry.column, entry.row);
-        const bool left = entry.column > 0 && box.min.x - reach_.x <= low.x;
-        const bool right = entry.column + 1 < cells_.columns && box.max.x + reach_.x >= low.x + cells_.size;
-        const bool above = entry.row + 1 < cells_.rows && box.max.y + reach_.y >= low.y + cells_.size;
-        const Cell past = cell + (right ? 2 : 1);
-        test(entry, i + 1, begin_[past]);
-        if (above) test(entry, begin_[cell - (left ? 1 : 0) + cells_.columns], begin_[past + cells_.columns]);
+    }
+
+    /// Visits what is still or wide and overlaps given cells, each in the first of these.
+    void each_large_under(const Cells& cells, auto&& visit) const {
+        const auto is_first = [&](const Cells& other, std::uint32_t x, std::uint32_t y) {
+            return x == std::max(cells.left, other.left) && y == std::max(cells.bottom, other.bottom);
+        };
+        cells_.each(cells, [&](auto x, auto y) {
+            const Cell cell = cells_.at(x, y);
+            for (std::uint32_t k = still_begin_[cell]; k < still_begin_[cell + 1]; ++k)
+                if (const Still& still = still_[still_listed_[k]]; is_first(still.listed, x, y))
+                    visit(still.handle, still.proxy);
+            for (std::uint32_t k = first_wide_[cell]; k != nobody; k = listings_[k].next)
+                if (const Wide& wide = wide_[listings_[k].wide]; is_first(wide.listed, x, y))
+                    visit(wide.handle, proxy(wide));
+        });
     }
 
     /// A wide one against what is still and the wide ones before it.
     void look_around(const Wide& wide) {
-        const Proxy& own = proxy(wide);
-        const auto first_shared = [&](const Cells& other, std::uint32_t x, std::uint32_t y) {
-            return x == std::max(wide.cells.left, other.left) &&
-                   y == std::max(wide.cells.bottom, other.bottom);
-        };
-        cells_.each(wide.cells, [&](auto x, auto y) {
-            const Cell cell = cells_.at(x, y);
-            for (std::uint32_t k = still_begin_[cell]; k < still_begin_[cell + 1]; ++k)
-                if (const Still& still = still_[still_listed_[k]]; first_shared(still.listed, x, y))
-                    test(own, wide.handle, still.proxy, still.handle);
-            for (std::uint32_t k = first_wide_[cell]; k != nobody; k = listings_[k].next)
-                if (const Wide& other = wide_[listings_[k].wide];
-                    other.handle < wide.handle && first_shared(other.listed, x, y))
-                    test(own, wide.handle, proxy(other), other.handle);
+        each_large_under(wide.cells, [&](Handle other, const Proxy& large) {
+            if (other < wide.handle) test(proxy(wide), wide.handle, large, other);
         });
     }
 
-    void test(const Entry& entry, std::uint32_t from, std::uint32_t to) {
-        for (std::uint32_t k = from; k < to; ++k)
-            test(entry.proxy, entry.handle, entries_[k].proxy, entries_[k].handle);
-    }
     void test(const Proxy& a, Handle handle_a, const Proxy& b, Handle handle_b) {
         if (!may_meet(a, b)) return;
         ++tests_;
         if (overlap(a.box, b.box)) order_.add(handle_a, handle_b);
     }
 
-    std::vector<Still> still_;  ///< in order of cells
+    std::vector<Still> still_;            ///< in order of cells
+    std::uint32_t layers_of_still_ = 0;   ///< of any
+    std::uint32_t masks_of_still_ = ~0U;  ///< of all
     Box world_;
     bool automatic_;
     std::size_t room_ = 0;  ///< moving proxies for which there is room without allocation

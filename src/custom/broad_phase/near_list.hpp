@@ -1,7 +1,8 @@
 #pragma once
 /// Pairs that can meet soon, sought with room to spare so that one search of the broad phase serves many
-/// flights (Verlet 1967, "Computer experiments on classical fluids"). What it answers is what the broad
-/// phase itself would: the room changes the cost, never the outcome.
+/// flights (Verlet 1967, "Computer experiments on classical fluids"). What leaves its room is sought for
+/// alone. What it answers is what the broad phase itself would: the room changes the cost, never the
+/// outcome.
 
 #include <cstdint>
 
@@ -15,42 +16,89 @@ class NearList {
     /// Keeps a reference to the still proxies.
     explicit NearList(const std::vector<Proxy>& still) : still_(still) {}
 
-    /// Every pair whose boxes overlap now and that may meet, as BroadPhase::find_pairs() finds them. When a
-    /// proxy has left the room that it had in the last search, or is active and was not then, searches
-    /// anew, each proxy i in the box `roomy(i)`, which must hold its box of now.
-    /// Cost: one box test per listed pair, unless it searches.
-    void find_pairs(std::span<const Proxy> moving, BroadPhase& broad, auto&& roomy,
-                    std::vector<Pair>& pairs) {
-        if (!holds(moving)) {
-            make_room(room_, moving.size());
-            room_.assign(moving.begin(), moving.end());
-            for (std::size_t i = 0; i < moving.size(); ++i) room_[i].box = roomy(i);
-            broad.find_pairs(room_, listed_);
-        }
-        sift(moving, pairs);
-    }
-    /// The same, but searches without room when it must.
-    void find_pairs(std::span<const Proxy> moving, BroadPhase& broad, std::vector<Pair>& pairs) {
-        if (holds(moving))
-            sift(moving, pairs);
-        else
-            broad.find_pairs(moving, pairs);
+    /// Calls `found` with every pair whose boxes overlap now and that may meet, those that
+    /// BroadPhase::find_pairs() finds and in its order. A proxy i that has left the room that it had, or is
+    /// active and was not then, gets the room `roomy(i)`, which must hold its box of now, and its partners
+    /// are sought; where many did, all are.
+    /// Cost: one box test per listed pair, and the searches.
+    void find_pairs(std::span<const Proxy> moving, BroadPhase& broad, auto&& roomy, auto&& found) {
+        recognise(moving);
+        begin();
+        for (std::uint32_t i = 0; i < moving.size(); ++i) check(i, moving[i]);
+        find_pairs_of_checked(moving, broad, roomy, found);
     }
 
-    /// Box in which the list holds for a moving proxy.
-    [[nodiscard]] const Box& room(std::size_t moving) const { return room_[moving].box; }
-    /// The listed pairs whose later proxy is this moving one.
-    [[nodiscard]] std::span<const Pair> listed(std::size_t moving) const;
-    /// Box tests by sifting since the start.
+    /// The same in parts, for those who have each proxy at hand anyway: recognise when they may be others
+    /// than last time, begin, check every moving proxy, find.
+    void recognise(std::span<const Proxy> moving);
+    void begin() { leavers_.clear(); }
+    void check(std::uint32_t i, const Proxy& now) {
+        const Proxy& room = rooms_[i];
+        const bool holds = (room.box.min.x <= now.box.min.x) & (room.box.min.y <= now.box.min.y) &
+                           (room.box.max.x >= now.box.max.x) & (room.box.max.y >= now.box.max.y) &
+                           (room.active >= now.active);
+        if (!holds) leavers_.push_back(i);
+    }
+    void find_pairs_of_checked(std::span<const Proxy> moving, BroadPhase& broad, auto&& roomy, auto&& found) {
+        const std::size_t strays = strays_.size() + leavers_.size();
+        if (!leavers_.empty() && (!can_mend_ || strays > most_strays(moving.size()))) {
+            for (std::uint32_t i = 0; i < moving.size(); ++i) give_room(i, moving[i], roomy(i));
+            search(broad);
+        } else if (!leavers_.empty()) {
+            for (const std::uint32_t i : leavers_) give_room(i, moving[i], roomy(i));
+            mend(broad);
+        }
+        sift(moving, found);
+    }
+
+    /// Makes room for so many moving proxies, of which so many are balls.
+    void reserve(std::size_t moving, std::size_t balls);
+
+    /// Box tests by sifting and mending since the start.
     [[nodiscard]] std::uint64_t tests() const { return tests_; }
 
   private:
-    [[nodiscard]] bool holds(std::span<const Proxy> moving) const;
-    void sift(std::span<const Proxy> moving, std::vector<Pair>& pairs);
+    /// Strays are tested against each other, so the n² that costs must stay below a search.
+    [[nodiscard]] static std::size_t most_strays(std::size_t moving) { return moving / 64; }
+    void give_room(std::size_t i, const Proxy& now, const Box& room) {
+        rooms_[i] = now;
+        rooms_[i].box = room;
+    }
+    void search(BroadPhase& broad);
+    void mend(BroadPhase& broad);
+
+    /// Without a branch per pair: nothing would foretell what a is and which boxes overlap.
+    void sift(std::span<const Proxy> moving, auto&& found) {
+        const auto first = static_cast<Handle>(still_.size());
+        const Proxy* const kinds[] = {still_.data(), moving.data()};
+        const Handle begins[] = {0, first};
+        make_room(found_, listed_.size());
+        found_.resize(listed_.size());
+        Pair* const hits = found_.data();
+        std::size_t count = 0;
+        std::uint64_t tests = 0;
+        for (const Pair pair : listed_) {
+            const auto kind = static_cast<std::size_t>(pair.a >= first);
+            const Proxy &a = kinds[kind][pair.a - begins[kind]], &b = moving[pair.b - first];
+            const bool may = a.active | b.active;
+            const bool overlapping = (a.box.min.x <= b.box.max.x) & (b.box.min.x <= a.box.max.x) &
+                                     (a.box.min.y <= b.box.max.y) & (b.box.min.y <= a.box.max.y);
+            hits[count] = pair;
+            count += static_cast<std::size_t>(may & overlapping);
+            tests += static_cast<std::uint64_t>(may);
+        }
+        tests_ += tests;
+        for (std::size_t i = 0; i < count; ++i) found(hits[i]);
+    }
 
     const std::vector<Proxy>& still_;
-    std::vector<Proxy> room_;
-    std::vector<Pair> listed_;
+    std::vector<Proxy> rooms_;  ///< what the broad phase was last given, except for the strays
+    std::vector<Pair> listed_;  ///< in order
+    std::vector<std::uint32_t> leavers_;
+    std::vector<std::uint32_t> strays_;  ///< all that left since the search
+    std::vector<Handle> around_;         ///< scratch
+    std::vector<Pair> found_;            ///< scratch
+    bool can_mend_ = false;
     std::uint64_t tests_ = 0;
 };
 

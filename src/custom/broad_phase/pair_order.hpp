@@ -2,6 +2,8 @@
 /// Puts pairs in order. A broad phase meets them place by place; how it goes about must not be seen from
 /// outside.
 
+#include <algorithm>
+
 #include "custom/broad_phase/broad_phase.hpp"
 
 namespace flipside::custom {
@@ -11,14 +13,25 @@ class PairOrder {
     /// Empty again; `first` is the handle of the first of `moving` moving proxies.
     void start(Handle first, std::size_t moving);
     /// Of two overlapping proxies, in either order.
-    void add(Handle a, Handle b) { found_.push_back(a < b ? Pair{a, b} : Pair{b, a}); }
+    void add(Handle a, Handle b) {
+        *room_for(1) = {std::min(a, b), std::max(a, b)};
+        took(1);
+    }
+    /// Room for `count` more, for those who write many; took() says how many of these they wrote. In each
+    /// a < b.
+    [[nodiscard]] Pair* room_for(std::size_t count) {
+        if (found_.size() < count_ + count) found_.resize(2 * (count_ + count));
+        return found_.data() + count_;
+    }
+    void took(std::size_t count) { count_ += count; }
     /// Replaces `pairs` by what was added, in order. A counting sort by the higher handle, and a short
     /// sort among the few pairs that share one: linear where no proxy has many partners.
     void finish(std::vector<Pair>& pairs);
 
   private:
     Handle first_ = 0;
-    std::vector<Pair> found_;
+    std::vector<Pair> found_;  ///< the first count_ of these
+    std::size_t count_ = 0;
     std::vector<std::uint32_t> end_;  ///< per moving proxy: where its pairs end
 };
 

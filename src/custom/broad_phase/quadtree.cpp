@@ -53,7 +53,24 @@ class Quadtree final : public BroadPhase {
         order_.start(static_cast<Handle>(still_.size()), moving.size());
         search(0);
         order_.finish(pairs);
-        moving_ = {};
+    }
+
+    void find_overlapping(const Box& box, std::vector<Handle>& found) override {
+        const Leaves under = leaves_under(box);
+        const auto look_at = [&](Handle handle, const Proxy& proxy, const Leaves& leaves, Node leaf) {
+            if (home(leaves, under) != leaf) return;
+            ++tests_;
+            if (overlap(box, proxy.box)) found.push_back(handle);
+        };
+        const auto first = static_cast<Handle>(still_.size());
+        each_leaf(under, [&](Node leaf) {
+            for (std::uint32_t k = still_begin_[leaf]; k < still_begin_[leaf + 1]; ++k)
+                look_at(still_listed_[k], still_[still_listed_[k]], still_leaves_[still_listed_[k]], leaf);
+            for (std::uint32_t i = first_moving_[leaf]; i != nobody; i = listings_[i].next) {
+                const Handle b = listings_[i].proxy;
+                look_at(first + b, moving_[b], moving_leaves_[b], leaf);
+            }
+        });
     }
 
     [[nodiscard]] BroadPhaseFacts facts() const override {

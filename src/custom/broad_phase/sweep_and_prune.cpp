@@ -46,7 +46,11 @@ class Sweep final : public BroadPhase {
             sweep(b, first + edge->proxy, edge + 1, order_.end(), moving, first);
         }
         found_.finish(pairs);
-        moving_ = {};
+    }
+
+    void find_overlapping(const Box& box, std::vector<Handle>& found) override {
+        find_overlapping(box, still_order_, still_, 0, found);
+        find_overlapping(box, order_, moving_, static_cast<Handle>(still_.size()), found);
     }
 
     [[nodiscard]] BroadPhaseFacts facts() const override { return {.name = "sweep and prune"}; }
@@ -67,6 +71,15 @@ class Sweep final : public BroadPhase {
             if (!may_meet(a, b)) continue;
             ++tests_;
             if (overlap(a.box, b.box)) found_.add(handle, first + from->proxy);
+        }
+    }
+
+    void find_overlapping(const Box& box, const std::vector<Edge>& order, std::span<const Proxy> proxies,
+                          Handle first, std::vector<Handle>& found) {
+        for (const Edge& edge : order) {
+            ++tests_;
+            if (edge.left > box.max.x) return;
+            if (overlap(box, proxies[edge.proxy].box)) found.push_back(first + edge.proxy);
         }
     }
 

@@ -88,6 +88,7 @@ bool DiscreteSolver::collide_ball_with_parts(std::uint32_t place, std::span<cons
         found.separation = never;
         if (!layout_.stops(*table_, index, pose, ball)) return found;
         ++record_->statistics.narrow_tests;
+        if (!layout_.moves(index) && misses(ball.position, ball.radius, piece)) return found;
         found = touch(ball.position, ball.radius, piece, pose);
         if (found.past_end) found.separation = never;
         return found;

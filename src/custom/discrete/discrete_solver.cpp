@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
+#include "custom/broad_phase/room.hpp"
 #include "custom/flight.hpp"
 #include "custom/geometry/sweep.hpp"
 
@@ -33,6 +35,7 @@ DiscreteSolver::DiscreteSolver(const Scene& scene, const Layout& layout, const S
       layout_(layout),
       settings_(settings),
       pull_(length(scene.gravity)),
+      any_sensor_(std::ranges::any_of(scene.parts, &Part::sensor)),
       near_(layout.still_proxies()) {
     for (PartIndex i = 0; i < scene.parts.size(); ++i)
         if (gate_of(scene.parts[i]) != nullptr) gates_.push_back(i);
@@ -41,10 +44,13 @@ DiscreteSolver::DiscreteSolver(const Scene& scene, const Layout& layout, const S
 void DiscreteSolver::reserve(std::size_t balls) {
     make_room(moving_, layout_.size() + balls);
     make_room(started_, balls);
+    make_room(waiting_, balls);
     make_room(candidates_, balls, contacts_per_ball);
     make_room(ball_pairs_, balls, contacts_per_ball);
     make_room(supports_, balls, contacts_per_ball);
     make_room(around_, layout_.size());
+    make_room(found_, layout_.size() + balls);
+    near_.reserve(layout_.size() + balls, balls);
     make_room(deep_, layout_.size());
     make_room(changed_in_, balls);
     make_room(flown_, balls);
@@ -53,15 +59,20 @@ void DiscreteSolver::reserve(std::size_t balls) {
 
 void DiscreteSolver::step(Table& table, std::vector<Ball>& balls, double dt, BroadPhase& broad,
                           StepRecord& record) {
-    table_ = &table, balls_ = &balls, record_ = &record, dt_ = dt;
+    table_ = &table, balls_ = &balls, record_ = &record, broad_ = &broad, dt_ = dt;
     const int iterations = settings_.motion_iterations;
     const double flight = dt / iterations;
     Stopwatch watch;
+    const auto box_of = [](const Ball& ball) { return bounds_of(ball.position, ball.radius); };
+    layout_.place(table, balls, 0, 0, false, box_of, moving_);
+    near_.recognise(moving_);
     for (int i = 0; i < iterations; ++i) {
         span_ = {i * flight, i + 1 == iterations ? dt : (i + 1) * flight};
-        find_candidates(span_.duration(), broad);
+        start_flights(span_.duration());
+        watch.lap(record.flight_seconds);
+        find_candidates();
         watch.lap(record.broad_seconds);
-        fly_all(span_.duration());
+        finish_flights(span_.duration());
         watch.lap(record.flight_seconds);
         watch_gates();
         collide();
@@ -71,54 +82,86 @@ void DiscreteSolver::step(Table& table, std::vector<Ball>& balls, double dt, Bro
     }
 }
 
-/// The farthest a ball can get.
-double DiscreteSolver::way(const Ball& ball, double duration) const {
-    return (length(ball.velocity) + pull_ * duration) * duration;
-}
-
-void DiscreteSolver::find_candidates(double duration, BroadPhase& broad) {
-    const Stretch stretch(scene_.damping, duration);
-    const auto box_of = [&](const Ball& ball) {
-        const Box here = bounds_of(ball.position, ball.radius);
-        if (ball.asleep) return here;
-        // A fast ball may be turned round in mid-flight, so it can end anywhere within its reach.
-        const double reach = way(ball, duration);
-        if (reach > settings_.sweep_from * ball.radius) return grown(here, reach);
-        return united(here, bounds_of(end_of_flight(ball, scene_.gravity, stretch), ball.radius));
-    };
+/// Flies the balls that no part can stop in mid-flight, because they are slow and only still parts are
+/// near; the others wait. Notes for all in which box they stay.
+void DiscreteSolver::start_flights(double duration) {
     std::vector<Ball>& balls = *balls_;
-    layout_.place(*table_, balls, span_.begin, span_.end, false, box_of, moving_);
-    near_.find_pairs(
-        moving_, broad, [&](std::size_t i) { return room_of(i); }, pairs_);
-
-    candidates_.clear();
-    ball_pairs_.clear();
-    for (const Pair pair : pairs_) {
-        const std::uint32_t b = pair.b - layout_.size();
-        if (pair.a >= layout_.size()) {
-            ball_pairs_.push_back({pair.a - layout_.size(), b});
-            continue;
+    const PieceIndex first = moving_pieces();
+    near_.begin();
+    std::optional<Box> swept;  // by moving parts
+    for (PieceIndex i = 0; i < first; ++i) {
+        moving_[i] = layout_.proxy(*table_, layout_.size() - first + i, span_.begin, span_.end);
+        near_.check(i, moving_[i]);
+        swept = swept ? united(*swept, moving_[i].box) : moving_[i].box;
+    }
+    const Stretch stretch(scene_.damping, duration);
+    const Vec2 gravity = scene_.gravity;
+    const double fall = pull_ * duration * duration, sweep_from = settings_.sweep_from;
+    flown_.assign(balls.size(), duration);
+    waiting_.clear();
+    note_starts();
+    Proxy* proxy = moving_.data() + first;
+    Ball* const balls_begin = balls.data();
+    for (Ball* ball = balls_begin; ball != balls_begin + balls.size(); ++ball, ++proxy) {
+        if (!ball->asleep) {
+            const double radius = ball->radius;
+            const Vec2 here = ball->position, there = end_of_flight(*ball, gravity, stretch);
+            // What may sink in deep: way(ball, duration) > deep, without the root.
+            const double slow = sweep_from * radius - fall;
+            proxy->active = true;
+            if ((slow < 0) | (length_squared(ball->velocity) * duration * duration > slow * slow)) {
+                // It may be turned round in mid-flight, so it can end anywhere within its reach.
+                proxy->box = bounds_of(here, radius + way(*ball, duration));
+                waiting_.push_back(static_cast<std::uint32_t>(ball - balls_begin));
+            } else {
+                proxy->box = {{std::min(here.x, there.x) - radius, std::min(here.y, there.y) - radius},
+                              {std::max(here.x, there.x) + radius, std::max(here.y, there.y) + radius}};
+                if (swept && overlap(*swept, proxy->box))
+                    waiting_.push_back(static_cast<std::uint32_t>(ball - balls_begin));
+                else
+                    fly_freely(*ball, gravity, stretch);
+            }
         }
-        balls[b].asleep = false;  // only a part in motion is paired with a sleeper
-        candidates_.push_back({b, pair.a});
+        near_.check(static_cast<std::uint32_t>(proxy - moving_.data()), *proxy);
     }
 }
 
-void DiscreteSolver::fly_all(double duration) {
-    std::vector<Ball>& balls = *balls_;
-    const Stretch stretch(scene_.damping, duration);
+/// Where the balls are now, for those parts that care whence a ball came.
+void DiscreteSolver::note_starts() {
+    if (gates_.empty() && !any_sensor_) return;
     started_.clear();
-    flown_.assign(balls.size(), duration);
+    for (const Ball& ball : *balls_) started_.push_back(ball.position);
+}
+
+void DiscreteSolver::find_candidates() {
+    std::vector<Ball>& balls = *balls_;
+    candidates_.clear();
+    ball_pairs_.clear();
+    const PieceIndex first = moving_pieces();
+    const auto roomy = [&](std::uint32_t i) { return i < first ? room_of_part(i) : room_of_ball(i - first); };
+    near_.find_pairs_of_checked(moving_, *broad_, roomy, [&](Pair pair) {
+        const std::uint32_t b = pair.b - layout_.size();
+        if (pair.a >= layout_.size()) {
+            ball_pairs_.push_back({pair.a - layout_.size(), b});
+            return;
+        }
+        candidates_.push_back({b, pair.a});
+        if (!balls[b].asleep) return;
+        balls[b].asleep = false;  // only a part in motion is paired with a sleeper
+        waiting_.push_back(b);
+    });
+}
+
+/// Flies those that wait.
+void DiscreteSolver::finish_flights(double duration) {
+    std::ranges::sort(waiting_);
     auto next = candidates_.begin();
-    for (std::uint32_t i = 0; i < balls.size(); ++i) {
-        started_.push_back(balls[i].position);
-        const auto first = next;
-        while (next != candidates_.end() && next->ball == i) ++next;
-        if (balls[i].asleep) continue;
-        if (first == next)
-            fly_freely(balls[i], scene_.gravity, stretch);
-        else
-            fly(balls[i], std::span<const Candidate>(first, next), duration);
+    for (const std::uint32_t place : waiting_) {
+        next = std::find_if(next, candidates_.end(), [&](const Candidate& c) { return c.ball >= place; });
+        const auto last =
+            std::find_if(next, candidates_.end(), [&](const Candidate& c) { return c.ball > place; });
+        fly((*balls_)[place], {next, last}, duration);
+        next = last;
     }
 }
 
@@ -156,43 +199,40 @@ void DiscreteSolver::fly(Ball& ball, std::span<const Candidate> near, double dur
     }
 }
 
-/// Where a moving proxy may get until the end of the step, with some room for what hits it meanwhile.
-Box DiscreteSolver::room_of(std::size_t moving) const {
-    const Box now = moving_[moving].box;
+/// Where a moving part may get until the end of the step, from now on.
+Box DiscreteSolver::room_of_part(std::size_t moving) const {
+    const Box& now = moving_[moving].box;
     if (settings_.search_room == 0) return now;
-    const PieceIndex pieces = layout_.size() - static_cast<PieceIndex>(layout_.still_proxies().size());
-    if (moving < pieces) {
-        const auto piece = static_cast<PieceIndex>(layout_.still_proxies().size() + moving);
-        return united(now, layout_.proxy(*table_, piece, span_.begin, dt_).box);
-    }
-    const Ball& ball = (*balls_)[moving - pieces];
-    if (ball.asleep) return now;
-    const double left = dt_ - span_.begin;
-    const Vec2 end = end_of_flight(ball, scene_.gravity, Stretch(scene_.damping, left));
-    const Box way = united(bounds_of(ball.position, ball.radius), bounds_of(end, ball.radius));
-    return united(now, grown(way, settings_.search_room * ball.radius));
+    const auto piece = static_cast<PieceIndex>(layout_.still_proxies().size() + moving);
+    return united(now, layout_.proxy(*table_, piece, span_.begin, dt_).box);
 }
 
-/// The pieces within reach of a ball, by testing all of them where the list of near ones does not do.
+/// The same of a ball, wherever it turns, and some room for what gives it speed meanwhile.
+Box DiscreteSolver::room_of_ball(std::uint32_t place) const {
+    const Box& now = moving_[moving_pieces() + place].box;
+    const Ball& ball = (*balls_)[place];
+    if (settings_.search_room == 0 || ball.asleep) return now;
+    const double reach = way(ball, dt_ - span_.begin) + (1 + settings_.search_room) * ball.radius;
+    return united(now, bounds_of(ball.position, reach));
+}
+
+/// The pieces within reach of a ball.
 std::span<const DiscreteSolver::Candidate> DiscreteSolver::look_around(const Ball& ball, double reach) {
     const Box box = bounds_of(ball.position, ball.radius + reach);
     const Proxy proxy{box, ball.layer, ball.collides_with, true, true};
     const std::vector<Proxy>& still = layout_.still_proxies();
     around_.clear();
-    const auto look_at = [&](PieceIndex i) {
-        const Proxy& other = layout_.moves(i) ? moving_[i - still.size()] : still[i];
-        if (!may_meet(proxy, other)) return;
+    found_.clear();
+    broad_->find_overlapping(box, found_);
+    for (const Handle i : found_)
+        if (i < still.size() && may_meet(proxy, still[i])) around_.push_back({0, i});
+    std::ranges::sort(around_, {}, &Candidate::piece);
+    // Of what moves, the broad phase may know an earlier place.
+    for (auto i = static_cast<PieceIndex>(still.size()); i < layout_.size(); ++i) {
+        const Proxy& other = moving_[i - still.size()];
+        if (!may_meet(proxy, other)) continue;
         ++record_->statistics.pair_tests;
         if (overlap(box, other.box)) around_.push_back({0, i});
-    };
-    const std::size_t place =
-        moving_.size() - balls_->size() + static_cast<std::size_t>(&ball - balls_->data());
-    const Box& room = near_.room(place);
-    if (room.contains(box.min) && room.contains(box.max)) {
-        for (const Pair pair : near_.listed(place))
-            if (pair.a < layout_.size()) look_at(pair.a);
-    } else {
-        for (PieceIndex i = 0; i < layout_.size(); ++i) look_at(i);
     }
     return around_;
 }
@@ -249,6 +289,7 @@ void DiscreteSolver::watch_gates() {
 
 /// Sensors note what crossed them on its way.
 void DiscreteSolver::watch_sensors() {
+    if (!any_sensor_) return;
     for (const Candidate& candidate : candidates_) {
         const Piece& piece = layout_.piece(candidate.piece);
         if (!scene_.parts[piece.part].sensor) continue;

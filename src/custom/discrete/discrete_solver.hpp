@@ -57,11 +57,20 @@ class DiscreteSolver {
         [[nodiscard]] double duration() const { return end - begin; }
     };
 
-    void find_candidates(double duration, BroadPhase& broad);
-    [[nodiscard]] double way(const Ball& ball, double duration) const;
-    [[nodiscard]] Box room_of(std::size_t moving) const;
+    void start_flights(double duration);
+    void find_candidates();
+    void finish_flights(double duration);
+    [[nodiscard]] PieceIndex moving_pieces() const {
+        return layout_.size() - static_cast<PieceIndex>(layout_.still_proxies().size());
+    }
+    void note_starts();
+    /// The farthest a ball can get.
+    [[nodiscard]] double way(const Ball& ball, double duration) const {
+        return (length(ball.velocity) + pull_ * duration) * duration;
+    }
+    [[nodiscard]] Box room_of_part(std::size_t moving) const;
+    [[nodiscard]] Box room_of_ball(std::uint32_t place) const;
     [[nodiscard]] std::span<const Candidate> look_around(const Ball& ball, double reach);
-    void fly_all(double duration);
     void fly(Ball& ball, std::span<const Candidate> near, double duration);
     [[nodiscard]] double first_touch_of(const Ball& ball, PieceIndex index, double at, double duration) const;
     [[nodiscard]] bool sinks(double approach, const Ball& ball, double duration) const;
@@ -95,11 +104,13 @@ class DiscreteSolver {
     SolverSettings settings_;
     double pull_;  ///< m/s², amount of gravity
     std::vector<PartIndex> gates_;
+    bool any_sensor_;
 
     // Of the step being made.
     Table* table_ = nullptr;
     std::vector<Ball>* balls_ = nullptr;
     StepRecord* record_ = nullptr;
+    BroadPhase* broad_ = nullptr;
     double dt_ = 0;
     Span span_{};
 
@@ -107,10 +118,11 @@ class DiscreteSolver {
 
     // Scratch, kept to save allocations; nothing in it outlives a motion iteration.
     std::vector<Proxy> moving_;
-    std::vector<Pair> pairs_;
-    std::vector<Candidate> candidates_;  ///< by ball
+    std::vector<std::uint32_t> waiting_;  ///< balls whose flight a part may stop
+    std::vector<Candidate> candidates_;   ///< by ball
     std::vector<BallPair> ball_pairs_;
     std::vector<Candidate> around_;  ///< what look_around() found
+    std::vector<Handle> found_;      ///< what the broad phase found for it
     std::vector<Vec2> started_;      ///< where each ball was before it flew
     /// An overlap with a part; the deepest come first.
     struct Deep {

@@ -101,6 +101,16 @@ RC_GTEST_PROP(BroadPhase, AllFindWhatBruteForceFinds, ()) {
             broad->find_pairs(moving, found);
             RC_ASSERT(found == expected);
         }
+        if (std::ranges::none_of(moving, &Proxy::active)) continue;
+        const Box anywhere = any_proxy(true, beyond).box;
+        std::vector<Handle> overlapping, seen;
+        all.front()->find_overlapping(anywhere, overlapping);
+        for (const auto& broad : all) {
+            seen.clear();
+            broad->find_overlapping(anywhere, seen);
+            std::ranges::sort(seen);
+            RC_ASSERT(seen == overlapping);
+        }
     }
 }
 
