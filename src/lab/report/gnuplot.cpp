@@ -39,16 +39,29 @@ Range just_inside(const Range& range, const Axis& axis) {
     return {range.from * factor, range.to / factor};
 }
 
+/// Every decade, or every few where there are many, by its power; smaller marks between. Written out one by
+/// one: left to itself gnuplot 5.4 may label 1000 as 10^2, where its own 1000 is a bit less.
+std::string decades(const Range& range) {
+    const int first = static_cast<int>(std::ceil(std::log10(range.from)));
+    const int last = static_cast<int>(std::floor(std::log10(range.to)));
+    const int apart = (last - first) / 8 + 1;  // labels on at most eight
+    std::string tics;
+    for (int power = first; power <= last; ++power) {
+        const std::string label = power % apart == 0 ? "'10^{" + std::to_string(power) + "}' " : "'' ";
+        tics += (tics.empty() ? "(" : ", ") + label + "1e" + std::to_string(power) +
+                (power % apart == 0 ? "" : " 1");
+        if (apart > 1 || power == last) continue;
+        for (int digit = 2; digit <= 9; ++digit)
+            tics += ", '' " + std::to_string(digit) + "e" + std::to_string(power) + " 1";
+    }
+    return tics + ")";
+}
+
 void write_axis(std::ostream& out, char name, const Axis& axis, const Range& range) {
     const Range inside = just_inside(range, axis);
     out << "set format " << name << " '%g'\n";
-    if (axis.logarithmic) {
-        // Labels on at most about eight decades.
-        const double decades = std::round(std::log10(range.to / range.from));
-        const double apart = std::pow(10, std::max(1.0, std::ceil(decades / 8)));
-        out << "set logscale " << name << "\nset format " << name << " '10^{%T}'\nset " << name << "tics "
-            << number(apart) << (apart > 10 ? "\nunset m" : "\nset m") << name << "tics\n";
-    }
+    if (axis.logarithmic)
+        out << "set logscale " << name << "\nset " << name << "tics " << decades(range) << '\n';
     out << "set " << name << "range [" << number(range.from) << ':' << number(range.to) << "]\n"
         << "set " << name << "label " << in_single_quotes(axis.label)
         << " noenhanced textcolor rgb ink\n"

@@ -150,12 +150,13 @@ Content show(const fs::path& data) {
 }  // namespace
 
 Chapter hard_case_chapter(const Effort& effort) {
-    Chapter chapter{"cases",
-                    "Hard cases",
-                    "Experiments whose right answer is known, at " + step_text(default_step) +
-                        " a step. `flipside cases` runs them one by one, on any engine at any setting.",
-                    {},
-                    show};
+    Chapter chapter{
+        "cases",
+        "Hard cases",
+        "Experiments whose right answer is known, at " + step_text(default_step) +
+            " a step. The command flipside cases runs them one by one, on any engine at any setting.",
+        {},
+        show};
     for (const Contender& contender : contenders())
         chapter.measurements.push_back(measurement_of(contender, effort));
     return chapter;

@@ -23,6 +23,7 @@ svg { display: block; width: 100%; min-width: 44rem; height: auto; }
 .point { cursor: help; } .point:hover use { stroke: currentColor; stroke-width: .6; }
 table { border-collapse: collapse; font-size: .88rem; } caption { text-align: left; font-weight: 600; padding: .4rem 0; }
 th, td { padding: .25rem .7rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
+th, td { min-width: 7rem; } td.number { min-width: 0; }
 thead th { background: var(--panel); } td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 .good { color: var(--good); } .bad { color: var(--bad); font-weight: 600; }
 details { margin-top: .6rem; } summary { cursor: pointer; color: var(--link); }

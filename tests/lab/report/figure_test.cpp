@@ -104,6 +104,12 @@ TEST_F(Figures, TheAxesAreLabelledWhereTheirNumbersAre) {
         ASSERT_EQ(texts.size(), 1U) << label;
         EXPECT_NEAR(texts[0].x, box_left + (value + 0.02) / 1.04 * (box_right - box_left), 0.02);
     }
+    for (const int power : {-3, -5, -8}) {  // 10^-9.12 … 10^-2.88
+        const auto texts = texts_of(svg, "10</tspan><tspan[^>]*>" + std::to_string(power) + "</tspan>.*");
+        ASSERT_EQ(texts.size(), 1U) << power;
+        const double y = box_bottom - (power + 9.12) / 6.24 * (box_bottom - box_top);
+        EXPECT_NEAR(texts[0].y, y + 4.55, 0.02) << power;  // the text's foot, for its middle is at the mark
+    }
     EXPECT_EQ(texts_of(svg, "x_1").size(), 1U);
     EXPECT_EQ(texts_of(svg, "a mark").size(), 1U);
 }
