@@ -6,6 +6,7 @@
 
 #include "box2d/engine.hpp"
 #include "custom/engine.hpp"
+#include "reference/engine.hpp"
 #include "world/input_error.hpp"
 
 namespace flipside::lab {
@@ -47,7 +48,7 @@ SettingChange parse_change(const std::string& text, std::span<const Engine* cons
 }  // namespace
 
 std::span<const Engine* const> engines() {
-    static const Engine* const all[] = {&custom::engine(), &box2d::engine()};
+    static const Engine* const all[] = {&custom::engine(), &box2d::engine(), &reference::engine()};
     return all;
 }
 

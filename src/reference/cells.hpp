@@ -1,0 +1,66 @@
+#pragma once
+/// The broad phase: a grid of cells that each know the features and sensors near them and the balls whose
+/// centres they hold. A cell is at least as wide as the largest ball, so a ball can only meet what is listed
+/// in its own cell, and balls of its own and the eight cells around. A ball changes cell by an event
+/// (Rapaport 1980, "The event scheduling problem in molecular dynamic simulation"). Cells at the border reach
+/// to infinity.
+
+#include <cstdint>
+#include <vector>
+
+#include "world/scene.hpp"
+
+namespace flipside::reference {
+
+class Cells {
+  public:
+    using Index = std::uint32_t;
+    static constexpr std::int32_t none = -1;
+
+    /// Something that stands still, or the box of all its poses.
+    struct Still {
+        Box box;
+        PartIndex part;
+        bool senses;  ///< a sensor or gate, listed by its part; else a feature, listed by its place
+    };
+    /// For balls of up to `radius`. `things` holds the features first, in order.
+    void build(const Box& area, const std::vector<Still>& things, std::size_t balls, double radius);
+
+    [[nodiscard]] double largest() const { return radius_; }
+    [[nodiscard]] Index at(Vec2 place) const;
+    [[nodiscard]] Box box(Index cell) const;
+    /// The cell beyond a side: 0 left, 1 right, 2 down, 3 up.
+    [[nodiscard]] Index beyond(Index cell, int side) const;
+    [[nodiscard]] const std::vector<std::uint32_t>& features(Index cell) const { return features_[cell]; }
+    [[nodiscard]] const std::vector<PartIndex>& sensors(Index cell) const { return sensors_[cell]; }
+
+    void link(std::uint32_t ball, Index cell);
+    void unlink(std::uint32_t ball, Index cell);
+    [[nodiscard]] int balls(Index cell) const;
+    /// Calls visit(ball) for every ball in the cell and around it.
+    void each_near(Index cell, auto&& visit) const {
+        const auto column = static_cast<int>(cell % columns_), row = static_cast<int>(cell / columns_);
+        const auto last_column = static_cast<int>(columns_) - 1, last_row = static_cast<int>(rows_) - 1;
+        for (int y = row > 0 ? row - 1 : 0; y <= row + 1 && y <= last_row; ++y)
+            for (int x = column > 0 ? column - 1 : 0; x <= column + 1 && x <= last_column; ++x) {
+                const auto near = static_cast<Index>(y) * columns_ + static_cast<Index>(x);
+                for (std::int32_t b = first_[near]; b != none; b = next_[static_cast<std::size_t>(b)])
+                    visit(static_cast<std::uint32_t>(b));
+            }
+    }
+    [[nodiscard]] Index count() const { return columns_ * rows_; }
+
+  private:
+    [[nodiscard]] Index column(double x) const;
+    [[nodiscard]] Index row(double y) const;
+
+    Box area_;
+    double radius_ = 0, width_ = 1;
+    Index columns_ = 1, rows_ = 1;
+    std::vector<std::vector<std::uint32_t>> features_;
+    std::vector<std::vector<PartIndex>> sensors_;
+    std::vector<std::int32_t> first_;            ///< ball, by cell
+    std::vector<std::int32_t> next_, previous_;  ///< by ball
+};
+
+}  // namespace flipside::reference

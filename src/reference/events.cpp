@@ -1,0 +1,235 @@
+#include <algorithm>
+
+#include "reference/simulation.hpp"
+#include "world/refusal.hpp"
+
+namespace flipside::reference {
+
+/// Moves a ball along its path to now.
+template <class R>
+void Simulation<R>::advance(Mover& mover) {
+    const Motion<R> now = mover.path.at(now_);
+    const Spinning<R> spinning = mover.path.spinning_at(now_);
+    mover.body = {now.position, now.velocity, spinning.angle, spinning.spin, mover.radius};
+    Path<R>& path = mover.path;
+    path.position = mover.body.position;
+    path.velocity = mover.body.velocity;
+    path.angle = mover.body.angle;
+    path.spin = mover.body.spin;
+    path.start = now_;
+    path.spin_rate = R(0);
+    path.roll = {};
+    path.rides = path.rests = false;
+}
+
+template <class R>
+void Simulation<R>::report(EventKind kind, const Mover& mover, Other other, const Impact<R>& impact,
+                           const V<R>& point, const V<R>& normal) {
+    if (kind == EventKind::impact) ++counts_.impacts;
+    events_.push_back({static_cast<double>(now_ - run_start_), kind, mover.ball.number, other, narrow(point),
+                       narrow(normal), static_cast<double>(impact.speed),
+                       static_cast<double>(impact.impulse)});
+}
+
+/// Events that follow each other without time passing cannot be put in order.
+template <class R>
+void Simulation<R>::keep_order(Mover& mover) {
+    constexpr double instant = 1e-12;  // s
+    constexpr int most = 2000;
+    if (now_ - mover.busy_since > instant) {
+        mover.busy_since = now_;
+        mover.busy = 0;
+    }
+    if (++mover.busy <= most) return;
+    const std::string met = mover.next == Next::feature ? scene_->parts[features_[mover.met].part].name
+                            : mover.next == Next::ball
+                                ? "ball " + std::to_string(movers_[mover.met].ball.number)
+                                : "its own path";
+    throw Refusal("reference: ball " + std::to_string(mover.ball.number) + " meets " + met + " without end" +
+                  at_time(now_) + ": it is squeezed or in a pile");
+}
+
+/// Handles the next event of a ball.
+template <class R>
+void Simulation<R>::handle(Place i) {
+    Mover& mover = movers_[i];
+    keep_order(mover);
+    switch (mover.next) {
+        case Next::feature:
+            if (ignores(features_[mover.met].part, mover)) return predict(i);
+            return hit_feature(i);
+        case Next::ball:
+            if (movers_[mover.met].gone || movers_[mover.met].changes != mover.met_changes) return predict(i);
+            return hit_ball(i);
+        case Next::look_again:
+            if (mover.met != 0) return predict(i);  // only the time for looking ahead was over
+            advance(mover);
+            if (mover.lets_go) mover.left = mover.held[0];
+            if (mover.held[1] != nothing) mover.body.spin = R(0);
+            set_out(i);
+            return predict(i);
+        case Next::cell:
+            return cross_cell(i);
+        case Next::sensor:
+            return sense(i);
+        case Next::lost:
+            return lose(i);
+        case Next::nothing:
+            return;
+    }
+}
+
+template <class R>
+void Simulation<R>::cross_cell(Place i) {
+    Mover& mover = movers_[i];
+    cells_.unlink(i, mover.cell);
+    mover.cell = cells_.beyond(mover.cell, static_cast<int>(mover.met));
+    cells_.link(i, mover.cell);
+    predict(i);
+}
+
+template <class R>
+void Simulation<R>::hit_feature(Place i) {
+    Mover& mover = movers_[i];
+    const FeatureIndex f = mover.met;
+    const PartIndex index = features_[f].part;
+    const Part& part = scene_->parts[index];
+    advance(mover);
+    Body<R>& body = mover.body;
+    const Sight<R> seen = sight(f, body.position, mover.radius);
+    const Turning<R>* turns = turning(index);
+    const V<R>& normal = seen.normal;
+    if (const shape::Gate* gate = gate_of(part)) {
+        V<R> passes(gate->normal);
+        if (parts_[index].moves) passes = rotated(passes, from_angle(parts_[index].turning.angle_at(now_)));
+        if (parts_[index].open || dot(normal, passes) < 0) return pass_gate(i, index);
+    }
+    const V<R> point = body.position - (seen.gap + mover.radius) * normal;
+    const V<R> surface = turns == nullptr ? V<R>{} : cross(turns->rate, point - turns->pivot);
+    const V<R> relative = body.velocity - surface;
+    const R closing = -dot(relative, normal);
+    // Slower than this it only brushes along.
+    if (closing <= 4096 * epsilon<R>() * (length(body.velocity) + length(relative))) {
+        if (closing > 0) body.velocity += closing * normal;
+    } else {
+        const Mixed& material = mixed_[mover.ball.material * scene_->materials.size() + part.material];
+        const Impact<R> impact = respond(body, mover.mass, normal, surface, material, scene_->rest_speed);
+        if (impact.happened) report(EventKind::impact, mover, Other::part(index), impact, point, normal);
+        if (impact.happened && part.target) parts_[index].down = true;
+    }
+    set_out(i);
+    predict(i);
+    if (parts_[index].down) release(index);
+}
+
+/// The ball goes through the gate; until it and all others are out again the gate stays open.
+template <class R>
+void Simulation<R>::pass_gate(Place i, PartIndex part) {
+    Mover& mover = movers_[i];
+    parts_[part].open = true;
+    mover.inside.push_back(part);
+    set_out(i);
+    predict(i);
+    release(part);
+}
+
+/// What lay on a part goes on without it.
+template <class R>
+void Simulation<R>::release(PartIndex part) {
+    const auto on_it = [&](FeatureIndex f) { return f != nothing && features_[f].part == part; };
+    for (Place j = 0; j < movers_.size(); ++j) {
+        Mover& other = movers_[j];
+        if (other.gone || !(on_it(other.held[0]) || on_it(other.held[1]))) continue;
+        refresh(j);
+        predict(j);
+    }
+}
+
+template <class R>
+void Simulation<R>::hit_ball(Place i) {
+    const Place j = movers_[i].met;
+    Mover &a = movers_[std::min(i, j)], &b = movers_[std::max(i, j)];
+    advance(a);
+    advance(b);
+    const V<R> between = a.body.position - b.body.position, normal = unit(between);
+    const V<R> relative = a.body.velocity - b.body.velocity;
+    const R closing = -dot(relative, normal);
+    bool happened = false;
+    if (closing > 4096 * epsilon<R>() * (length(a.body.velocity) + length(b.body.velocity))) {
+        const Mixed& material = mixed_[a.ball.material * scene_->materials.size() + b.ball.material];
+        const Impact<R> impact =
+            respond(a.body, a.mass, b.body, b.mass, normal, material, scene_->rest_speed);
+        happened = impact.happened;
+        if (happened)
+            report(EventKind::impact, a, Other::ball(b.ball.number), impact,
+                   b.body.position + b.radius * normal, normal);
+    }
+    set_out(i);
+    set_out(j);
+    if (!happened) refuse_piles(a, b);
+    predict(i);
+    predict(j);
+}
+
+/// Balls that touch, do not move apart, and are driven together.
+template <class R>
+void Simulation<R>::refuse_piles(const Mover& a, const Mover& b) const {
+    const V<R> between = a.body.position - b.body.position, normal = unit(between);
+    const V<R> relative = a.path.velocity - b.path.velocity;
+    const R apart = dot(relative, normal), across = dot(relative, perp(normal));
+    const R speed = length(a.path.velocity) + length(b.path.velocity);
+    if (magnitude(apart) > 4096 * epsilon<R>() * speed) return;
+    const R pulled =
+        dot(a.path.begins_with() - b.path.begins_with(), normal) + across * across / (a.radius + b.radius);
+    const R scale = length(drive_.gravity) + length(a.path.begins_with()) + length(b.path.begins_with());
+    if (pulled >= -4096 * epsilon<R>() * scale) return;
+    throw Refusal("reference: balls " + std::to_string(a.ball.number) + " and " +
+                  std::to_string(b.ball.number) + " press on each other" + at_time(now_) +
+                  ": a pile has no order of impacts");
+}
+
+/// A ball enters or leaves a sensor, or leaves a gate.
+template <class R>
+void Simulation<R>::sense(Place i) {
+    Mover& mover = movers_[i];
+    const PartIndex part = mover.met;
+    const auto at = std::ranges::find(mover.inside, part);
+    const bool enters = at == mover.inside.end();
+    if (enters)
+        mover.inside.push_back(part);
+    else
+        mover.inside.erase(at);
+    if (scene_->parts[part].sensor) {
+        report(enters ? EventKind::sensor_begin : EventKind::sensor_end, mover, Other::part(part), {}, {},
+               {});
+    } else {
+        parts_[part].open = std::ranges::any_of(movers_, [&](const Mover& other) {
+            return !other.gone && std::ranges::find(other.inside, part) != other.inside.end();
+        });
+    }
+    predict(i);
+}
+
+template <class R>
+void Simulation<R>::lose(Place i) {
+    Mover& mover = movers_[i];
+    report(EventKind::lost, mover, {}, {}, mover.path.at(now_).position, {});
+    if (scene_->keep_lost) {
+        mover.reported_lost = true;
+        reported_lost_.push_back(mover.ball.number);
+        return predict(i);
+    }
+    for (const PartIndex part : mover.inside)
+        if (scene_->parts[part].sensor) report(EventKind::sensor_end, mover, Other::part(part), {}, {}, {});
+    remove(mover.ball.number);
+}
+
+#define FLIPSIDE_EVENTS(R)                        \
+    template void Simulation<R>::advance(Mover&); \
+    template void Simulation<R>::handle(Place);
+FLIPSIDE_EVENTS(double)
+FLIPSIDE_EVENTS(Real113)
+FLIPSIDE_EVENTS(Real226)
+#undef FLIPSIDE_EVENTS
+
+}  // namespace flipside::reference

@@ -1,0 +1,83 @@
+#pragma once
+/// The search that everything without a closed form comes down to: when does a function that is positive
+/// first fall to zero? It steps by what a bound on the second derivative certifies to be free, so it skips
+/// no root, and converges quadratically to a simple one, from before.
+///
+/// What is found at or below zero follows the rules of Bannerman, Strobl, Formella and Pöschel 2014 ("Stable
+/// algorithm for event detection in event-driven particle dynamics"): falling, the event is now; rising,
+/// there is none until it turns.
+
+#include "reference/real.hpp"
+
+namespace flipside::reference {
+
+template <class R>
+struct Value {
+    R value{}, slope{};
+};
+
+/// Longest s with f + f'·s − ½k·s² ≥ 0, for f ≥ 0.
+template <class R>
+R free_step(const R& f, const R& slope, const R& k) {
+    using std::sqrt;
+    if (!(k > 0)) return slope < 0 ? R(-f / slope) : infinity<R>();
+    const R root = sqrt(slope * slope + 2 * k * f);
+    return slope < 0 ? R(2 * f / (root - slope)) : R((slope + root) / k);
+}
+
+/// What counts as rounding.
+template <class R>
+struct Smallest {
+    R slope{};  ///< a fall slower than this is none
+    R value{};  ///< > 0; a least value below this is a graze
+};
+
+/// First time in [from, until] at which `f(t)` (a Value) is ≤ 0 and falls faster than `smallest`, where
+/// `meets(t)` agrees; never otherwise. f'' ≥ −bound between. `again(t)`, for a time that `meets` refuses,
+/// gives a later time up to which it is sure to refuse. Sets `grazes` where the least value is within
+/// rounding of zero. Where value and slope are both rounding it steps so far that the value cannot change
+/// by more than that either: such a fall is found late by no more.
+template <class R, class F, class Meets, class Again>
+R first_fall(const F& f, R from, const R& until, const R& bound, const Smallest<R>& smallest,
+             const Meets& meets, const Again& again, bool& grazes) {
+    using std::sqrt;
+    const R least = bound > 0 ? R(sqrt(2 * smallest.value / bound)) : infinity<R>();
+    R t = from;
+    while (t <= until) {
+        const Value<R> now = f(t);
+        if (now.value <= 0) {
+            if (now.slope < -smallest.slope) {
+                if (meets(t)) return t;
+                t = again(t);
+            } else if (!(bound > 0)) {
+                return infinity<R>();
+            } else {
+                const R turn = (now.slope + smallest.slope) / bound;  // it does not fall faster before
+                t += turn > least ? turn : least;
+            }
+            continue;
+        }
+        const R step = free_step(now.value, now.slope, bound);
+        const bool flat = magnitude(now.slope) <= smallest.slope;
+        if (flat && now.value <= smallest.value) grazes = true;
+        if (flat && step < least) {
+            t += least;
+        } else if (t + step <= t) {
+            if (meets(t)) return t;
+            t = again(t);
+        } else {
+            t += step;
+        }
+    }
+    return infinity<R>();
+}
+
+/// The same for what always meets.
+template <class R, class F>
+R first_fall(const F& f, const R& from, const R& until, const R& bound, const Smallest<R>& smallest) {
+    bool grazes = false;
+    return first_fall(
+        f, from, until, bound, smallest, [](const R&) { return true; }, [](const R& t) { return t; }, grazes);
+}
+
+}  // namespace flipside::reference

@@ -1,0 +1,192 @@
+#include "reference/feature.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace flipside::reference {
+
+namespace {
+
+template <class R>
+struct End {
+    V<R> at, outward;  ///< unit tangent, out of the curve
+    PartIndex part;
+};
+
+/// Takes pieces apart.
+template <class R>
+class Taker {
+  public:
+    Taker(const std::vector<Piece>& pieces, const Scene& scene) : scene_(scene) {
+        for (const Piece& piece : pieces) {
+            if (const auto* p = std::get_if<piece::Point>(&piece.is)) points_.push_back({p->at, piece.part});
+            if (const auto* s = std::get_if<piece::Segment>(&piece.is))
+                note_ends(line(s->a, s->b), piece.part);
+            if (const auto* a = std::get_if<piece::Arc>(&piece.is)) note_ends(curve(*a), piece.part);
+        }
+        const auto by_x = [](const auto& a, const auto& b) { return a.at.x < b.at.x; };
+        std::stable_sort(points_.begin(), points_.end(), by_x);
+        std::stable_sort(ends_.begin(), ends_.end(), by_x);
+    }
+
+    std::vector<Feature<R>> take(const std::vector<Piece>& pieces) {
+        for (const Piece& piece : pieces) {
+            part_ = piece.part;
+            if (!scene_.parts[part_].sensor) std::visit(*this, piece.is);
+        }
+        return std::move(features_);
+    }
+
+    void operator()(const piece::Point& p) { add(round(V<R>(p.at), R(0))); }
+    void operator()(const piece::Circle& c) { add(round(V<R>(c.center), R(c.radius))); }
+    void operator()(const piece::Segment& s) {
+        Line<R> face = line(s.a, s.b);
+        if (gate_of(scene_.parts[part_]) == nullptr) {
+            face.before = reach({face.start, -face.along, part_});
+            face.past = reach({face.start + face.length * face.along, face.along, part_});
+        }
+        add(face);
+    }
+    void operator()(const piece::Arc& a) {
+        Curve<R> arc = curve(a);
+        if (!arc.full) {
+            arc.before = reach({arc.center + arc.radius * arc.from, -perp(arc.from), part_});
+            arc.past = reach({arc.center + arc.radius * arc.to, perp(arc.to), part_});
+        }
+        add(arc);
+    }
+    void operator()(const piece::Polygon& p) {
+        for (std::size_t i = 0; i < p.points.size(); ++i) {
+            add(line(p.points[i], p.points[(i + 1) % p.points.size()]));
+            add(round(V<R>(p.points[i]), R(0)));
+        }
+    }
+    void operator()(const piece::Taper& t) {
+        using std::sqrt;
+        const V<R> a(t.a), b(t.b);
+        add(round(a, R(t.radius_a)));
+        add(round(b, R(t.radius_b)));
+        // The outer tangents: their normals make the angle acos((r_a − r_b)/l) with the axis.
+        const V<R> axis = b - a;
+        const R l = length(axis), c = (R(t.radius_a) - R(t.radius_b)) / l, s = sqrt(1 - c * c);
+        for (const int side : {1, -1}) {
+            const V<R> normal = (c * axis + (side * s) * perp(axis)) / l;
+            Line<R> face = line_between(a + R(t.radius_a) * normal, b + R(t.radius_b) * normal);
+            face.before.joined = face.past.joined = true;
+            add(face);
+        }
+    }
+
+  private:
+    void add(auto&& feature) { features_.push_back({feature, part_}); }
+
+    static Line<R> line_between(const V<R>& a, const V<R>& b) {
+        return {a, unit(b - a), length(b - a), {}, {}};
+    }
+    static Line<R> line(Vec2 a, Vec2 b) { return line_between(V<R>(a), V<R>(b)); }
+    static Curve<R> round(const V<R>& center, const R& radius) {
+        Curve<R> curve;
+        curve.center = center;
+        curve.radius = radius;
+        curve.round = curve.full = true;
+        return curve;
+    }
+    static Curve<R> curve(const piece::Arc& a) {
+        Curve<R> curve;
+        curve.center = V<R>(a.center);
+        curve.radius = R(a.radius);
+        curve.full = a.to - a.from >= 2 * std::numbers::pi;
+        curve.wide = a.to - a.from > std::numbers::pi;
+        curve.from = from_angle(R(a.from));
+        curve.to = from_angle(R(a.to));
+        return curve;
+    }
+    void note_ends(const Line<R>& l, PartIndex part) {
+        ends_.push_back({l.start, -l.along, part});
+        ends_.push_back({l.start + l.length * l.along, l.along, part});
+    }
+    void note_ends(const Curve<R>& c, PartIndex part) {
+        ends_.push_back({c.center + c.radius * c.from, -perp(c.from), part});
+        ends_.push_back({c.center + c.radius * c.to, perp(c.to), part});
+    }
+
+    /// What is at an end, of the part itself or of one that can be hit.
+    void each_at(const auto& sorted, const End<R>& end, auto&& visit) const {
+        const R left = end.at.x - joint_distance, right = end.at.x + joint_distance;
+        auto near = std::lower_bound(sorted.begin(), sorted.end(), left,
+                                     [](const auto& one, const R& x) { return one.at.x < x; });
+        for (; near != sorted.end() && !(near->at.x > right); ++near)
+            if (length(V<R>(near->at) - end.at) <= joint_distance &&
+                (near->part == end.part || !scene_.parts[near->part].sensor))
+                visit(*near);
+    }
+    [[nodiscard]] Reach<R> reach(const End<R>& end) const {
+        Reach<R> reach{true, R(0), R(0)};
+        each_at(points_, end, [&](const auto&) { reach.joined = false; });
+        if (!reach.joined) return reach;
+        R least(3);
+        each_at(ends_, end, [&](const End<R>& other) {
+            const R kink = length(end.outward + other.outward);
+            if (!(kink < least)) return;
+            least = kink;
+            reach.gap = length(end.at - other.at);
+            reach.kink = kink;
+        });
+        return reach;
+    }
+
+    struct PointAt {
+        Vec2 at;
+        PartIndex part;
+    };
+    const Scene& scene_;
+    std::vector<PointAt> points_;
+    std::vector<End<R>> ends_;
+    std::vector<Feature<R>> features_;
+    PartIndex part_ = 0;
+};
+
+}  // namespace
+
+template <class R>
+std::vector<Feature<R>> features_of(const std::vector<Piece>& pieces, const Scene& scene) {
+    return Taker<R>(pieces, scene).take(pieces);
+}
+
+template <class R>
+Feature<R> posed(const Feature<R>& feature, const V<R>& pivot, const V<R>& turn) {
+    Feature<R> turned = feature;
+    if (auto* line = std::get_if<Line<R>>(&turned.is)) {
+        line->start = pivot + rotated(line->start - pivot, turn);
+        line->along = rotated(line->along, turn);
+    } else {
+        auto& curve = std::get<Curve<R>>(turned.is);
+        curve.center = pivot + rotated(curve.center - pivot, turn);
+        curve.from = rotated(curve.from, turn);
+        curve.to = rotated(curve.to, turn);
+    }
+    return turned;
+}
+
+template <class R>
+Box bounds_of(const Feature<R>& feature) {
+    if (const auto* line = std::get_if<Line<R>>(&feature.is)) {
+        const Vec2 a = narrow(line->start), b = narrow(line->start + line->length * line->along);
+        return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+    }
+    const auto& curve = std::get<Curve<R>>(feature.is);
+    const Vec2 c = narrow(curve.center);
+    const double r = static_cast<double>(curve.radius);
+    return {{c.x - r, c.y - r}, {c.x + r, c.y + r}};
+}
+
+#define FLIPSIDE_FEATURES(R)                                                               \
+    template std::vector<Feature<R>> features_of(const std::vector<Piece>&, const Scene&); \
+    template Feature<R> posed(const Feature<R>&, const V<R>&, const V<R>&);                \
+    template Box bounds_of(const Feature<R>&);
+FLIPSIDE_FEATURES(double)
+FLIPSIDE_FEATURES(Real113)
+FLIPSIDE_FEATURES(Real226)
+#undef FLIPSIDE_FEATURES
+
+}  // namespace flipside::reference

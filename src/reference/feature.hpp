@@ -1,0 +1,75 @@
+#pragma once
+/// The surface of the table as the exact engine sees it: lines and curves, in full precision. A curve is an
+/// arc (two-sided, with or without ends) or a round (the outside of a circle; a point has radius 0). Solid
+/// shapes are their outlines: a centre outside can only come in through the outline.
+
+#include <variant>
+#include <vector>
+
+#include "reference/real.hpp"
+#include "world/surface.hpp"
+
+namespace flipside::reference {
+
+/// How far a face reaches past its end: nothing past an end that can be hit, at a smooth joint as far as
+/// the joint's own gap and kink leave a hole, m and rad.
+template <class R>
+struct Reach {
+    bool joined = false;
+    R gap{}, kink{};
+
+    [[nodiscard]] R of(const R& radius) const {
+        return joined ? gap + (kink + 64 * epsilon<R>()) * radius : R(0);
+    }
+};
+
+template <class R>
+struct Line {
+    V<R> start, along;  ///< unit
+    R length{};
+    Reach<R> before, past;
+};
+
+template <class R>
+struct Curve {
+    V<R> center;
+    R radius{};
+    bool round = false;  ///< no ends, no inside
+    bool full = false;   ///< no ends
+    bool wide = false;   ///< more than half a turn
+    V<R> from, to;       ///< unit, anticlockwise
+    Reach<R> before, past;
+};
+
+template <class R>
+struct Feature {
+    std::variant<Line<R>, Curve<R>> is;
+    PartIndex part = 0;
+};
+
+/// All features of all parts that are no sensors, in the pose of the scene file, by part.
+template <class R>
+[[nodiscard]] std::vector<Feature<R>> features_of(const std::vector<Piece>& pieces, const Scene& scene);
+
+/// Turned about a pivot by the angle of the unit vector `turn`.
+template <class R>
+[[nodiscard]] Feature<R> posed(const Feature<R>& feature, const V<R>& pivot, const V<R>& turn);
+
+/// The same numbers in a wider type.
+template <class S, class R>
+[[nodiscard]] Feature<S> widened(const Feature<R>& feature) {
+    const auto reach = [](const Reach<R>& r) { return Reach<S>{r.joined, S(r.gap), S(r.kink)}; };
+    if (const auto* l = std::get_if<Line<R>>(&feature.is))
+        return {Line<S>{V<S>(l->start), V<S>(l->along), S(l->length), reach(l->before), reach(l->past)},
+                feature.part};
+    const auto& c = std::get<Curve<R>>(feature.is);
+    return {Curve<S>{V<S>(c.center), S(c.radius), c.round, c.full, c.wide, V<S>(c.from), V<S>(c.to),
+                     reach(c.before), reach(c.past)},
+            feature.part};
+}
+
+/// Smallest box around a feature.
+template <class R>
+[[nodiscard]] Box bounds_of(const Feature<R>& feature);
+
+}  // namespace flipside::reference

@@ -1,0 +1,75 @@
+#pragma once
+/// A ball that touches a surface without moving into it or off it: what force would keep it there, how
+/// friction acts, and the path that it takes along the surface.
+///
+/// The centre of a ball on a line is at pivot + s·τ + d·n, on a curve at centre + L·o, in a frame that turns
+/// with the part (rate ω). With damping c and gravity g, per mass:
+///     line:   normal force  N = 2ωs' − ω²d − n·g + c·ω·s,      along it  s'' = ω²s + τ·g − c·(s' − ωd) + F
+///     curve:  N = −σ(o·e + Lφ'²),  Lφ'' = τ·e − cLφ' + F,      e = g − C'' − c·C',  σ = o·n, C the centre's
+///     way
+/// F is friction: µN against the slip while it slides; when it rolls, minus a third of what drives it (a disc
+/// resists with half its mass). Signs of spin: slip = (v − surface)·τ − σ·r·spin, with σ = −1 on a line.
+
+#include "reference/touch.hpp"
+
+namespace flipside::reference {
+
+template <class R>
+struct Body {
+    V<R> position, velocity;
+    R angle{}, spin{}, radius{};
+};
+
+template <class R>
+struct Drive {
+    V<R> gravity;
+    R drag{};
+};
+
+template <class R>
+struct Grip {
+    const Feature<R>* feature = nullptr;  ///< in the pose that `turning` sees it in
+    const Turning<R>* turning = nullptr;  ///< null: stands still
+    bool straight = false;
+    V<R> normal, tangent;  ///< unit; from the surface to the ball, and across
+    V<R> pivot;            ///< the frame's; a point of the feature where that stands still
+    R rate{};              ///< ω
+    R along{}, offset{};   ///< line: s, d
+    V<R> arm, out;         ///< curve: centre − pivot, o
+    R length{}, side{};    ///< L, σ
+    R parting{};           ///< normal speed of the ball against the surface, positive off it
+    R passing{};           ///< s' or Lφ'
+    R slip{}, friction{};  ///< m/s, µ
+    R force{}, driven{};   ///< N needed to stay; tangential acceleration but for friction, m/s²
+};
+
+/// The grip at a feature that the ball touches; `normal` as look() gives it. Distances within `snap` of
+/// touching become exactly that.
+template <class R>
+[[nodiscard]] Grip<R> grip_at(const Feature<R>& feature, const Turning<R>* turning, const Body<R>& ball,
+                              const R& time, const R& friction, const Drive<R>& drive, const R& snap);
+
+/// How friction acts at a grip.
+enum class Rub { none, slides, rolls };
+template <class R>
+struct Rubbing {
+    Rub how = Rub::none;
+    R force{};  ///< per mass, along the tangent
+    R sign{};   ///< of the slip, while it slides
+};
+template <class R>
+[[nodiscard]] Rubbing<R> rubbing_of(const Grip<R>& grip, const Body<R>& ball);
+
+/// The path along one surface.
+template <class R>
+struct Ride {
+    Path<R> path;
+    R until = infinity<R>();  ///< must be looked at again then; never later than asked for
+    bool lets_go = false;     ///< because the contact ends there
+};
+/// From `time` to `last` at most.
+template <class R>
+[[nodiscard]] Ride<R> ride(const Grip<R>& grip, const Rubbing<R>& rubbing, const Body<R>& ball, const R& time,
+                           const R& last, const Drive<R>& drive);
+
+}  // namespace flipside::reference

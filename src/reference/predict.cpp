@@ -1,0 +1,105 @@
+#include <algorithm>
+
+#include "reference/simulation.hpp"
+
+namespace flipside::reference {
+
+template <class R>
+void Simulation<R>::offer(Mover& mover, const R& time, Next next, std::uint32_t met, std::uint32_t changes) {
+    if (!(time < mover.next_time)) return;
+    mover.next_time = time;
+    mover.next = next;
+    mover.met = met;
+    mover.met_changes = changes;
+}
+
+/// Finds the next event of a ball on its path and queues it. It looks as far as the border of the ball's
+/// cell, and not beyond a second: bounds on speeds are good for no longer.
+template <class R>
+void Simulation<R>::predict(Place i) {
+    Mover& mover = movers_[i];
+    ++mover.predictions;
+    mover.next = Next::nothing;
+    mover.next_time = infinity<R>();
+    offer(mover, R(now_ + 1), Next::look_again, 1);
+    offer(mover, mover.until, Next::look_again, 0);
+    int side = 0;
+    const R crosses = leaves(mover.path, cells_.box(mover.cell), now_, mover.next_time, side);
+    offer(mover, crosses, Next::cell, static_cast<std::uint32_t>(side));
+    if (!mover.reported_lost) {
+        if (!scene_->bounds.contains(narrow(mover.body.position)) && mover.path.start == now_)
+            offer(mover, now_, Next::lost);
+        offer(mover, leaves(mover.path, scene_->bounds, now_, mover.next_time, side), Next::lost);
+    }
+    predict_features(mover);
+    predict_sensors(mover);
+    predict_balls(i);
+    queue_.push_back({mover.next_time, i, mover.predictions});
+    std::push_heap(queue_.begin(), queue_.end());
+}
+
+template <class R>
+void Simulation<R>::predict_features(Mover& mover) {
+    for (const FeatureIndex f : cells_.features(mover.cell)) {
+        ++counts_.pair_tests;
+        const PartIndex part = features_[f].part;
+        if (f == mover.held[0] || f == mover.held[1] || ignores(part, mover)) continue;
+        ++counts_.narrow_tests;
+        const R last = std::min(mover.next_time, parts_[part].turning.stop);
+        const View<R> seen{mover.path, turning(part)};
+        offer(mover, first_touch(shape(f), seen, mover.radius, now_, last, counts_.grazing), Next::feature,
+              f);
+    }
+}
+
+template <class R>
+void Simulation<R>::predict_sensors(Mover& mover) {
+    const auto is_inside = [&](PartIndex part) {
+        return std::ranges::find(mover.inside, part) != mover.inside.end();
+    };
+    for (const PartIndex part : mover.inside) {
+        ++counts_.narrow_tests;
+        const R last = std::min(mover.next_time, parts_[part].turning.stop);
+        offer(mover, leaves(parts_[part].regions, view(mover, part), mover.radius, now_, last), Next::sensor,
+              part);
+    }
+    PartIndex done = ~0U;
+    for (const PartIndex part : cells_.sensors(mover.cell)) {
+        ++counts_.pair_tests;
+        if (part == done || !scene_->parts[part].sensor || is_inside(part) ||
+            !layers_meet(mover.ball, scene_->parts[part]))
+            continue;
+        done = part;
+        ++counts_.narrow_tests;
+        const R last = std::min(mover.next_time, parts_[part].turning.stop);
+        offer(mover, enters(parts_[part].regions, view(mover, part), mover.radius, now_, last), Next::sensor,
+              part);
+    }
+}
+
+template <class R>
+void Simulation<R>::predict_balls(Place i) {
+    Mover& mover = movers_[i];
+    cells_.each_near(mover.cell, [&](Place j) {
+        const Mover& other = movers_[j];
+        if (j == i) return;
+        ++counts_.pair_tests;
+        if (!layers_meet(mover.ball, other.ball)) return;
+        ++counts_.narrow_tests;
+        const R last = std::min(mover.next_time, other.until);
+        offer(
+            mover,
+            first_touch(mover.path, other.path, R(mover.radius + other.radius), now_, last, counts_.grazing),
+            Next::ball, j, other.changes);
+    });
+}
+
+#define FLIPSIDE_PREDICT(R)                                                                   \
+    template void Simulation<R>::offer(Mover&, const R&, Next, std::uint32_t, std::uint32_t); \
+    template void Simulation<R>::predict(Place);
+FLIPSIDE_PREDICT(double)
+FLIPSIDE_PREDICT(Real113)
+FLIPSIDE_PREDICT(Real226)
+#undef FLIPSIDE_PREDICT
+
+}  // namespace flipside::reference

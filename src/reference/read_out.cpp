@@ -1,0 +1,124 @@
+#include <algorithm>
+#include <tuple>
+
+#include "reference/simulation.hpp"
+
+namespace flipside::reference {
+
+namespace {
+
+/// Surfaces nearer than this many radii count as touching.
+constexpr double touch_distance = 1e-4;
+
+}  // namespace
+
+template <class R>
+void Simulation<R>::read(std::vector<Ball>& balls) const {
+    balls.clear();
+    for (const Mover& mover : movers_) {
+        if (mover.gone) continue;
+        Ball& ball = balls.emplace_back(mover.ball);
+        const Motion<R> now = mover.path.at(now_);
+        const Spinning<R> spinning = mover.path.spinning_at(now_);
+        ball.position = narrow(now.position);
+        ball.velocity = narrow(now.velocity);
+        ball.angle = static_cast<double>(spinning.angle);
+        ball.spin = static_cast<double>(spinning.spin);
+        ball.asleep = false;
+    }
+}
+
+template <class R>
+double Simulation<R>::distance(BallNumber number, Vec2 place) const {
+    for (const Mover& mover : movers_)
+        if (mover.ball.number == number && !mover.gone)
+            return static_cast<double>(length(mover.path.at(now_).position - V<R>(place)));
+    return std::numeric_limits<double>::infinity();
+}
+
+template <class R>
+void Simulation<R>::forecast(std::vector<Forecast>& forecasts) const {
+    forecasts.clear();
+    for (const Mover& mover : movers_) {
+        if (mover.gone || mover.next == Next::nothing) continue;
+        Forecast& forecast = forecasts.emplace_back();
+        forecast.radius = mover.ball.radius;
+        forecast.touches = mover.next == Next::feature || mover.next == Next::ball;
+        const auto last = static_cast<int>(forecast.way.size()) - 1;
+        for (int k = 0; k <= last; ++k)
+            forecast.way[static_cast<std::size_t>(k)] =
+                narrow(mover.path.at(now_ + k * (mover.next_time - now_) / last).position);
+    }
+}
+
+template <class R>
+void Simulation<R>::occupied(std::vector<std::pair<Box, int>>& cells) const {
+    cells.clear();
+    for (Cells::Index i = 0; i < cells_.count(); ++i) {
+        const int balls = cells_.balls(i);
+        if (balls == 0) continue;
+        Box box = cells_.box(i);
+        box.min = {std::max(box.min.x, scene_->bounds.min.x), std::max(box.min.y, scene_->bounds.min.y)};
+        box.max = {std::min(box.max.x, scene_->bounds.max.x), std::min(box.max.y, scene_->bounds.max.y)};
+        cells.emplace_back(box, balls);
+    }
+}
+
+template <class R>
+void Simulation<R>::part_contacts(const Mover& mover, std::vector<Contact>& contacts) const {
+    const V<R> position = mover.path.at(now_).position;
+    for (const FeatureIndex f : cells_.features(mover.cell)) {
+        const PartIndex part = features_[f].part;
+        if (ignores(part, mover)) continue;
+        const Sight<R> seen = sight(f, position, mover.radius);
+        if (!seen.facing || seen.gap > touch_distance * mover.radius) continue;
+        if (const shape::Gate* gate = gate_of(scene_->parts[part]))
+            if (parts_[part].open || dot(seen.normal, V<R>(gate->normal)) < 0) continue;
+        const V<R> point = position - (seen.gap + mover.radius) * seen.normal;
+        contacts.push_back({mover.ball.number, Other::part(part), narrow(point), narrow(seen.normal),
+                            static_cast<double>(seen.gap)});
+    }
+}
+
+template <class R>
+void Simulation<R>::contacts(std::vector<Contact>& contacts) const {
+    contacts.clear();
+    for (Place i = 0; i < movers_.size(); ++i) {
+        const Mover& mover = movers_[i];
+        if (mover.gone) continue;
+        part_contacts(mover, contacts);
+        const V<R> position = mover.path.at(now_).position;
+        cells_.each_near(mover.cell, [&](Place j) {
+            const Mover& other = movers_[j];
+            if (j <= i || !layers_meet(mover.ball, other.ball)) return;
+            const V<R> between = position - other.path.at(now_).position;
+            const R reach = mover.radius + other.radius;
+            if (dot(between, between) > R(1.001) * reach * reach) return;
+            const R gap = length(between) - reach;
+            if (gap > touch_distance * std::min(mover.radius, other.radius)) return;
+            const V<R> normal = unit(between), point = position - (gap + mover.radius) * normal;
+            contacts.push_back({mover.ball.number, Other::ball(other.ball.number), narrow(point),
+                                narrow(normal), static_cast<double>(gap)});
+        });
+    }
+    std::ranges::sort(contacts, [](const Contact& a, const Contact& b) {
+        return std::tie(a.ball, a.other, a.separation) < std::tie(b.ball, b.other, b.separation);
+    });
+    const auto same = [](const Contact& a, const Contact& b) {
+        return a.ball == b.ball && a.other == b.other;
+    };
+    contacts.erase(std::unique(contacts.begin(), contacts.end(), same), contacts.end());
+}
+
+#define FLIPSIDE_READ_OUT(R)                                             \
+    template void Simulation<R>::read(std::vector<Ball>&) const;         \
+    template double Simulation<R>::distance(BallNumber, Vec2) const;     \
+    template void Simulation<R>::contacts(std::vector<Contact>&) const;  \
+    template void Simulation<R>::forecast(std::vector<Forecast>&) const; \
+    template void Simulation<R>::occupied(std::vector<std::pair<Box, int>>&) const;
+FLIPSIDE_READ_OUT(double)
+FLIPSIDE_READ_OUT(Real113)
+FLIPSIDE_READ_OUT(Real226)
+#undef FLIPSIDE_READ_OUT
+
+}  // namespace flipside::reference

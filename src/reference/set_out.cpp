@@ -1,0 +1,188 @@
+#include <algorithm>
+
+#include "reference/simulation.hpp"
+#include "world/refusal.hpp"
+
+namespace flipside::reference {
+
+namespace {
+
+/// Gaps below this are contact for a ball that does not move along the normal, in radii.
+template <class R>
+R contact_gap() {
+    using std::sqrt;
+    return sqrt(epsilon<R>()) / 16;
+}
+/// Relative to its scale, what is no acceleration.
+template <class R>
+R no_pull() {
+    return 16384 * epsilon<R>();
+}
+
+}  // namespace
+
+template <class R>
+Sight<R> Simulation<R>::sight(FeatureIndex f, const V<R>& position, const R& radius) const {
+    const Turning<R>* turns = turning(features_[f].part);
+    if (turns == nullptr) return look(posed_[f], position, radius);
+    const V<R> turn = from_angle(turns->angle_at(now_));
+    Sight<R> seen = look(features_[f], turns->pivot + unrotated(position - turns->pivot, turn), radius);
+    seen.normal = rotated(seen.normal, turn);
+    return seen;
+}
+
+/// Moves a ball that begins inside a part, or across a line, out of it: the deepest overlap first.
+template <class R>
+void Simulation<R>::come_out(Mover& mover) {
+    constexpr double deep = 1e-3;  // radii; what is less is left to the flight
+    constexpr int most_rounds = 8;
+    for (int round = 0; round < most_rounds; ++round) {
+        Sight<R> deepest;
+        deepest.gap = -deep * mover.radius;
+        bool found = false;
+        for (const FeatureIndex f : cells_.features(mover.cell)) {
+            const PartIndex part = features_[f].part;
+            if (ignores(part, mover) || gate_of(scene_->parts[part]) != nullptr) continue;
+            const Sight<R> seen = sight(f, mover.body.position, mover.radius);
+            if (!seen.facing || !(seen.gap < deepest.gap)) continue;
+            deepest = seen;
+            found = true;
+        }
+        if (!found) return;
+        mover.body.position -= deepest.gap * deepest.normal;
+        mover.path.position = mover.body.position;
+    }
+}
+
+/// What the ball touches and does not move against along the normal.
+template <class R>
+void Simulation<R>::find_touching(const Mover& mover) {
+    using std::sqrt;
+    touching_.clear();
+    const R snap = contact_gap<R>() * mover.radius;
+    for (const FeatureIndex f : cells_.features(mover.cell)) {
+        const PartIndex part = features_[f].part;
+        if (f == mover.left || ignores(part, mover)) continue;
+        const Sight<R> seen = sight(f, mover.body.position, mover.radius);
+        if (!seen.facing || seen.gap > snap) continue;
+        if (const shape::Gate* gate = gate_of(scene_->parts[part]))
+            if (parts_[part].open || dot(seen.normal, V<R>(gate->normal)) < 0) continue;
+        const R friction(
+            mixed_[mover.ball.material * scene_->materials.size() + scene_->parts[part].material].friction);
+        const Grip<R> grip = grip_at(shape(f), turning(part), mover.body, now_, friction, drive_, snap);
+        const R hop = sqrt(2 * epsilon<R>() * mover.radius * std::max(R(0), grip.force));
+        const R speed = length(mover.body.velocity) + magnitude(grip.passing);
+        if (magnitude(grip.parting) > 4096 * epsilon<R>() * speed + hop) continue;
+        touching_.push_back({f, grip, friction});
+    }
+}
+
+/// Takes the path along one of the surfaces that it touches, if that keeps it off all others.
+template <class R>
+bool Simulation<R>::take_one(Mover& mover) {
+    for (const Touching& one : touching_) {
+        const Grip<R>& grip = one.grip;
+        const R scale = length(drive_.gravity) + magnitude(grip.force) + magnitude(grip.driven);
+        const R none = no_pull<R>() * scale;
+        if (!(grip.force > none)) continue;
+        const Rubbing<R> rub = rubbing_of(grip, mover.body);
+        const V<R> added = grip.force * grip.normal + rub.force * grip.tangent;
+        const bool keeps_off = std::ranges::all_of(touching_, [&](const Touching& other) {
+            return &other == &one || dot(added, other.grip.normal) - other.grip.force >= -none;
+        });
+        if (!keeps_off) continue;
+        const Ride<R> found = ride(grip, rub, mover.body, now_, R(now_ + 1), drive_);
+        mover.path = found.path;
+        mover.until = found.until;
+        mover.lets_go = found.lets_go;
+        mover.held[0] = one.feature;
+        return true;
+    }
+    return false;
+}
+
+/// A ball that two still surfaces keep where it is. If it spins, both rub it to rest: its weight is then
+/// borne by normal forces and friction together.
+template <class R>
+bool Simulation<R>::take_two(Mover& mover) {
+    const R scale = length(drive_.gravity), none = no_pull<R>() * scale;
+    for (const Touching& a : touching_)
+        for (const Touching& b : touching_) {
+            if (&a == &b || a.grip.turning != nullptr || b.grip.turning != nullptr) continue;
+            if (!(a.grip.force > none)) continue;
+            const R& spin = mover.body.spin;
+            const auto push = [&](const Touching& one) {
+                const R sign(spin > 0 ? 1 : spin < 0 ? -1 : 0);
+                return one.grip.normal + sign * one.friction * perp(one.grip.normal);
+            };
+            const V<R> u = push(a), v = push(b), weight = drive_.gravity;
+            const R across = cross(u, v);
+            if (magnitude(across) < no_pull<R>()) continue;
+            const R first = -cross(weight, v) / across, second = -cross(u, weight) / across;
+            if (first < -none || second < -none) continue;
+            mover.path = {};
+            mover.path.rests = true;
+            mover.path.start = now_;
+            mover.path.position = mover.body.position;
+            mover.path.angle = mover.body.angle;
+            mover.path.spin = spin;
+            mover.held[0] = a.feature;
+            mover.held[1] = b.feature;
+            const R rubbed = 2 * (a.friction * first + b.friction * second) / mover.radius;
+            if (spin != 0 && rubbed > 0) {
+                mover.path.spin_rate = spin > 0 ? R(-rubbed) : rubbed;
+                mover.until = now_ + magnitude(spin) / rubbed;
+            }
+            return true;
+        }
+    return false;
+}
+
+/// Finds the path of a ball from where it is: free, or along what it touches.
+template <class R>
+void Simulation<R>::set_out(Place i) {
+    Mover& mover = movers_[i];
+    ++mover.changes;
+    mover.held[0] = mover.held[1] = nothing;
+    mover.until = infinity<R>();
+    mover.lets_go = false;
+    Path<R>& path = mover.path;
+    path.start = now_;
+    path.position = mover.body.position;
+    path.velocity = mover.body.velocity;
+    path.acceleration = drive_.gravity;
+    path.drag = drive_.drag;
+    path.angle = mover.body.angle;
+    path.spin = mover.body.spin;
+    path.spin_rate = R(0);
+    path.roll = {};
+    path.rides = path.rests = false;
+    find_touching(mover);
+    mover.left = nothing;
+    const R scale = length(drive_.gravity);
+    const bool pressed = std::ranges::any_of(touching_, [&](const Touching& one) {
+        const Grip<R>& grip = one.grip;
+        return grip.force > no_pull<R>() * (scale + magnitude(grip.force) + magnitude(grip.driven));
+    });
+    if (!pressed || take_one(mover)) return;
+    const R speed = length(mover.body.velocity);
+    using std::sqrt;
+    const R slow = 65536 * sqrt(epsilon<R>() * mover.radius * scale);
+    if (speed <= slow && take_two(mover)) return;
+    std::string names;
+    for (const Touching& one : touching_)
+        names += (names.empty() ? "" : " and ") + scene_->parts[features_[one.feature].part].name;
+    throw Refusal("reference: ball " + std::to_string(mover.ball.number) + " is held between " + names +
+                  at_time(now_) + ", and not at rest: no closed motion for that");
+}
+
+#define FLIPSIDE_SET_OUT(R)                        \
+    template void Simulation<R>::set_out(Place);   \
+    template void Simulation<R>::come_out(Mover&); \
+    template Sight<R> Simulation<R>::sight(FeatureIndex, const V<R>&, const R&) const;
+FLIPSIDE_SET_OUT(double)
+FLIPSIDE_SET_OUT(Real113)
+FLIPSIDE_SET_OUT(Real226)
+#undef FLIPSIDE_SET_OUT
+
+}  // namespace flipside::reference

@@ -1,0 +1,363 @@
+#include "reference/simulation.hpp"
+
+#include <algorithm>
+
+#include "world/refusal.hpp"
+#include "world/table.hpp"
+
+namespace flipside::reference {
+
+namespace {
+
+/// Box of a feature in every pose that its part may take.
+template <class R>
+Box range_of(const Feature<R>& feature, const Part& part, Vec2 pivot) {
+    const Box box = bounds_of(feature);
+    if (!Table::moves(part)) return box;
+    const double dx = std::max(box.max.x - pivot.x, pivot.x - box.min.x);
+    const double dy = std::max(box.max.y - pivot.y, pivot.y - box.min.y);
+    const double far = std::hypot(dx, dy);
+    return {{pivot.x - far, pivot.y - far}, {pivot.x + far, pivot.y + far}};
+}
+
+}  // namespace
+
+template <class R>
+Simulation<R>::Simulation(std::shared_ptr<const Scene> scene)
+    : scene_(std::move(scene)),
+      pieces_(surface_of(*scene_)),
+      drive_{V<R>(scene_->gravity), R(scene_->damping)},
+      features_(features_of<R>(pieces_, *scene_)),
+      posed_(features_),
+      parts_(scene_->parts.size()) {
+    for (PartIndex i = 0; i < parts_.size(); ++i) {
+        const Part& part = scene_->parts[i];
+        PartNow& now = parts_[i];
+        now.moves = Table::moves(part);
+        if (const auto* turn = std::get_if<motion::Turn>(&part.motion)) now.turning.pivot = V<R>(turn->pivot);
+        if (std::holds_alternative<motion::Flip>(part.motion))
+            now.turning.pivot = V<R>(std::get<shape::Flipper>(part.shape.is).pivot);
+        if (part.sensor || gate_of(part) != nullptr) now.regions = regions_of<R>(pieces_, i);
+        while (now.first < features_.size() && features_[now.first].part < i) ++now.first;
+        now.last = now.first;
+        while (now.last < features_.size() && features_[now.last].part == i) ++now.last;
+    }
+    for (const Material& a : scene_->materials)
+        for (const Material& b : scene_->materials) mixed_.push_back(mix(a, b));
+}
+
+template <class R>
+void Simulation<R>::load(const State& state) {
+    movers_.clear();
+    queue_.clear();
+    events_.clear();
+    now_ = R(0);
+    time_ = state.clock.time;
+    reported_lost_ = state.reported_lost;
+    raised_[0] = state.raised[0], raised_[1] = state.raised[1];
+    rotating_ = state.rotating;
+    for (PartIndex i = 0; i < parts_.size(); ++i) {
+        parts_[i].open = state.parts[i].open;
+        parts_[i].down = state.parts[i].down;
+        Turning<R>& turning = parts_[i].turning;
+        turning.angle = R(state.parts[i].angle);
+        turning.rate = R(0);
+        turning.since = R(0);
+        turning.stop = infinity<R>();
+        if (parts_[i].moves) set_motion(i);
+    }
+    for (const Ball& ball : state.balls) join(ball);
+    rebuild_cells();
+    for (Mover& mover : movers_) {
+        come_out(mover);
+        begin_inside(mover);
+    }
+    refresh_all();
+}
+
+template <class R>
+void Simulation<R>::join(const Ball& ball) {
+    Mover& mover = movers_.emplace_back();
+    mover.ball = ball;
+    mover.radius = R(ball.radius);
+    mover.mass = R(ball.mass);
+    mover.reported_lost = std::ranges::find(reported_lost_, ball.number) != reported_lost_.end();
+    mover.body = {V<R>(ball.position), V<R>(ball.velocity), R(ball.angle), R(ball.spin), R(ball.radius)};
+    mover.path.start = now_;
+    mover.path.position = mover.body.position;
+    mover.path.velocity = mover.body.velocity;
+    mover.path.angle = mover.body.angle;
+    mover.path.spin = mover.body.spin;
+    mover.inside.reserve(8);
+}
+
+template <class R>
+void Simulation<R>::rebuild_cells() {
+    std::vector<Cells::Still> things;
+    for (const Feature<R>& feature : features_)
+        things.push_back(
+            {range_of(feature, scene_->parts[feature.part], narrow(parts_[feature.part].turning.pivot)),
+             feature.part, false});
+    for (const Piece& piece : pieces_)
+        if (!parts_[piece.part].regions.empty()) {
+            Scene plain;  // the piece as if it could be touched
+            plain.parts.resize(scene_->parts.size());
+            for (const Feature<R>& feature : features_of<R>({piece}, plain))
+                things.push_back(
+                    {range_of(feature, scene_->parts[piece.part], narrow(parts_[piece.part].turning.pivot)),
+                     piece.part, true});
+        }
+    double radius = scene_->launcher ? scene_->launcher->ball.radius : 0;
+    for (const Mover& mover : movers_) radius = std::max(radius, mover.ball.radius);
+    cells_.build(scene_->bounds, things, movers_.size(), radius);
+    for (Place i = 0; i < movers_.size(); ++i) {
+        Mover& mover = movers_[i];
+        if (mover.gone) continue;
+        mover.cell = cells_.at(narrow(mover.path.at(now_).position));
+        cells_.link(i, mover.cell);
+    }
+}
+
+template <class R>
+void Simulation<R>::begin_inside(Mover& mover) {
+    mover.inside.clear();
+    for (PartIndex part = 0; part < parts_.size(); ++part) {
+        if (parts_[part].regions.empty() || !layers_meet(mover.ball, scene_->parts[part])) continue;
+        if (!scene_->parts[part].sensor && !parts_[part].open) continue;
+        if (inside(parts_[part].regions, view(mover, part), mover.radius, now_)) mover.inside.push_back(part);
+    }
+}
+
+template <class R>
+void Simulation<R>::refresh(Place i) {
+    advance(movers_[i]);
+    set_out(i);
+}
+
+template <class R>
+void Simulation<R>::refresh_all() {
+    for (Place i = 0; i < movers_.size(); ++i)
+        if (!movers_[i].gone) refresh(i);
+    for (Place i = 0; i < movers_.size(); ++i)
+        if (!movers_[i].gone) predict(i);
+}
+
+/// The motion of a part has changed: whoever is near looks again.
+template <class R>
+void Simulation<R>::refresh_beside(PartIndex part) {
+    const auto near = [&](const Mover& mover) {
+        const auto& features = cells_.features(mover.cell);
+        const auto& sensors = cells_.sensors(mover.cell);
+        return std::ranges::any_of(features, [&](FeatureIndex f) { return features_[f].part == part; }) ||
+               std::ranges::find(sensors, part) != sensors.end();
+    };
+    for (Place i = 0; i < movers_.size(); ++i)
+        if (!movers_[i].gone && near(movers_[i])) {
+            refresh(i);
+            predict(i);
+        }
+}
+
+/// How a part moves from now on by the controls as they are.
+template <class R>
+void Simulation<R>::set_motion(PartIndex part) {
+    Turning<R>& turning = parts_[part].turning;
+    turning.angle = turning.angle_at(now_);
+    turning.since = now_;
+    turning.stop = infinity<R>();
+    if (const auto* turn = std::get_if<motion::Turn>(&scene_->parts[part].motion)) {
+        turning.rate = turn->always || rotating_ ? R(turn->rate) : R(0);
+    } else {
+        const auto& flip = std::get<motion::Flip>(scene_->parts[part].motion);
+        const bool up = raised_[static_cast<int>(flip.side)];
+        const auto& flipper = std::get<shape::Flipper>(scene_->parts[part].shape.is);
+        turning.goal = up ? R(flip.raised) - R(flipper.rest) : R(0);
+        const R speed(up ? flip.up_rate : flip.down_rate), way = turning.goal - turning.angle;
+        turning.rate = way > 0 ? speed : way < 0 ? R(-speed) : R(0);
+        if (turning.rate != 0) turning.stop = now_ + magnitude(way) / speed;
+    }
+    if (turning.rate == 0) {
+        const V<R> turn = from_angle(turning.angle);
+        for (FeatureIndex f = parts_[part].first; f < parts_[part].last; ++f)
+            posed_[f] = posed(features_[f], turning.pivot, turn);
+    }
+}
+
+template <class R>
+void Simulation<R>::change_motions() {
+    for (PartIndex part = 0; part < parts_.size(); ++part) {
+        if (!parts_[part].moves) continue;
+        const R rate = parts_[part].turning.rate;
+        set_motion(part);
+        if (parts_[part].turning.rate != rate) refresh_beside(part);
+    }
+}
+
+template <class R>
+R Simulation<R>::next_stop() const {
+    R first = infinity<R>();
+    for (const PartNow& part : parts_) first = std::min(first, part.turning.stop);
+    return first;
+}
+
+/// Flippers that meet their stops now.
+template <class R>
+void Simulation<R>::handle_stops() {
+    for (PartIndex part = 0; part < parts_.size(); ++part) {
+        if (parts_[part].turning.stop > now_) continue;
+        set_motion(part);
+        refresh_beside(part);
+    }
+}
+
+template <class R>
+void Simulation<R>::apply(const Control& control) {
+    if (const auto* flip = std::get_if<control::Flip>(&control)) {
+        raised_[static_cast<int>(flip->side)] = flip->up;
+        change_motions();
+    } else if (const auto* rotate = std::get_if<control::Rotate>(&control)) {
+        rotating_ = rotate->on;
+        change_motions();
+    } else if (const auto* nudge = std::get_if<control::Nudge>(&control)) {
+        for (Mover& mover : movers_) {
+            if (mover.gone) continue;
+            advance(mover);
+            mover.body.velocity += V<R>(nudge->velocity);
+            mover.path.velocity = mover.body.velocity;
+        }
+        for (Place i = 0; i < movers_.size(); ++i)
+            if (!movers_[i].gone) set_out(i);
+        for (Place i = 0; i < movers_.size(); ++i)
+            if (!movers_[i].gone) predict(i);
+    } else if (const auto* raise = std::get_if<control::RaiseTargets>(&control)) {
+        for (PartIndex part = 0; part < parts_.size(); ++part)
+            if (raise->parts.empty() || std::ranges::find(raise->parts, part) != raise->parts.end())
+                parts_[part].down = false;
+        for (Mover& mover : movers_)
+            if (!mover.gone) {
+                advance(mover);
+                come_out(mover);
+            }
+        refresh_all();
+    }
+}
+
+template <class R>
+void Simulation<R>::add(const Ball& ball) {
+    join(ball);
+    const auto i = static_cast<Place>(movers_.size() - 1);
+    if (ball.radius > cells_.largest()) {
+        rebuild_cells();
+        return refresh_all();
+    }
+    movers_[i].cell = cells_.at(ball.position);
+    cells_.link(i, movers_[i].cell);
+    refresh(i);
+    predict(i);
+}
+
+template <class R>
+auto Simulation<R>::find(BallNumber number) -> Mover* {
+    const auto at = std::ranges::find_if(
+        movers_, [&](const Mover& mover) { return mover.ball.number == number && !mover.gone; });
+    return at == movers_.end() ? nullptr : &*at;
+}
+
+template <class R>
+void Simulation<R>::remove(BallNumber number) {
+    Mover* mover = find(number);
+    if (mover == nullptr) return;
+    const auto i = static_cast<Place>(mover - movers_.data());
+    cells_.unlink(i, mover->cell);
+    mover->gone = true;
+    ++mover->changes;
+    ++mover->predictions;
+    std::erase(reported_lost_, number);
+    for (const PartIndex part : mover->inside)
+        if (!scene_->parts[part].sensor && std::ranges::none_of(movers_, [&](const Mover& other) {
+                return !other.gone && std::ranges::find(other.inside, part) != other.inside.end();
+            }))
+            parts_[part].open = false;
+}
+
+template <class R>
+void Simulation<R>::set_velocity(BallNumber number, Vec2 velocity) {
+    Mover* mover = find(number);
+    if (mover == nullptr) return;
+    advance(*mover);
+    mover->body.velocity = V<R>(velocity);
+    const auto i = static_cast<Place>(mover - movers_.data());
+    set_out(i);
+    predict(i);
+}
+
+template <class R>
+void Simulation<R>::run(double seconds) {
+    events_.clear();
+    counts_ = {};
+    run_start_ = now_;
+    const R end = now_ + R(seconds);
+    for (;;) {
+        while (!queue_.empty() && queue_.front().prediction != movers_[queue_.front().mover].predictions) {
+            std::pop_heap(queue_.begin(), queue_.end());
+            queue_.pop_back();
+        }
+        const R event = queue_.empty() ? infinity<R>() : queue_.front().time, stop = next_stop();
+        if (std::min(event, stop) > end) break;
+        if (stop <= event) {
+            now_ = stop;
+            handle_stops();
+            continue;
+        }
+        now_ = std::max(now_, event);
+        const Place mover = queue_.front().mover;
+        std::pop_heap(queue_.begin(), queue_.end());
+        queue_.pop_back();
+        ++counts_.events;
+        handle(mover);
+    }
+    now_ = end;
+    time_ += seconds;
+    if (now_ >= 1) set_clock_back();
+}
+
+/// Times are counted from not long ago, so that they keep their digits.
+template <class R>
+void Simulation<R>::set_clock_back() {
+    for (Mover& mover : movers_) {
+        mover.path.start -= now_;
+        mover.until -= now_;
+        mover.next_time -= now_;
+        mover.busy_since -= now_;
+    }
+    for (PartNow& part : parts_) {
+        part.turning.since -= now_;
+        part.turning.stop -= now_;
+    }
+    for (Entry& entry : queue_) entry.time -= now_;
+    std::make_heap(queue_.begin(), queue_.end());
+    now_ = R(0);
+}
+
+template <class R>
+bool Simulation<R>::ignores(PartIndex part, const Mover& mover) const {
+    return parts_[part].down || !layers_meet(mover.ball, scene_->parts[part]) ||
+           (!parts_[part].regions.empty() && std::ranges::find(mover.inside, part) != mover.inside.end());
+}
+
+template <class R>
+std::string Simulation<R>::at_time(const R& time) const {
+    return " at " + std::to_string(time_ + static_cast<double>(time - run_start_)) + " s";
+}
+
+template class Simulation<double>;
+template class Simulation<Real113>;
+template class Simulation<Real226>;
+
+std::unique_ptr<Exact> make_exact(int bits, std::shared_ptr<const Scene> scene) {
+    if (bits <= 53) return std::make_unique<Simulation<double>>(std::move(scene));
+    if (bits <= 113) return std::make_unique<Simulation<Real113>>(std::move(scene));
+    return std::make_unique<Simulation<Real226>>(std::move(scene));
+}
+
+}  // namespace flipside::reference

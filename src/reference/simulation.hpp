@@ -1,0 +1,176 @@
+#pragma once
+/// The exact engine: every ball follows its own path until its next event, events are handled in order of
+/// time, and only those involved are looked at again. One queue, a clock per ball, and counters that void
+/// what was overtaken: Lubachevsky 1991, "How to simulate billiards and similar systems".
+///
+/// Nothing happens at the end of a step: positions there are read off the paths. So a trajectory is the same,
+/// bit for bit, whatever the step, but for the times of controls and a clock that is set back once a second.
+///
+/// Declared rules, where the physical model leaves a choice: balls that meet at one instant are answered pair
+/// by pair, in order of their numbers; hops lower than the rounding of a radius do not happen (the end of a
+/// Zeno sequence where rest_speed is 0); a ball that begins inside a part is moved out of it, its velocity
+/// kept. What cannot be done exactly throws Refusal: balls that press on each other, a ball held between
+/// parts of which one moves, or squeezed without end.
+
+#include <functional>
+#include <string>
+
+#include "reference/cells.hpp"
+#include "reference/exact.hpp"
+#include "reference/grip.hpp"
+#include "reference/region.hpp"
+#include "reference/response.hpp"
+
+namespace flipside::reference {
+
+template <class R>
+class Simulation final : public Exact {
+  public:
+    explicit Simulation(std::shared_ptr<const Scene> scene);
+
+    void load(const State& state) override;
+    void apply(const Control& control) override;
+    void add(const Ball& ball) override;
+    void remove(BallNumber number) override;
+    void set_velocity(BallNumber number, Vec2 velocity) override;
+    void run(double seconds) override;
+
+    void read(std::vector<Ball>& balls) const override;
+    [[nodiscard]] std::span<const Event> events() const override { return events_; }
+    [[nodiscard]] bool open(PartIndex gate) const override { return parts_[gate].open; }
+    [[nodiscard]] bool down(PartIndex target) const override { return parts_[target].down; }
+    [[nodiscard]] std::span<const BallNumber> reported_lost() const override { return reported_lost_; }
+    [[nodiscard]] const Counts& counts() const override { return counts_; }
+    [[nodiscard]] double distance(BallNumber number, Vec2 place) const override;
+    void contacts(std::vector<Contact>& contacts) const override;
+    void forecast(std::vector<Forecast>& forecasts) const override;
+    void occupied(std::vector<std::pair<Box, int>>& cells) const override;
+
+  private:
+    enum class Next : std::uint8_t { nothing, feature, ball, cell, look_again, sensor, lost };
+    using Place = std::uint32_t;  ///< of a ball in movers_, for ever
+    using FeatureIndex = std::uint32_t;
+    static constexpr FeatureIndex nothing = ~0U;
+
+    struct Mover {
+        Ball ball;  ///< what never changes about it: number, mass, material, layers
+        R radius{}, mass{};
+        Body<R> body;  ///< at the start of its path
+        Path<R> path;
+        R until = infinity<R>();  ///< the path is good until then
+        bool lets_go = false;     ///< and ends because the contact does
+        FeatureIndex held[2] = {nothing, nothing};
+        FeatureIndex left = nothing;  ///< what it let go of just now
+        Cells::Index cell = 0;
+        std::vector<PartIndex> inside;  ///< sensors and gates
+        bool reported_lost = false, gone = false;
+
+        std::uint32_t changes = 0;  ///< of its path
+        std::uint32_t predictions = 0;
+        Next next = Next::nothing;
+        R next_time = infinity<R>();
+        std::uint32_t met = 0;          ///< feature, ball, side of the cell or part, by `next`
+        std::uint32_t met_changes = 0;  ///< the other ball's when this was predicted
+        R busy_since{};                 ///< events pile up since then
+        int busy = 0;
+    };
+    struct PartNow {
+        Turning<R> turning;
+        bool moves = false, open = false, down = false;
+        std::vector<Region<R>> regions;  ///< of sensors and gates
+        FeatureIndex first = 0, last = 0;
+    };
+    struct Entry {
+        R time;
+        Place mover;
+        std::uint32_t prediction;
+        friend bool operator<(const Entry& a, const Entry& b) {  // the earliest on top of the heap
+            return a.time != b.time ? a.time > b.time : a.mover > b.mover;
+        }
+    };
+    struct Touching {
+        FeatureIndex feature;
+        Grip<R> grip;
+        R friction;
+    };
+
+    // The whole (simulation.cpp).
+    void rebuild_cells();
+    void join(const Ball& ball);
+    void begin_inside(Mover& mover);
+    void refresh(Place i);
+    void refresh_all();
+    void refresh_beside(PartIndex part);
+    void set_motion(PartIndex part);
+    void change_motions();
+    [[nodiscard]] R next_stop() const;
+    void handle_stops();
+    void set_clock_back();
+    [[nodiscard]] Mover* find(BallNumber number);
+    [[nodiscard]] const Feature<R>& shape(FeatureIndex f) const {
+        return parts_[features_[f].part].turning.rate != 0 ? features_[f] : posed_[f];
+    }
+    [[nodiscard]] const Turning<R>* turning(PartIndex part) const {
+        return parts_[part].turning.rate != 0 ? &parts_[part].turning : nullptr;
+    }
+    [[nodiscard]] View<R> view(const Mover& mover, PartIndex part) const {
+        return {mover.path, parts_[part].moves ? &parts_[part].turning : nullptr};
+    }
+    /// Whether the part lets the ball through now.
+    [[nodiscard]] bool ignores(PartIndex part, const Mover& mover) const;
+    [[nodiscard]] std::string at_time(const R& time) const;
+
+    // What a ball does next (predict.cpp).
+    void predict(Place i);
+    void predict_features(Mover& mover);
+    void predict_sensors(Mover& mover);
+    void predict_balls(Place i);
+    void offer(Mover& mover, const R& time, Next next, std::uint32_t met = 0, std::uint32_t changes = 0);
+
+    // Its path (set_out.cpp).
+    void set_out(Place i);
+    void come_out(Mover& mover);
+    void find_touching(const Mover& mover);
+    bool take_one(Mover& mover);
+    bool take_two(Mover& mover);
+    [[nodiscard]] Sight<R> sight(FeatureIndex f, const V<R>& position, const R& radius) const;
+
+    // Events (events.cpp).
+    void handle(Place i);
+    void advance(Mover& mover);
+    void keep_order(Mover& mover);
+    void hit_feature(Place i);
+    void pass_gate(Place i, PartIndex part);
+    void hit_ball(Place i);
+    void refuse_piles(const Mover& a, const Mover& b) const;
+    void cross_cell(Place i);
+    void sense(Place i);
+    void lose(Place i);
+    void release(PartIndex part);
+
+    // What the others want to see (read_out.cpp).
+    void part_contacts(const Mover& mover, std::vector<Contact>& contacts) const;
+    void report(EventKind kind, const Mover& mover, Other other, const Impact<R>& impact, const V<R>& point,
+                const V<R>& normal);
+
+    std::shared_ptr<const Scene> scene_;
+    std::vector<Piece> pieces_;
+    Drive<R> drive_;
+    std::vector<Feature<R>> features_;  ///< in the pose of the scene file
+    std::vector<Feature<R>> posed_;     ///< of parts that stand still, as they stand
+    std::vector<PartNow> parts_;
+    std::vector<Mixed> mixed_;  ///< by two materials
+    Cells cells_;
+
+    std::vector<Mover> movers_;  ///< by rising number; those gone stay as such
+    std::vector<BallNumber> reported_lost_;
+    bool raised_[2] = {false, false}, rotating_ = false;
+    R now_{}, run_start_{};
+    double time_ = 0;  ///< of the table when the run began
+    std::vector<Entry> queue_;
+    std::vector<Touching> touching_;
+    std::vector<Event> events_;
+    Counts counts_;
+};
+
+}  // namespace flipside::reference

@@ -1,0 +1,303 @@
+#include "reference/touch.hpp"
+
+#include <algorithm>
+
+#include "reference/polynomial.hpp"
+
+namespace flipside::reference {
+
+namespace {
+
+/// By how much a point is within the ends of a face; below 0: it is past one. With the rate of that.
+template <class R>
+Value<R> within(const Line<R>& line, const Motion<R>& m, const R& radius) {
+    const R s = dot(m.position - line.start, line.along), slope = dot(m.velocity, line.along);
+    const R low = s + line.before.of(radius), high = line.length + line.past.of(radius) - s;
+    return low < high ? Value<R>{low, slope} : Value<R>{high, -slope};
+}
+template <class R>
+Value<R> within(const Curve<R>& curve, const Motion<R>& m, const R& radius) {
+    if (curve.full) return {R(1), R(0)};
+    const V<R> out = m.position - curve.center;
+    const Value<R> a{cross(curve.from, out) + curve.before.of(radius), cross(curve.from, m.velocity)};
+    const Value<R> b{cross(out, curve.to) + curve.past.of(radius), cross(m.velocity, curve.to)};
+    return (a.value < b.value) != curve.wide ? a : b;
+}
+
+/// One side of a line: `sign` +1 on the left of it.
+template <class R>
+struct LineSide {
+    const Line<R>& line;
+    int sign;
+    const R& radius;
+
+    [[nodiscard]] Value<R> gap(const Motion<R>& m) const {
+        return {sign * cross(line.along, m.position - line.start) - radius,
+                sign * cross(line.along, m.velocity)};
+    }
+    [[nodiscard]] bool right_side(const Motion<R>& m) const {
+        return sign * cross(line.along, m.position - line.start) >= 0;
+    }
+    [[nodiscard]] R bound(const View<R>& view, const Bounds<R>& bounds, const R& from, const R& until) const {
+        return view.turning ? bounds.acceleration : view.path.bend_along(perp(line.along), from, until);
+    }
+    [[nodiscard]] Value<R> face(const Motion<R>& m) const { return within(line, m, radius); }
+    [[nodiscard]] Polynomial<R> polynomial(const Motion<R>& m, const V<R>& a) const {
+        const Value<R> g = gap(m);
+        return {{g.value, g.slope, sign * cross(line.along, a) / 2, R(0), R(0)}};
+    }
+};
+
+/// Outside (+1) or inside (−1) of a curve, as ±(|q|² − D²)/2D: smooth, and near the curve the distance.
+template <class R>
+struct CurveSide {
+    const Curve<R>& curve;
+    int sign;
+    const R& radius;
+
+    [[nodiscard]] R reach() const { return curve.radius + sign * radius; }
+    [[nodiscard]] Value<R> gap(const Motion<R>& m) const {
+        const V<R> out = m.position - curve.center;
+        const R d = reach();
+        if (curve.round) {
+            // The distance itself: it bends upwards but for the ball's acceleration.
+            const R far = length(out);
+            return {far - d, far > 0 ? R(dot(out, m.velocity) / far) : R(0)};
+        }
+        return {sign * (dot(out, out) - d * d) / (2 * d), sign * dot(out, m.velocity) / d};
+    }
+    [[nodiscard]] bool right_side(const Motion<R>& m) const {
+        const V<R> out = m.position - curve.center;
+        return curve.round || sign * (dot(out, out) - curve.radius * curve.radius) >= 0;
+    }
+    [[nodiscard]] R bound(const View<R>& view, const Bounds<R>& bounds, const R& from, const R& until) const {
+        if (curve.round) return bounds.acceleration;
+        const R far = length(view.at(from).position - curve.center) + bounds.speed * (until - from);
+        const R pulled = far * bounds.acceleration;
+        return (sign > 0 ? pulled : R(bounds.speed * bounds.speed + pulled)) / reach();
+    }
+    [[nodiscard]] Value<R> face(const Motion<R>& m) const { return within(curve, m, radius); }
+    [[nodiscard]] Polynomial<R> polynomial(const Motion<R>& m, const V<R>& a) const {
+        const V<R> out = m.position - curve.center;
+        const R d = reach(), f = sign / (2 * d);
+        return {{f * (dot(out, out) - d * d), f * 2 * dot(out, m.velocity),
+                 f * (dot(m.velocity, m.velocity) + dot(a, out)), f * dot(a, m.velocity), f * dot(a, a) / 4}};
+    }
+};
+
+/// Calls visit(side) for each side that a ball of this radius can touch.
+template <class R, class Visit>
+void each_side(const Feature<R>& feature, const R& radius, Visit&& visit) {
+    if (const auto* line = std::get_if<Line<R>>(&feature.is)) {
+        visit(LineSide<R>{*line, 1, radius});
+        visit(LineSide<R>{*line, -1, radius});
+        return;
+    }
+    const auto& curve = std::get<Curve<R>>(feature.is);
+    visit(CurveSide<R>{curve, 1, radius});
+    if (!curve.round && curve.radius > radius) visit(CurveSide<R>{curve, -1, radius});
+}
+
+/// An undamped flight from `m` on.
+template <class R>
+R polynomial_touch(const Feature<R>& feature, const Motion<R>& m, const V<R>& a, const R& radius,
+                   const R& until, std::uint64_t& grazes) {
+    R first = infinity<R>();
+    bool close = false;
+    const R slowest = rounding_speed(R(length(m.velocity) + length(a) * until));
+    each_side(feature, radius, [&](const auto& side) {
+        const Falls<R> found = falls(side.polynomial(m, a), until, slowest);
+        close = close || found.grazes;
+        for (int i = 0; i < found.count; ++i) {
+            const R& t = found.at[static_cast<std::size_t>(i)];
+            if (!(t < first)) break;
+            const Motion<R> then{m.position + t * (m.velocity + (t / 2) * a), m.velocity + t * a};
+            if (!side.right_side(then) || side.face(then).value < 0) continue;
+            first = t;
+        }
+    });
+    using Wide = typename Wider<R>::type;
+    if constexpr (!std::is_same_v<Wide, R>) {
+        if (close) {
+            ++grazes;
+            return static_cast<R>(polynomial_touch<Wide>(widened<Wide>(feature),
+                                                         {V<Wide>(m.position), V<Wide>(m.velocity)},
+                                                         V<Wide>(a), Wide(radius), Wide(until), grazes));
+        }
+    }
+    return first;
+}
+
+}  // namespace
+
+template <class R>
+Sight<R> look(const Feature<R>& feature, const V<R>& point, const R& radius) {
+    const Motion<R> m{point, {}};
+    if (const auto* line = std::get_if<Line<R>>(&feature.is)) {
+        const R d = cross(line->along, point - line->start);
+        const V<R> left = perp(line->along);
+        return {magnitude(d) - radius, d >= 0 ? left : -left, within(*line, m, radius).value >= 0};
+    }
+    const auto& curve = std::get<Curve<R>>(feature.is);
+    const V<R> out = point - curve.center;
+    const R off = length(out) - curve.radius;
+    const V<R> n = unit(out);
+    const bool outside = curve.round || off >= 0;
+    return {(outside ? off : R(-off)) - radius, outside ? n : -n, within(curve, m, radius).value >= 0};
+}
+
+template <class R>
+R first_touch(const Feature<R>& feature, const View<R>& view, const R& radius, const R& from, const R& until,
+              std::uint64_t& grazes) {
+    if (!(until >= from)) return infinity<R>();
+    const Path<R>& path = view.path;
+    const bool still = view.turning == nullptr;
+    if (still && path.rests) return infinity<R>();
+    const Motion<R> begin = view.at(from);
+    const Bounds<R> bounds = view.bounds(from, until);
+    if (look(feature, begin.position, radius).gap > bounds.speed * (until - from)) return infinity<R>();
+    if (still && !path.rides && !(path.drag > 0))
+        return from + polynomial_touch(feature, begin, path.acceleration, radius, R(until - from), grazes);
+
+    R first = infinity<R>();
+    each_side(feature, radius, [&](const auto& side) {
+        const R bound = side.bound(view, bounds, from, until);
+        const R last = first < until ? first : until;
+        const Smallest<R> smallest{rounding_speed(bounds.speed),
+                                   16 * epsilon<R>() * (length(begin.position) + radius)};
+        const auto meets = [&](const R& t) {
+            const Motion<R> m = view.at(t);
+            return side.right_side(m) && side.face(m).value >= 0;
+        };
+        const auto again = [&](const R& t) {
+            const Motion<R> m = view.at(t);
+            R step = 64 * epsilon<R>() * std::max(R(until - from), magnitude(t));
+            if (const Value<R> face = side.face(m); face.value < 0)
+                step = std::max(step, free_step(R(-face.value), R(-face.slope), bounds.acceleration));
+            if (!side.right_side(m)) step = std::max(step, R((radius + side.gap(m).value) / -bounds.speed));
+            return R(t + step);
+        };
+        bool grazing = false;
+        const R t = first_fall([&](const R& at) { return side.gap(view.at(at)); }, from, last, bound,
+                               smallest, meets, again, grazing);
+        grazes += grazing;
+        if (t < first) first = t;
+    });
+    return first;
+}
+
+namespace {
+
+/// Two points that move straight, x + u·e: the first e ≥ 0 at which they are `reach` apart and approach.
+template <class R>
+R straight_touch(const V<R>& x, const V<R>& u, const R& reach, std::uint64_t& grazes) {
+    using std::sqrt;
+    const R approach = dot(x, u), far = length(x), squared = dot(u, u);
+    const R apart = (far - reach) * (far + reach);
+    if (!(approach < 0)) return infinity<R>();
+    if (apart <= 0) return approach < -rounding_speed(R(length(u))) * far ? R(0) : infinity<R>();
+    const R inside = approach * approach - squared * apart;
+    if (magnitude(inside) <= 32 * epsilon<R>() * (approach * approach + squared * apart)) {
+        using Wide = typename Wider<R>::type;
+        if constexpr (!std::is_same_v<Wide, R>) {
+            ++grazes;
+            return static_cast<R>(straight_touch(V<Wide>(x), V<Wide>(u), Wide(reach), grazes));
+        }
+    }
+    if (inside < 0) return infinity<R>();
+    return apart / (sqrt(inside) - approach);
+}
+
+template <class R>
+bool closed_form(const Path<R>& path) {
+    return !path.rides && !path.rests;
+}
+
+}  // namespace
+
+template <class R>
+R first_touch(const Path<R>& a, const Path<R>& b, const R& reach, const R& from, const R& until,
+              std::uint64_t& grazes) {
+    using std::log1p;
+    if (!(until >= from) || (a.rests && b.rests)) return infinity<R>();
+    const Motion<R> one = a.at(from), other = b.at(from);
+    const V<R> x = one.position - other.position, u = one.velocity - other.velocity;
+    if (closed_form(a) && closed_form(b) && a.drag == b.drag && a.acceleration.x == b.acceleration.x &&
+        a.acceleration.y == b.acceleration.y) {
+        const R e = straight_touch(x, u, reach, grazes);
+        if (!(a.drag > 0)) return from + e;
+        return a.drag * e < 1 ? R(from - log1p(R(-a.drag * e)) / a.drag) : infinity<R>();
+    }
+    const Bounds<R> of_a = a.bounds(from, until), of_b = b.bounds(from, until);
+    const R speed = of_a.speed + of_b.speed;
+    if (length(x) - reach > speed * (until - from)) return infinity<R>();
+    const auto gap = [&](const R& t) {
+        const Motion<R> p = a.at(t), q = b.at(t);
+        const V<R> between = p.position - q.position;
+        const R far = length(between);
+        return Value<R>{far - reach, dot(between, p.velocity - q.velocity) / far};
+    };
+    bool grazing = false;
+    const R t = first_fall(
+        gap, from, until, R(of_a.acceleration + of_b.acceleration),
+        Smallest<R>{rounding_speed(speed), 16 * epsilon<R>() * (length(one.position) + reach)},
+        [](const R&) { return true; }, [](const R& now) { return now; }, grazing);
+    grazes += grazing;
+    return t;
+}
+
+template <class R>
+R leaves(const Path<R>& path, const Box& box, const R& from, const R& until, int& side) {
+    R first = infinity<R>();
+    if (path.rests) return first;
+    const Bounds<R> bounds = path.bounds(from, until);
+    const Vec2 begin = narrow(path.at(from).position);
+    const double way = static_cast<double>(bounds.speed * (until - from)) * (1 + 1e-9);
+    const R tiny = 16 * epsilon<R>() * (magnitude(R(begin.x)) + magnitude(R(begin.y)) + R(way));
+    const auto offer = [&](double border, int sign, auto coordinate, int which) {
+        if (!std::isfinite(border)) return;
+        V<R> axis;
+        axis.*coordinate = 1;
+        const R at(border);
+        const R last = first < until ? first : until;
+        const R t = first_fall(
+            [&](const R& time) {
+                const Motion<R> m = path.at(time);
+                return Value<R>{sign * (m.position.*coordinate - at), sign * (m.velocity.*coordinate)};
+            },
+            from, last, path.bend_along(axis, from, until),
+            Smallest<R>{rounding_speed(bounds.speed), 16 * epsilon<R>() * magnitude(at) + tiny});
+        if (t < first) first = t, side = which;
+    };
+    if (begin.x - box.min.x <= way) offer(box.min.x, 1, &V<R>::x, 0);
+    if (box.max.x - begin.x <= way) offer(box.max.x, -1, &V<R>::x, 1);
+    if (begin.y - box.min.y <= way) offer(box.min.y, 1, &V<R>::y, 2);
+    if (box.max.y - begin.y <= way) offer(box.max.y, -1, &V<R>::y, 3);
+    return first;
+}
+
+template <class R>
+R leaves_face(const Feature<R>& feature, const View<R>& view, const R& radius, const R& from,
+              const R& until) {
+    if (!(until >= from)) return infinity<R>();
+    const Bounds<R> bounds = view.bounds(from, until);
+    const auto face = [&](const R& t) {
+        const Motion<R> m = view.at(t);
+        return std::visit([&](const auto& shape) { return within(shape, m, radius); }, feature.is);
+    };
+    return first_fall(face, from, until, bounds.acceleration,
+                      Smallest<R>{rounding_speed(bounds.speed), 16 * epsilon<R>() * radius});
+}
+
+#define FLIPSIDE_TOUCHES(R)                                                                                  \
+    template Sight<R> look(const Feature<R>&, const V<R>&, const R&);                                        \
+    template R first_touch(const Feature<R>&, const View<R>&, const R&, const R&, const R&, std::uint64_t&); \
+    template R first_touch(const Path<R>&, const Path<R>&, const R&, const R&, const R&, std::uint64_t&);    \
+    template R leaves(const Path<R>&, const Box&, const R&, const R&, int&);                                 \
+    template R leaves_face(const Feature<R>&, const View<R>&, const R&, const R&, const R&);
+FLIPSIDE_TOUCHES(double)
+FLIPSIDE_TOUCHES(Real113)
+FLIPSIDE_TOUCHES(Real226)
+#undef FLIPSIDE_TOUCHES
+
+}  // namespace flipside::reference

@@ -1,0 +1,49 @@
+#pragma once
+/// When does a ball first touch something? Exact to rounding: undamped flights against what stands still are
+/// polynomials (polynomial.hpp), balls in like flight move past each other in a straight line, and all else
+/// is searched by certified steps (fall.hpp).
+
+#include "reference/fall.hpp"
+#include "reference/feature.hpp"
+#include "reference/view.hpp"
+
+namespace flipside::reference {
+
+/// A speed that is rounding where `speed` is the scale.
+template <class R>
+R rounding_speed(const R& speed) {
+    return 256 * epsilon<R>() * speed;
+}
+
+/// How a point lies to a feature.
+template <class R>
+struct Sight {
+    R gap{};             ///< of a ball of the given radius, m
+    V<R> normal;         ///< unit, from the feature to the point
+    bool facing = true;  ///< the nearest point of the (endless) line or circle is part of the feature
+};
+template <class R>
+[[nodiscard]] Sight<R> look(const Feature<R>& feature, const V<R>& point, const R& radius);
+
+/// First time in [from, until] at which the ball touches the feature and moves into it; never otherwise. The
+/// feature is in the pose that the view sees it in. Counts in `grazes` what was decided in a wider type.
+template <class R>
+[[nodiscard]] R first_touch(const Feature<R>& feature, const View<R>& view, const R& radius, const R& from,
+                            const R& until, std::uint64_t& grazes);
+
+/// The same for two balls whose radii add up to `reach`.
+template <class R>
+[[nodiscard]] R first_touch(const Path<R>& a, const Path<R>& b, const R& reach, const R& from, const R& until,
+                            std::uint64_t& grazes);
+
+/// First time in [from, until] at which the path leaves the box; `side` is which way (0 left, 1 right,
+/// 2 down, 3 up). Sides at infinity are never reached.
+template <class R>
+[[nodiscard]] R leaves(const Path<R>& path, const Box& box, const R& from, const R& until, int& side);
+
+/// First time in [from, until] at which the ball leaves the range that a line or arc faces.
+template <class R>
+[[nodiscard]] R leaves_face(const Feature<R>& feature, const View<R>& view, const R& radius, const R& from,
+                            const R& until);
+
+}  // namespace flipside::reference

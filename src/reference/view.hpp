@@ -1,0 +1,45 @@
+#pragma once
+/// Parts in motion, and a ball's path as seen from one: in the pose of the scene file a turning part stands
+/// still and the ball moves past it.
+
+#include "reference/path.hpp"
+
+namespace flipside::reference {
+
+/// How a part moves from now on, until a control changes it.
+template <class R>
+struct Turning {
+    V<R> pivot;
+    R since{}, angle{}, rate{};  ///< s, rad, rad/s
+    R stop = infinity<R>();      ///< s: it meets its stop then
+    R goal{};                    ///< rad, at the stop
+
+    [[nodiscard]] R angle_at(const R& time) const {
+        if (rate == 0) return angle;
+        return time >= stop ? goal : angle + rate * (time - since);
+    }
+};
+
+template <class R>
+struct View {
+    const Path<R>& path;
+    const Turning<R>* turning;  ///< null for what stands still
+
+    [[nodiscard]] Motion<R> at(const R& time) const {
+        Motion<R> now = path.at(time);
+        if (turning == nullptr) return now;
+        const V<R> turn = from_angle(turning->angle_at(time)), arm = now.position - turning->pivot;
+        return {turning->pivot + unrotated(arm, turn),
+                unrotated(now.velocity - cross(turning->rate, arm), turn)};
+    }
+    /// |q''| ≤ |a| + 2|ω||v| + ω²|p − c|.
+    [[nodiscard]] Bounds<R> bounds(const R& from, const R& until) const {
+        Bounds<R> own = path.bounds(from, until);
+        if (turning == nullptr) return own;
+        const R w = magnitude(turning->rate);
+        const R far = length(path.at(from).position - turning->pivot) + own.speed * (until - from);
+        return {own.speed + w * far, own.acceleration + 2 * w * own.speed + w * w * far};
+    }
+};
+
+}  // namespace flipside::reference

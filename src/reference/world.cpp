@@ -1,0 +1,264 @@
+#include "reference/world.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <tuple>
+
+#include "reference/engine.hpp"
+#include "world/refusal.hpp"
+#include "world/surface.hpp"
+
+namespace flipside::reference {
+
+namespace {
+
+constexpr double unclaimed = std::numeric_limits<double>::infinity();
+constexpr std::string_view precisions[] = {"53", "113"};
+
+constexpr SettingSpec specs[] = {
+    {.name = "precision",
+     .type = SettingType::choice,
+     .unit = "bits",
+     .initial = 0,
+     .choices = precisions,
+     .about =
+         "of all numbers while the world runs (states are saved in 53); 113 costs about fifty times more "
+         "and stays true past twice as many impacts"},
+    {.name = "twin",
+     .type = SettingType::toggle,
+     .initial = 0,
+     .about = "runs a twin of about twice the precision beside it: the digits on which both agree are the "
+              "ones that it claims, and the difference is the uncertainty that it reports"},
+};
+
+}  // namespace
+
+ReferenceWorld::ReferenceWorld(std::shared_ptr<const Scene> scene, const Settings& settings)
+    : scene_(std::move(scene)),
+      bits_(settings.choice("precision") == "53" ? 53 : 113),
+      with_twin_(settings.toggle("twin")),
+      table_(scene_),
+      balls_(scene_->balls) {
+    load();
+}
+
+void ReferenceWorld::on_both(auto&& act) {
+    if (refusal_) return;
+    try {
+        act(*exact_);
+    } catch (const Refusal& refusal) {
+        refusal_ = refusal.what();
+        return;
+    }
+    if (!twin_) return;
+    try {
+        act(*twin_);
+    } catch (const Refusal&) {
+        drop_twin();
+    }
+}
+
+void ReferenceWorld::drop_twin() {
+    twin_.reset();
+    std::ranges::fill(uncertainty_, unclaimed);
+}
+
+/// Simulations anew from the table and the balls as they are.
+void ReferenceWorld::load() {
+    refusal_.reset();
+    unclaimed_.clear();
+    const State state = table_.save(balls_);
+    try {
+        exact_ = make_exact(bits_, scene_);
+        exact_->load(state);
+        exact_->contacts(contacts_);
+    } catch (const Refusal& refusal) {
+        refusal_ = refusal.what();
+    }
+    twin_.reset();
+    uncertainty_.assign(with_twin_ ? balls_.size() : 0, unclaimed);
+    if (!with_twin_ || refusal_) return;
+    try {
+        twin_ = make_exact(2 * bits_, scene_);
+        twin_->load(state);
+        measure_uncertainty();
+    } catch (const Refusal&) {
+        drop_twin();
+    }
+}
+
+void ReferenceWorld::restore(const State& state) {
+    table_.restore(state);
+    balls_ = state.balls;
+    for (Ball& ball : balls_) ball.asleep = false;
+    events_.clear();
+    statistics_ = {};
+    load();
+}
+
+void ReferenceWorld::apply(const Control& control) {
+    table_.apply(control);
+    if (std::holds_alternative<control::Launch>(control)) return;
+    if (const auto* nudge = std::get_if<control::Nudge>(&control))
+        for (Ball& ball : balls_) ball.velocity += nudge->velocity;
+    on_both([&](Exact& exact) { exact.apply(control); });
+    if (std::holds_alternative<control::RaiseTargets>(control) && !refusal_) exact_->contacts(contacts_);
+}
+
+BallNumber ReferenceWorld::add(const Ball& ball) {
+    Ball added = ball;
+    added.number = table_.new_number();
+    added.asleep = false;
+    balls_.push_back(added);
+    if (with_twin_) uncertainty_.push_back(twin_ ? 0 : unclaimed);
+    on_both([&](Exact& exact) { exact.add(added); });
+    if (!refusal_) exact_->contacts(contacts_);
+    return added.number;
+}
+
+bool ReferenceWorld::remove(BallNumber number) {
+    const auto at = std::ranges::find(balls_, number, &Ball::number);
+    if (at == balls_.end()) return false;
+    if (with_twin_) uncertainty_.erase(uncertainty_.begin() + (at - balls_.begin()));
+    balls_.erase(at);
+    std::erase(table_.reported_lost(), number);
+    on_both([&](Exact& exact) { exact.remove(number); });
+    if (!refusal_) exact_->contacts(contacts_);
+    return true;
+}
+
+void ReferenceWorld::launch() {
+    while (const auto launched = table_.launch(balls_)) {
+        if (launched->existing) {
+            const Ball& ball = launched->ball;
+            *std::ranges::lower_bound(balls_, ball.number, {}, &Ball::number) = ball;
+            on_both([&](Exact& exact) { exact.set_velocity(ball.number, ball.velocity); });
+        } else {
+            Ball ball = launched->ball;
+            ball.number = table_.new_number();
+            balls_.push_back(ball);
+            if (with_twin_) uncertainty_.push_back(twin_ ? 0 : unclaimed);
+            on_both([&](Exact& exact) { exact.add(ball); });
+        }
+    }
+}
+
+void ReferenceWorld::step(double dt) {
+    if (refusal_) throw Refusal(*refusal_);
+    balls_before_ = balls_;
+    table_before_ = table_.save({});
+    const auto start = std::chrono::steady_clock::now();
+    launch();
+    on_both([&](Exact& exact) { exact.run(dt); });
+    if (refusal_) {
+        balls_ = balls_before_;
+        table_.restore(table_before_);
+        events_.clear();
+        throw Refusal(*refusal_);
+    }
+    const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    read_out(table_.time());
+    table_.advance(dt);
+    report_touches();
+    statistics_.stages[0] = {"events", took};
+}
+
+/// Takes over what the simulation found. `started` is when the step did.
+void ReferenceWorld::read_out(double started) {
+    exact_->read(balls_);
+    events_.assign(exact_->events().begin(), exact_->events().end());
+    for (Event& event : events_) event.time += started;
+    for (PartIndex part = 0; part < scene_->parts.size(); ++part) {
+        table_.set_open(part, exact_->open(part));
+        table_.set_down(part, exact_->down(part));
+    }
+    table_.reported_lost().assign(exact_->reported_lost().begin(), exact_->reported_lost().end());
+    if (with_twin_) measure_uncertainty();
+
+    const Counts& counts = exact_->counts();
+    statistics_ = {};
+    statistics_.solver = bits_ == 53 ? "53 bits" : "113 bits";
+    statistics_.pair_tests = counts.pair_tests;
+    statistics_.narrow_tests = counts.narrow_tests;
+    statistics_.impacts = counts.impacts;
+    statistics_.substeps = counts.events;
+    statistics_.grazing = counts.grazing;
+    statistics_.broad_phase.name = "cells";
+}
+
+/// What began and ended between the last two looks, as the engines that know contacts per step report it.
+void ReferenceWorld::report_touches() {
+    std::swap(contacts_, contacts_before_);
+    exact_->contacts(contacts_);
+    const auto key = [](const Contact& c) { return std::tie(c.ball, c.other); };
+    const auto before = [&](const Contact& a, const Contact& b) { return key(a) < key(b); };
+    const auto report = [&](const auto& these, const auto& those, EventKind kind) {
+        for (const Contact& c : these)
+            if (!std::binary_search(those.begin(), those.end(), c, before))
+                events_.push_back({table_.time(), kind, c.ball, c.other, c.point, c.normal, 0, 0});
+    };
+    report(contacts_, contacts_before_, EventKind::begin);
+    report(contacts_before_, contacts_, EventKind::end);
+    std::ranges::sort(events_, [](const Event& a, const Event& b) {
+        return std::tie(a.time, a.kind, a.ball, a.other, a.speed) <
+               std::tie(b.time, b.kind, b.ball, b.other, b.speed);
+    });
+    statistics_.contacts = contacts_.size();
+    for (const Contact& contact : contacts_)
+        statistics_.max_penetration = std::max(statistics_.max_penetration, -contact.separation);
+}
+
+/// The distance to the twin's ball, of the position as it is reported: so what rounding to 53 bits took is in
+/// it. Once that was a radius, the ball's way is unknown for good.
+void ReferenceWorld::measure_uncertainty() {
+    uncertainty_.assign(balls_.size(), unclaimed);
+    if (!twin_) return;
+    constexpr double share_of_twin = 1 + 0x1p-10;
+    for (std::size_t i = 0; i < balls_.size(); ++i) {
+        const Ball& ball = balls_[i];
+        if (std::ranges::find(unclaimed_, ball.number) != unclaimed_.end()) continue;
+        const double apart = share_of_twin * twin_->distance(ball.number, ball.position);
+        if (apart < ball.radius)
+            uncertainty_[i] = apart;
+        else
+            unclaimed_.push_back(ball.number);
+    }
+}
+
+void ReferenceWorld::inspect(Inspector& inspector) const {
+    if (!exact_) return;
+    if (inspector.wants(Topic::boxes))
+        for (const Ball& ball : balls_) {
+            const Vec2 reach{ball.radius, ball.radius};
+            inspector.box(Topic::boxes, {ball.position - reach, ball.position + reach});
+        }
+    if (inspector.wants(Topic::cells)) {
+        std::vector<std::pair<Box, int>> cells;
+        exact_->occupied(cells);
+        for (const auto& [box, count] : cells) inspector.cell(box, count);
+    }
+    if (inspector.wants(Topic::pairs)) {
+        std::vector<Forecast> forecasts;
+        exact_->forecast(forecasts);
+        for (const Forecast& forecast : forecasts) {
+            for (std::size_t k = 1; k < forecast.way.size(); ++k)
+                inspector.segment(Topic::pairs, forecast.way[k - 1], forecast.way[k]);
+            if (forecast.touches) inspector.circle(Topic::pairs, forecast.way.back(), forecast.radius);
+        }
+    }
+    if (inspector.wants(Topic::contacts))
+        for (const Contact& contact : contacts_) inspector.contact(contact);
+}
+
+const Engine& engine() {
+    static const Engine reference{
+        "reference",
+        "exact: events in order of their times, every root certified; slow, and refuses what it cannot do",
+        specs, [](std::shared_ptr<const Scene> scene, const Settings& settings) {
+            return std::unique_ptr<World>(std::make_unique<ReferenceWorld>(std::move(scene), settings));
+        }};
+    return reference;
+}
+
+}  // namespace flipside::reference
