@@ -7,6 +7,8 @@
 /// algorithm for event detection in event-driven particle dynamics"): falling, the event is now; rising,
 /// there is none until it turns.
 
+#include <algorithm>
+
 #include "reference/real.hpp"
 
 namespace flipside::reference {
@@ -46,15 +48,17 @@ R first_fall(const F& f, R from, const R& until, const R& bound, const Smallest<
     while (t <= until) {
         const Value<R> now = f(t);
         if (now.value <= 0) {
-            if (now.slope < -smallest.slope) {
-                if (meets(t)) return t;
-                t = again(t);
-            } else if (!(bound > 0)) {
-                return infinity<R>();
-            } else {
+            R later = t;
+            if (!meets(t))
+                later = again(t);
+            else if (now.slope < -smallest.slope)
+                return t;
+            if (now.slope >= -smallest.slope) {
+                if (!(bound > 0)) return infinity<R>();
                 const R turn = (now.slope + smallest.slope) / bound;  // it does not fall faster before
-                t += turn > least ? turn : least;
+                later = std::max(later, R(t + (turn > least ? turn : least)));
             }
+            t = later;
             continue;
         }
         const R step = free_step(now.value, now.slope, bound);
