@@ -213,7 +213,14 @@ void Simulation<R>::sense(Place i) {
 template <class R>
 void Simulation<R>::lose(Place i) {
     Mover& mover = movers_[i];
-    report(EventKind::lost, mover, {}, {}, mover.path.at(now_).position, {});
+    // On the border it is still inside: the first point that is not.
+    Vec2 point = narrow(mover.path.at(now_).position);
+    const Box& bounds = scene_->bounds;
+    if (mover.met == 0) point.x = std::nextafter(bounds.min.x, -INFINITY);
+    if (mover.met == 1) point.x = std::nextafter(bounds.max.x, INFINITY);
+    if (mover.met == 2) point.y = std::nextafter(bounds.min.y, -INFINITY);
+    if (mover.met == 3) point.y = std::nextafter(bounds.max.y, INFINITY);
+    report(EventKind::lost, mover, {}, {}, V<R>(point), {});
     if (scene_->keep_lost) {
         mover.reported_lost = true;
         reported_lost_.push_back(mover.ball.number);

@@ -28,8 +28,9 @@ void Simulation<R>::predict(Place i) {
     offer(mover, crosses, Next::cell, static_cast<std::uint32_t>(side));
     if (!mover.reported_lost) {
         if (!scene_->bounds.contains(narrow(mover.body.position)) && mover.path.start == now_)
-            offer(mover, now_, Next::lost);
-        offer(mover, leaves(mover.path, scene_->bounds, now_, mover.next_time, side), Next::lost);
+            offer(mover, now_, Next::lost, outside_already);
+        const R goes = leaves(mover.path, scene_->bounds, now_, mover.next_time, side);
+        offer(mover, goes, Next::lost, static_cast<std::uint32_t>(side));
     }
     predict_features(mover);
     predict_sensors(mover);

@@ -51,6 +51,7 @@ class Simulation final : public Exact {
     using Place = std::uint32_t;  ///< of a ball in movers_, for ever
     using FeatureIndex = std::uint32_t;
     static constexpr FeatureIndex nothing = ~0U;
+    static constexpr std::uint32_t outside_already = 4;  ///< in place of the side on which a ball is lost
 
     struct Mover {
         Ball ball;  ///< what never changes about it: number, mass, material, layers

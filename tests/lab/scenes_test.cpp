@@ -11,6 +11,7 @@
 #include "lab/assets.hpp"
 #include "lab/engines.hpp"
 #include "lab/session.hpp"
+#include "world/refusal.hpp"
 #include "world/scene_file.hpp"
 #include "world/script_file.hpp"
 
@@ -64,7 +65,17 @@ TEST_P(EveryScene, RunsTenSecondsClean) {
     const double dt = lab::step_for(*scene);
     std::size_t next = 0;
     while (session.world().time() < 10 - dt / 2) {
-        session.step(dt, script, next);
+        try {
+            session.step(dt, script, next);
+        } catch (const Refusal& refusal) {
+            // Only the exact engine may, and only of a pile: there is one when the rain has come down.
+            EXPECT_EQ(GetParam().engine, "reference") << refusal.what();
+            EXPECT_EQ(GetParam().scene, "rain") << refusal.what();
+            EXPECT_NE(std::string(refusal.what()).find("press on each other"), std::string::npos)
+                << refusal.what();
+            EXPECT_GT(session.world().time(), 1);
+            break;
+        }
         ASSERT_TRUE(finite(session.world().balls())) << "at " << session.world().time() << " s";
     }
     EXPECT_EQ(session.totals().strays, 0U);
@@ -229,7 +240,7 @@ TEST_P(OnEveryEngine, FlippersShootToTheTop) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Engines, OnEveryEngine, testing::Values("custom", "box2d"),
+INSTANTIATE_TEST_SUITE_P(Engines, OnEveryEngine, testing::Values("custom", "box2d", "reference"),
                          [](const auto& test) { return test.param; });
 
 /// A ball put somewhere on the pinball table must meet this part soon.
