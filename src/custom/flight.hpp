@@ -76,7 +76,7 @@ struct Flight {
     [[nodiscard]] double max_acceleration(double t) const {
         return length(acceleration) + (drag > 0 ? drag * max_speed(t) : 0);
     }
-    /// The smallest box around the path over [0, t]: its ends and, per axis, its apex.
+    /// A box around the path over [0, t]: it strays from the chord by at most k·t²/8 (k: acceleration).
     [[nodiscard]] Box bounds(double t) const;
 };
 
@@ -93,22 +93,9 @@ inline void fly_freely(Ball& ball, Vec2 gravity, const Stretch& s) {
 
 inline Box Flight::bounds(double t) const {
     const Vec2 end = displacement(t);
-    Box box{{std::min(0.0, end.x), std::min(0.0, end.y)}, {std::max(0.0, end.x), std::max(0.0, end.y)}};
-    const auto apex = [&](double v, double a) -> double {
-        if (v * a >= 0) return INFINITY;
-        return drag > 0 ? std::log1p(-drag * v / a) / drag : -v / a;
-    };
-    if (const double s = apex(velocity.x, acceleration.x); s < t) {
-        const double x = displacement(s).x;
-        box.min.x = std::min(box.min.x, x);
-        box.max.x = std::max(box.max.x, x);
-    }
-    if (const double s = apex(velocity.y, acceleration.y); s < t) {
-        const double y = displacement(s).y;
-        box.min.y = std::min(box.min.y, y);
-        box.max.y = std::max(box.max.y, y);
-    }
-    return {position + box.min, position + box.max};
+    const double sag = max_acceleration(t) * t * t / 8;
+    return {position + Vec2{std::min(0.0, end.x) - sag, std::min(0.0, end.y) - sag},
+            position + Vec2{std::max(0.0, end.x) + sag, std::max(0.0, end.y) + sag}};
 }
 
 }  // namespace flipside::custom

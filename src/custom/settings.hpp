@@ -17,6 +17,7 @@ struct SolverSettings {
     double search_room;  ///< radii
     bool sleep;
     double sleep_speed;  ///< m/s
+    double look_ahead;   ///< radii
     std::uint64_t max_impacts;
 
     explicit SolverSettings(const Settings& settings);

@@ -25,7 +25,7 @@ CustomWorld::CustomWorld(std::shared_ptr<const Scene> scene, const Settings& set
       layout_(*scene_),
       broad_(make_broad_phase(*scene_, layout_.still_proxies(), settings)),
       discrete_(*scene_, layout_, settings_),
-      continuous_(*scene_, layout_, settings_, discrete_),
+      continuous_(table_, layout_, settings_, discrete_),
       sleep_(settings_.sleep_speed, length(scene_->gravity)),
       balls_(scene_->balls) {
     make_room();
@@ -37,6 +37,7 @@ CustomWorld::CustomWorld(std::shared_ptr<const Scene> scene, const Settings& set
 void CustomWorld::make_room() {
     custom::make_room(balls_, balls_.size() + 1);
     discrete_.reserve(balls_.size());
+    if (steps_continuously()) continuous_.reserve(balls_.size());
     touches_.reserve(balls_.size());
     sleep_.reserve(balls_.size());
     custom::make_room(record_.events, balls_.size(), touches_per_ball);

@@ -19,14 +19,12 @@ Box bounds_of(const Path& path, double radius, double end) {
     return bounds_of(path.flight.position, path.top_speed * t + radius);
 }
 
-std::uint64_t Candidates::cover(const Box& box, std::span<const Box> feature_ranges) {
+std::uint64_t Candidates::cover(const Box& box, const BoxGroups& feature_ranges) {
     if (fat_.contains(box.min) && fat_.contains(box.max)) return 0;
     const Vec2 size = box.max - box.min;
     fat_ = grown(box, size.x + size.y);
     list_.clear();
-    for (FeatureIndex i = 0; i < feature_ranges.size(); ++i)
-        if (overlap(fat_, feature_ranges[i])) list_.push_back(i);
-    return feature_ranges.size();
+    return feature_ranges.find(fat_, list_);
 }
 
 }  // namespace flipside::custom

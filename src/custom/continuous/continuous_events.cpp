@@ -30,9 +30,11 @@ void ContinuousSolver::advance(Place i, double time) {
 void ContinuousSolver::handle(Place i) {
     Mover& mover = movers_[i];
     const double time = mover.next_time;
-    mover.stalled = time <= mover.last_time + instant * dt_ ? mover.stalled + 1 : 0;
-    mover.last_time = time;
-    if (mover.stalled > most_at_once) return hand_over(i);
+    // Of two balls the first is held to have the event.
+    Mover& counted = mover.next == Next::ball ? movers_[std::min(i, mover.met)] : mover;
+    counted.stalled = time <= counted.last_time + instant * dt_ ? counted.stalled + 1 : 0;
+    counted.last_time = time;
+    if (counted.stalled > most_at_once) return hand_over(i);
     if (++events_ > settings_.max_impacts) {
         for (Place j = 0; j < movers_.size(); ++j) hand_over(j);
         return;
@@ -194,7 +196,7 @@ void ContinuousSolver::sense(Place i, double time) {
         table_->set_open(part, false);
         // Who counted on an open gate looks again.
         for (Place j = 0; j < movers_.size(); ++j)
-            if (j != i && !movers_[j].handed_over && !movers_[j].lost) predict(j, time);
+            if (j != i && movers_[j].active && !movers_[j].handed_over && !movers_[j].lost) predict(j, time);
     }
     predict(i, time);
 }

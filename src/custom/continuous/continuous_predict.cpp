@@ -28,6 +28,8 @@ bool ContinuousSolver::ignores(const Feature& feature, const Ball& ball) const {
 void ContinuousSolver::set_out(Place i, double time) {
     Ball& ball = (*balls_)[i];
     Mover& mover = movers_[i];
+    mover.active = true;
+    mover.free = 0;
     if (ball.asleep && beside_moving_part(i)) ball.asleep = false;
     ++mover.changes;
     mover.held = nullptr;
@@ -41,7 +43,7 @@ void ContinuousSolver::set_out(Place i, double time) {
                    ball.asleep ? 0 : drive_.drag};
     mover.box = bounds_of(path, ball.radius, dt_);
     record_->statistics.pair_tests += mover.near.cover(mover.box, ranges_);
-    if (ball.asleep) return;
+    if (ball.asleep || (mover.clear && time == 0)) return;
     find_grips(i, time);
     if (!grips_.empty()) {
         take_hold(i, time);
@@ -132,6 +134,12 @@ void ContinuousSolver::offer(Mover& mover, double time, Next next, std::uint32_t
     mover.met_changes = met_changes;
 }
 
+std::uint64_t ContinuousSolver::order_of(Place i, const Mover& mover) {
+    constexpr std::uint64_t meets_ball = std::uint64_t{1} << 63;
+    if (mover.next != Next::ball) return std::uint64_t{i} << 32;
+    return meets_ball | std::uint64_t{std::min(i, mover.met)} << 32 | std::max(i, mover.met);
+}
+
 /// Finds the next event of a ball on its path and queues it.
 void ContinuousSolver::predict(Place i, double time) {
     Mover& mover = movers_[i];
@@ -143,7 +151,7 @@ void ContinuousSolver::predict(Place i, double time) {
     predict_features(i, time);
     predict_balls(i, time);
     if (mover.next == Next::nothing) return;
-    queue_.push_back({mover.next_time, i, mover.predictions});
+    queue_.push_back({mover.next_time, order_of(i, mover), i, mover.predictions});
     std::ranges::push_heap(queue_, std::greater{});
 }
 
@@ -155,6 +163,10 @@ void ContinuousSolver::predict_features(Place i, double time) {
         if (in.ball == ball.number)
             offer(mover, sense_time(in.sensor, ball, path, time, true), Next::sense, in.sensor);
     PartIndex sensed = ~0U;
+    // How far from the chord of its path the ball can get, with a margin over what counts as touch.
+    const double end = std::min(dt_, mover.way.until), flies = end - time;
+    const Vec2 from = path.position(time), to = path.position(end);
+    const double sag = path.max_acceleration(end) * flies * flies / 8 + clearance_margin(ball);
     for (const FeatureIndex f : mover.near.list()) {
         if (!overlap(mover.box, ranges_[f])) continue;
         const Feature& feature = features_[f];
@@ -167,11 +179,13 @@ void ContinuousSolver::predict_features(Place i, double time) {
             continue;
         }
         if (&feature == mover.held || ignores(feature, ball)) continue;
-        if (ball.asleep && turnings_[feature.part].still()) continue;
+        const Turning& turning = turnings_[feature.part];
+        if (turning.still() &&
+            (ball.asleep || (turning.begin.angle == 0 && clear_of(feature, from, to, ball.radius, sag))))
+            continue;
         ++record_->statistics.narrow_tests;
         const double last = std::min(mover.next_time, dt_);
-        offer(mover, time_of_impact(feature, turnings_[feature.part], path, ball.radius, time, last),
-              Next::feature, f);
+        offer(mover, time_of_impact(feature, turning, path, ball.radius, time, last), Next::feature, f);
     }
 }
 
@@ -183,13 +197,14 @@ void ContinuousSolver::predict_balls(Place i, double time) {
         if (j == i || !overlap(mover.box, other.box) || !layers_meet(balls[i], balls[j]) || other.lost)
             continue;
         if (other.handed_over) return hand_over(i);
-        ++record_->statistics.narrow_tests;
-        const double from = std::max({time, mover.way.path.start, other.way.path.start});
-        const double until = std::min({mover.next_time, dt_, other.way.until});
+        // The same from either side, whenever it is asked, so that it does not matter who asks.
+        const double from = std::max(mover.way.path.start, other.way.path.start);
+        const double until = std::min({dt_, mover.way.until, other.way.until});
         if (until < from) continue;
-        offer(mover,
-              time_of_impact(mover.way.path, other.way.path, balls[i].radius + balls[j].radius, from, until),
-              Next::ball, j, other.changes);
+        ++record_->statistics.narrow_tests;
+        const double met =
+            time_of_impact(mover.way.path, other.way.path, balls[i].radius + balls[j].radius, from, until);
+        offer(mover, std::max(met, time), Next::ball, j, other.changes);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "custom/continuous/continuous_solver.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <functional>
 
 namespace flipside::custom {
@@ -12,27 +13,31 @@ constexpr double deep = 1e-3;
 
 }  // namespace
 
-ContinuousSolver::ContinuousSolver(const Scene& scene, const Layout& layout, const SolverSettings& settings,
+ContinuousSolver::ContinuousSolver(const Table& table, const Layout& layout, const SolverSettings& settings,
                                    DiscreteSolver& discrete)
-    : scene_(scene),
+    : scene_(table.scene()),
       layout_(layout),
       settings_(settings),
       discrete_(discrete),
-      drive_{scene.gravity, scene.damping},
-      features_(features_of(layout.pieces(), scene)),
-      pieces_(scene.parts.size()),
-      turnings_(scene.parts.size()) {
-    const Table table(std::make_shared<const Scene>(scene));
-    for (const Feature& feature : features_) ranges_.push_back(range_of(feature, table));
+      drive_{scene_.gravity, scene_.damping},
+      features_(features_of(layout.pieces(), scene_)),
+      pieces_(scene_.parts.size()),
+      clearance_(scene_, layout, table),
+      turnings_(scene_.parts.size()) {
+    for (const Feature& feature : features_) ranges_.add(range_of(feature, table));
     for (PieceIndex i = 0; i < layout.size(); ++i) {
-        const Part& part = scene.parts[layout.piece(i).part];
+        const Part& part = scene_.parts[layout.piece(i).part];
         if (part.sensor || gate_of(part) != nullptr) pieces_[layout.piece(i).part].push_back(i);
     }
 }
 
 void ContinuousSolver::reset(const Table& table, std::span<const Ball> balls) {
     inside_.clear();
-    movers_.clear();
+    for (Mover& mover : pool_) {
+        mover.near.forget();
+        mover.lies = false;
+        mover.free = 0;
+    }
     for (const Ball& ball : balls)
         for (PartIndex part = 0; part < pieces_.size(); ++part)
             for (const PieceIndex piece : pieces_[part]) {
@@ -45,34 +50,70 @@ void ContinuousSolver::reset(const Table& table, std::span<const Ball> balls) {
             }
 }
 
+void ContinuousSolver::reserve(std::size_t balls) {
+    // Balls that are launched later must find their place made.
+    const std::size_t most = std::bit_ceil(balls + (scene_.launcher ? spare : 0));
+    constexpr std::size_t most_near = 512;
+    if (pool_.size() < most) {
+        const std::size_t movers = movers_.size();
+        pool_.resize(most);
+        movers_ = std::span(pool_).first(movers);
+        for (Mover& mover : pool_) mover.near.reserve(std::min(features_.size(), most_near));
+    }
+    for (auto* list : {&at_start_, &handed_}) custom::make_room(*list, most);
+    for (auto* list : {&inside_, &inside_at_start_}) custom::make_room(*list, most, touches_per_ball);
+    custom::make_room(queue_, most, pairs_per_ball);
+    custom::make_room(pairs_, most, pairs_per_ball);
+    grips_.reserve(std::min(features_.size(), most_near));
+    parts_at_start_.reserve(scene_.parts.size());
+}
+
 void ContinuousSolver::step(Table& table, std::vector<Ball>& balls, double dt, BroadPhase& broad,
                             StepRecord& record) {
     table_ = &table, balls_ = &balls, record_ = &record, dt_ = dt;
-    at_start_ = balls;
-    inside_at_start_ = inside_;
-    reported_at_start_ = table.reported_lost().size();
-    parts_at_start_.assign(table.parts().begin(), table.parts().end());
-    for (const PartIndex i : table.moving_parts()) {
-        const double stop = table.until_stop(i);
-        turnings_[i] = {table.pose(i), table.rate(i), stop,
-                        std::isfinite(stop) ? table.pose(i, stop).angle : table.pose(i).angle};
+    begin();
+    if (any_active_) {
+        // Handing over spreads along touching balls, so a few attempts find a whole cluster.
+        constexpr int most_attempts = 8;
+        const std::size_t events = record.events.size();
+        for (int attempts = 1; !attempt(broad); ++attempts) {
+            roll_back(events);
+            activate_all();
+            if (attempts >= most_attempts)
+                for (Mover& mover : movers_) mover.handed_over = true;
+        }
     }
-    movers_.resize(balls.size());
+    finish();
+}
+
+void ContinuousSolver::begin() {
+    const std::vector<Ball>& balls = *balls_;
+    if (stretch_.time != dt_) stretch_ = Stretch(drive_.drag, dt_);
+    for (const PartIndex i : table_->moving_parts()) {
+        const double stop = table_->until_stop(i);
+        const Pose pose = table_->pose(i);
+        turnings_[i] = {pose, table_->rate(i), stop,
+                        std::isfinite(stop) ? table_->pose(i, stop).angle : pose.angle};
+    }
+    if (pool_.size() < balls.size()) reserve(balls.size());
+    movers_ = std::span(pool_).first(balls.size());
     for (Place i = 0; i < balls.size(); ++i) {
         Mover& mover = movers_[i];
-        if (mover.number != balls[i].number) mover.near.forget();
+        if (mover.number != balls[i].number) {
+            mover.near.forget();
+            mover.lies = false;
+            mover.free = 0;
+        }
         mover.number = balls[i].number;
         mover.handed_over = false;
     }
-    // Handing over spreads along touching balls, so a few attempts find a whole cluster.
-    constexpr int most_attempts = 8;
-    const std::size_t events = record.events.size();
-    for (int attempts = 1; !attempt(broad); ++attempts) {
-        roll_back(events);
-        if (attempts >= most_attempts)
-            for (Mover& mover : movers_) mover.handed_over = true;
-    }
-    finish();
+    pairs_.clear();
+    find_active();
+    if (!any_active_) return;
+    at_start_ = balls;
+    inside_at_start_ = inside_;
+    reported_at_start_ = table_->reported_lost().size();
+    parts_at_start_.assign(table_->parts().begin(), table_->parts().end());
 }
 
 /// Tries to make the step. False where more balls have to be handed over first.
@@ -84,7 +125,7 @@ bool ContinuousSolver::attempt(BroadPhase& broad) {
     find_piles();
     if (spoilt_) return false;
     for (Place i = 0; i < movers_.size(); ++i)
-        if (!movers_[i].handed_over) predict(i, 0);
+        if (movers_[i].active && !movers_[i].handed_over) predict(i, 0);
     while (!queue_.empty() && !spoilt_) {
         const Entry entry = queue_.front();
         std::ranges::pop_heap(queue_, std::greater{});
@@ -105,7 +146,11 @@ void ContinuousSolver::prepare_movers() {
         mover.lost = false;
         ++mover.predictions;
         if (mover.handed_over) continue;
-        if (!balls[i].asleep) come_out(i);
+        if (!mover.active) {
+            go_free(i);
+            continue;
+        }
+        if (!balls[i].asleep && !mover.clear) come_out(i);
         set_out(i, 0);
     }
 }
@@ -141,20 +186,22 @@ void ContinuousSolver::come_out(Place i) {
 /// Balls that touch, do not move apart, and are pressed together.
 void ContinuousSolver::find_piles() {
     const std::vector<Ball>& balls = *balls_;
+    const double weight = length(scene_.gravity);
     for (Place i = 0; i < balls.size(); ++i)
         for (Place j = i + 1; j < balls.size(); ++j) {
+            const Mover &first = movers_[i], &second = movers_[j];
+            if (!first.active && !second.active) continue;
             const Ball &a = balls[i], &b = balls[j];
-            Mover &first = movers_[i], &second = movers_[j];
             if ((first.handed_over && second.handed_over) || (a.asleep && b.asleep)) continue;
-            if (!overlap(first.box, second.box) || !layers_meet(a, b)) continue;
+            if (!layers_meet(a, b)) continue;
             if (first.handed_over || second.handed_over) {
-                hand_over(i), hand_over(j);
+                if (overlap(first.box, second.box)) hand_over(i), hand_over(j);
                 continue;
             }
-            const Vec2 between = a.position - b.position, n = unit(between);
-            if (length(between) - a.radius - b.radius > touch_distance * std::min(a.radius, b.radius))
-                continue;
-            const double weight = length(scene_.gravity);
+            const Vec2 between = a.position - b.position;
+            const double reach = a.radius + b.radius + touch_distance * std::min(a.radius, b.radius);
+            if (length_squared(between) > reach * reach) continue;
+            const Vec2 n = unit(between);
             const double apart = dot(a.velocity - b.velocity, n);
             const double pressed = dot(first.way.path.acceleration(0) - second.way.path.acceleration(0), n);
             if (std::abs(apart) <= scene_.rest_speed + weight * dt_ && pressed < -1e-9 * weight)
@@ -202,33 +249,54 @@ void ContinuousSolver::finish() {
     std::vector<Ball>& balls = *balls_;
     std::uint64_t handed = 0;
     for (Place i = 0; i < balls.size(); ++i) {
-        if (movers_[i].handed_over)
+        Mover& mover = movers_[i];
+        if (mover.handed_over)
             ++handed;
-        else if (!balls[i].asleep)
+        else if (balls[i].asleep)
+            continue;
+        else if (mover.active)
             advance(i, dt_);
+        else
+            fly_freely(balls[i], drive_.gravity, stretch_);
+        mover.free -= dt_;
+        mover.left_at = balls[i].position;
+        mover.left_with = balls[i].velocity;
     }
     record_->statistics.handed_over = handed;
-    if (std::ranges::any_of(movers_, &Mover::lost)) {
-        std::erase_if(balls, [&](const Ball& ball) {
-            return movers_[static_cast<std::size_t>(&ball - balls.data())].lost;
-        });
-        std::erase_if(movers_, [](const Mover& mover) { return mover.lost; });
-    }
+    if (!any_active_) return;
+    drop_lost();
     find_pairs();
 }
 
+/// Forgets the balls that were lost; the lists of their movers stay in the pool.
+void ContinuousSolver::drop_lost() {
+    if (std::ranges::none_of(movers_, &Mover::lost)) return;
+    std::vector<Ball>& balls = *balls_;
+    Place kept = 0;
+    for (Place i = 0; i < balls.size(); ++i) {
+        if (movers_[i].lost) continue;
+        if (kept != i) {
+            balls[kept] = balls[i];
+            std::swap(movers_[kept], movers_[i]);
+        }
+        ++kept;
+    }
+    balls.resize(kept);
+    movers_ = movers_.first(kept);
+}
+
 void ContinuousSolver::find_pairs() {
-    pairs_.clear();
     const std::vector<Ball>& balls = *balls_;
     const auto touching_box = [](const Ball& ball) {
         return bounds_of(ball.position, ball.radius * (1 + touch_distance));
     };
     for (Place i = 0; i < balls.size(); ++i) {
         const Ball& ball = balls[i];
+        const bool active = movers_[i].active;
         const Handle handle = layout_.size() + i;
         const Box box = touching_box(ball);
         const std::size_t first = pairs_.size();
-        if (!ball.asleep) {
+        if (active && !ball.asleep) {
             record_->statistics.pair_tests += movers_[i].near.cover(box, ranges_);
             for (const FeatureIndex f : movers_[i].near.list()) {
                 if (!overlap(box, ranges_[f]) || !layers_meet(ball, scene_.parts[features_[f].part]))
@@ -243,8 +311,8 @@ void ContinuousSolver::find_pairs() {
             }
         }
         for (Place j = 0; j < i; ++j)
-            if (!(ball.asleep && balls[j].asleep) && layers_meet(ball, balls[j]) &&
-                overlap(box, touching_box(balls[j])))
+            if ((active || movers_[j].active) && !(ball.asleep && balls[j].asleep) &&
+                layers_meet(ball, balls[j]) && overlap(box, touching_box(balls[j])))
                 pairs_.push_back({layout_.size() + j, handle});
     }
 }

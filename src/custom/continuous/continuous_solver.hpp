@@ -5,9 +5,9 @@
 /// none that grows with dt.
 ///
 /// One queue holds the next event of each ball; a count per ball voids entries that were overtaken. A ball
-/// that meets nothing costs one look at its candidates. Nothing of a step is kept for the next one but
-/// lists that only save work: what a ball rests on follows from where it is and how it moves, so a
-/// restored world continues with the same bits.
+/// that surely flies free for a while (clearance.hpp) or sleeps takes no part until something happens to it.
+/// Nothing of a step is kept for the next one but lists that only save work: what a ball rests on follows
+/// from where it is and how it moves, so a restored world continues with the same bits.
 ///
 /// A slow contact (approach below rest_speed, or a hop too short to matter) holds: see holding.hpp. Balls
 /// that press on each other cannot be ordered by time. Such a cluster, or a ball for which events pile up
@@ -15,6 +15,7 @@
 /// one step: the step is begun again without them. Statistics count them as handed_over.
 
 #include "custom/continuous/candidates.hpp"
+#include "custom/continuous/clearance.hpp"
 #include "custom/continuous/holding.hpp"
 #include "custom/discrete/discrete_solver.hpp"
 
@@ -22,7 +23,8 @@ namespace flipside::custom {
 
 class ContinuousSolver {
   public:
-    ContinuousSolver(const Scene& scene, const Layout& layout, const SolverSettings& settings,
+    /// Keeps references to the table's scene, to layout and to the other solver.
+    ContinuousSolver(const Table& table, const Layout& layout, const SolverSettings& settings,
                      DiscreteSolver& discrete);
 
     /// Moves the balls by dt; the table's clock stays, its gates and targets may change. Lost balls are
@@ -31,6 +33,8 @@ class ContinuousSolver {
 
     /// Pairs of pieces and awake balls that are near each other after a step, as a broad phase gives them.
     [[nodiscard]] std::span<const Pair> near_pairs() const { return pairs_; }
+    /// Makes room for so many balls.
+    void reserve(std::size_t balls);
     /// Forgets what it noted of sensors and gates: they are found anew from where the balls are.
     void reset(const Table& table, std::span<const Ball> balls);
 
@@ -54,19 +58,29 @@ class ContinuousSolver {
         std::uint32_t met_changes = 0;  ///< the other ball's, when this was predicted
         double last_time = -1;          ///< of its last event
         int stalled = 0;                ///< events at that very time
+        bool active = false;            ///< takes part in this step: has a path that may meet something
+        bool clear = false;             ///< touches nothing when the step begins
+        bool lies = false;              ///< asleep where nothing turns
         bool handed_over = false;
         bool lost = false;
+        /// s, from the end of the last step on: flies free, if it is still there and so fast.
+        double free = 0;
+        Vec2 left_at, left_with;
     };
+    /// What happens at the same time is taken in an order that does not depend on who predicted it.
     struct Entry {
         double time;
+        std::uint64_t order;  ///< first what meets no ball; then by the first ball, then by the second
         Place mover;
         std::uint32_t prediction;
         friend bool operator>(const Entry& a, const Entry& b) {
-            return a.time != b.time ? a.time > b.time : a.mover > b.mover;
+            return a.time != b.time ? a.time > b.time : a.order > b.order;
         }
     };
+    [[nodiscard]] static std::uint64_t order_of(Place i, const Mover& mover);
 
     // The step as a whole (continuous_solver.cpp).
+    void begin();
     bool attempt(BroadPhase& broad);
     void prepare_movers();
     void come_out(Place i);
@@ -74,8 +88,17 @@ class ContinuousSolver {
     void run_discrete(BroadPhase& broad);
     void roll_back(std::size_t events);
     void finish();
+    void drop_lost();
     void find_pairs();
     void hand_over(Place i);
+
+    // Balls that need no search (continuous_free.cpp).
+    void find_active();
+    [[nodiscard]] bool still_free(Place i) const;
+    void find_free_time(Place i);
+    void go_free(Place i);
+    [[nodiscard]] double free_of_balls(Place i, double until) const;
+    void activate_all();
 
     // Predictions (continuous_predict.cpp).
     void set_out(Place i, double time);
@@ -116,21 +139,25 @@ class ContinuousSolver {
     DiscreteSolver& discrete_;
     Drive drive_;
     std::vector<Feature> features_;
-    std::vector<Box> ranges_;                      ///< of features
+    BoxGroups ranges_;                             ///< of features
     std::vector<std::vector<PieceIndex>> pieces_;  ///< by part; of sensors and gates only
     std::vector<Sensed> inside_;                   ///< balls in sensors and open gates, in order
+    Clearance clearance_;
 
     // Of the step being made.
     Table* table_ = nullptr;
     std::vector<Ball>* balls_ = nullptr;
     StepRecord* record_ = nullptr;
     double dt_ = 0;
+    Stretch stretch_{0, 0};  ///< dt
+    bool any_active_ = false;
     std::uint64_t events_ = 0;
     bool spoilt_ = false;  ///< this attempt found balls to hand over
 
     // Scratch, kept to save allocations.
     std::vector<Turning> turnings_;  ///< by part
-    std::vector<Mover> movers_;      ///< by place in balls_
+    std::vector<Mover> pool_;        ///< with the room that their lists have
+    std::span<Mover> movers_;        ///< the first of the pool, by place in balls_
     std::vector<Entry> queue_;       ///< a heap
     std::vector<Grip> grips_;
     std::vector<Ball> at_start_, handed_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "custom/geometry/bounds.hpp"
+
 namespace flipside::custom {
 
 namespace {
@@ -143,6 +145,32 @@ struct Looker {
     }
 };
 
+struct ClearOf {
+    Vec2 a, b;
+    double radius = 0, sag = 0;
+
+    bool operator()(const Line& line) const {
+        const Vec2 to_a = a - line.start, to_b = b - line.start;
+        const double off_a = cross(line.along, to_a), off_b = cross(line.along, to_b), gap = radius + sag;
+        if (std::min(off_a, off_b) > gap || std::max(off_a, off_b) < -gap) return true;
+        const double s_a = dot(line.along, to_a), s_b = dot(line.along, to_b);
+        return std::max(s_a, s_b) < -line.before.of(radius) - sag ||
+               std::min(s_a, s_b) > line.length + line.past.of(radius) + sag;
+    }
+    bool operator()(const Bow& bow) const {
+        if (beyond(bow.center, bow.radius + radius + sag)) return true;
+        const double inner = bow.radius - radius - sag;
+        return inner > 0 &&
+               std::max(length_squared(a - bow.center), length_squared(b - bow.center)) < inner * inner;
+    }
+    bool operator()(const Round& round) const { return beyond(round.center, round.radius + radius + sag); }
+
+  private:
+    [[nodiscard]] bool beyond(Vec2 center, double reach) const {
+        return distance_squared(center, a, b) > reach * reach;
+    }
+};
+
 Box around(Vec2 center, double radius) {
     return {{center.x - radius, center.y - radius}, {center.x + radius, center.y + radius}};
 }
@@ -155,6 +183,10 @@ std::vector<Feature> features_of(std::span<const Piece> pieces, const Scene& sce
 
 Sight look(const Feature& feature, Vec2 point, double radius) {
     return std::visit(Looker{point, radius}, feature.is);
+}
+
+bool clear_of(const Feature& feature, Vec2 a, Vec2 b, double radius, double sag) {
+    return std::visit(ClearOf{a, b, radius, sag}, feature.is);
 }
 
 Feature posed(const Feature& feature, const Pose& pose) {

@@ -65,6 +65,10 @@ struct Sight {
 };
 [[nodiscard]] Sight look(const Feature& feature, Vec2 point, double radius);
 
+/// Whether a disc whose centre stays within `sag` of the chord from a to b surely does not touch the feature
+/// (in the pose of the scene file). Cheap, and true only where that is easy to see.
+[[nodiscard]] bool clear_of(const Feature& feature, Vec2 a, Vec2 b, double radius, double sag);
+
 /// The feature turned into a pose.
 [[nodiscard]] Feature posed(const Feature& feature, const Pose& pose);
 

@@ -12,6 +12,39 @@ double first_fall(double gap, double rate, double bend) {
     return (rate + std::sqrt(std::max(0.0, discriminant))) / -bend;
 }
 
+double first_fall(double gap, double rate, double bend, double drag) {
+    if (drag <= 0) return first_fall(gap, rate, bend);
+    if (gap <= 0 && rate < 0) return 0;
+    if (rate >= 0 && bend >= 0) return never_touch;
+    const auto gap_at = [&](const Stretch& s) { return gap + s.shrunk * rate + s.fallen * bend; };
+    // The second derivative keeps its sign and fades; the slope changes its own once at most, at `turn`.
+    const double curve = bend - drag * rate;
+    const double turn = rate * bend < 0 ? std::log1p(-drag * rate / bend) / drag : never_touch;
+    double t = 0;
+    if (rate >= 0) {
+        if (rate > 0) t = turn;
+        const double top = gap_at(Stretch(drag, t));
+        if (top <= 0) return t;
+        t += std::sqrt(2 * top / -bend);
+    } else {
+        const double deepest = turn < never_touch ? gap_at(Stretch(drag, turn)) : gap + rate / drag;
+        if (bend >= 0 && deepest > 0) return never_touch;
+        if (const double without = first_fall(gap, rate, curve); without < turn) t = without;
+    }
+    // Newton's steps. After the first they come from the side from which they cannot jump the root.
+    constexpr int most_steps = 100;  // grazes take about 50
+    for (int step = 0; step < most_steps; ++step) {
+        const Stretch s(drag, t);
+        const double slope = s.kept * rate + s.shrunk * bend;
+        if (slope >= 0) return t;
+        const double next = std::max(0.0, t - gap_at(s) / slope);
+        if (step > 0 && (curve < 0 ? next >= t : next <= t)) return t;
+        if (!std::isfinite(next)) return never_touch;
+        t = next;
+    }
+    return t;
+}
+
 double surely_free(double value, double slope, double k) {
     if (k <= 0) return slope < 0 ? value / -slope : never_touch;
     const double root = std::sqrt(slope * slope + 2 * k * value);
@@ -131,9 +164,18 @@ double search_turning(const Feature& feature, Pose begin, double rate, double be
     return search(moving, gap, radius, gap_rounding(path.position(t0), radius), t0, t1);
 }
 
-/// A parabola against a still line: it falls below each side at most once.
+/// Whether gap + rate·E(t) + bend·F(t), at first below 0, rises above it to fall again.
+bool comes_out(double gap, double rate, double bend, double drag) {
+    if (rate <= 0 || bend >= 0 || rate * rate + 2 * gap * bend <= 0) return false;
+    if (drag <= 0) return true;
+    const Stretch top(drag, std::log1p(-drag * rate / bend) / drag);
+    return gap + top.shrunk * rate + top.fallen * bend > 0;
+}
+
+/// A flight against a still line: it falls below each side at most once.
 double touch_line(const Line& line, const Path& path, double radius, double t0, double t1) {
     const Vec2 p = path.position(t0), v = path.velocity(t0), a = path.flight.acceleration;
+    const double drag = path.flight.drag;
     const auto zero = [](double x, double scale) { return std::abs(x) <= speed_rounding * scale ? 0 : x; };
     const double d = cross(line.along, p - line.start);
     const double slope = zero(cross(line.along, v), length(v)), bend = zero(cross(line.along, a), length(a));
@@ -142,11 +184,9 @@ double touch_line(const Line& line, const Path& path, double radius, double t0, 
         double gap = side * d - radius;
         if (std::abs(gap) <= gap_rounding(p, radius)) gap = 0;
         // From the other side it must first come out on this one.
-        const bool comes_out =
-            slope * side > 0 && bend * side < 0 && slope * slope + 2 * gap * bend * side > 0;
-        if (side * d < 0 && !comes_out) continue;
+        if (side * d < 0 && !comes_out(gap, side * slope, side * bend, drag)) continue;
         if (gap == 0 && slope == 0) continue;  // slides along, or is held
-        const double t = first_fall(gap, side * slope, side * bend);
+        const double t = first_fall(gap, side * slope, side * bend, drag);
         if (t <= t1 - t0 && t < first && look({line, 0, 0}, path.position(t0 + t), radius).facing) first = t;
     }
     return t0 + first;
@@ -186,7 +226,7 @@ double search_impact(const Path& a, const Path& b, double radii, double t0, doub
         return Moving{a.position(t) - b.position(t), a.velocity(t) - b.velocity(t), v, k};
     };
     const auto gap = [&](const Moving& q) { return gap_to_disc(q, {}, radii); };
-    return search(moving, gap, radii, gap_rounding(a.position(t0), radii), t0, t1);
+    return search(moving, gap, radii, gap_rounding(a.position(t0), b.position(t0), radii), t0, t1);
 }
 
 double time_of_impact(const Feature& feature, const Turning& turning, const Path& path, double radius,
@@ -196,9 +236,10 @@ double time_of_impact(const Feature& feature, const Turning& turning, const Path
         return time_of_impact(posed(feature, turning.pose(t0)), {}, path, radius, t0, t1);
     }
     const Flight& flight = path.flight;
-    if (path.swings || flight.drag > 0) return search_impact(feature, turning, path, radius, t0, t1);
+    if (path.swings) return search_impact(feature, turning, path, radius, t0, t1);
     if (const auto* line = std::get_if<Line>(&feature.is)) return touch_line(*line, path, radius, t0, t1);
-    if (const auto* round = std::get_if<Round>(&feature.is); round && flight.acceleration == Vec2{}) {
+    if (const auto* round = std::get_if<Round>(&feature.is);
+        round && flight.acceleration == Vec2{} && flight.drag <= 0) {
         const Vec2 p = path.position(t0);
         const double t = t0 + straight_touch(p - round->center, flight.velocity, radius + round->radius,
                                              gap_rounding(p, radius));
@@ -212,9 +253,8 @@ double time_of_impact(const Path& a, const Path& b, double radii, double t0, dou
                        a.flight.drag == b.flight.drag;
     if (!alike) return search_impact(a, b, radii, t0, t1);
     // Equal accelerations cancel, and drag shrinks time for both alike: straight motion.
-    const Vec2 p = a.position(t0);
-    const double e =
-        straight_touch(p - b.position(t0), a.velocity(t0) - b.velocity(t0), radii, gap_rounding(p, radii));
+    const Vec2 p = a.position(t0), q = b.position(t0);
+    const double e = straight_touch(p - q, a.velocity(t0) - b.velocity(t0), radii, gap_rounding(p, q, radii));
     const double t = t0 + drag_stretch(a.flight.drag, e);
     return t <= t1 ? t : never_touch;
 }

@@ -3,11 +3,12 @@
 /// another disc. Pure geometry; the twin of the discrete solver's narrow phase, with time in it.
 ///
 /// Two ways, tested against each other. Straight relative motion and parabolas against lines have closed
-/// quadratics. Everything else uses a search that cannot skip a root: the gap f(t) has f'' ≥ −K, so from
-/// f and f' the time  h = (f' + √(f'² + 2Kf))/K  is surely free; the search moves on by h until f is
-/// rounding. Its steps are Newton's from the safe side: they converge quadratically to a crossing, and
-/// linearly to a graze. In the frame of a part that turns at ω, f'' is bounded by
-/// |a| + 2|ω||v| + ω²|p − pivot| + v²/d (d: distance from the centre of a curved feature).
+/// quadratics; with drag a flight's distance from a line is still convex or concave throughout. Everything
+/// else uses a search that cannot skip a root: the gap f(t) has f'' ≥ −K, so from f and f' the time  h = (f'
+/// + √(f'² + 2Kf))/K  is surely free; the search moves on by h until f is rounding. Its steps are Newton's
+/// from the safe side: they converge quadratically to a crossing, and linearly to a graze. In the frame of a
+/// part that turns at ω, f'' is bounded by |a| + 2|ω||v| + ω²|p − pivot| + v²/d (d: distance from the centre
+/// of a curved feature).
 ///
 /// A touch is approached at more than rounding: contacts that slide along or part give no touch, and an
 /// overlap that parts gives none until it turns (Bannerman, Strobl, Formella and Pöschel 2014, "Stable
@@ -44,6 +45,10 @@ inline double gap_rounding(Vec2 p, double radius) {
     return 16 * 0x1p-53 * (std::abs(p.x) + std::abs(p.y) + radius);
 }
 
+inline double gap_rounding(Vec2 p, Vec2 q, double radii) {
+    return std::max(gap_rounding(p, radii), gap_rounding(q, radii));
+}
+
 /// First touch in [t0, t1], or never_touch. By the closed form where there is one.
 [[nodiscard]] double time_of_impact(const Feature& feature, const Turning& turning, const Path& path,
                                     double radius, double t0, double t1);
@@ -57,6 +62,8 @@ inline double gap_rounding(Vec2 p, double radius) {
 /// First t ≥ 0 at which gap + rate·t + ½·bend·t² is ≤ 0 and falling, or never_touch. Gaps below 0 count as
 /// above until they turn.
 [[nodiscard]] double first_fall(double gap, double rate, double bend);
+/// The same of gap + rate·E(t) + bend·F(t) (flight.hpp): with drag by Newton's steps, about four.
+[[nodiscard]] double first_fall(double gap, double rate, double bend, double drag);
 /// Time during which a function ≥ 0 surely stays so, given its slope and K ≥ |second derivative|.
 [[nodiscard]] double surely_free(double value, double slope, double k);
 

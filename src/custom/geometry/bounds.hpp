@@ -35,4 +35,12 @@ namespace flipside::custom {
     return {{box.min.x - margin, box.min.y - margin}, {box.max.x + margin, box.max.y + margin}};
 }
 
+/// Squared distance of a point from the stretch between a and b.
+[[nodiscard]] inline double distance_squared(Vec2 p, Vec2 a, Vec2 b) {
+    const Vec2 along = b - a, from_a = p - a;
+    const double ahead = dot(from_a, along), l = length_squared(along);
+    const double s = ahead <= 0 ? 0 : ahead >= l ? 1 : ahead / l;
+    return length_squared(from_a - s * along);
+}
+
 }  // namespace flipside::custom

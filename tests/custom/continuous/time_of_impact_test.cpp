@@ -27,11 +27,12 @@ void same(double closed, double searched, double approach) {
     RC_ASSERT(std::abs(closed - searched) < 1e-9);
 }
 
-RC_GTEST_PROP(TimeOfImpact, LineByQuadraticIsTheSearchs, ()) {
+RC_GTEST_PROP(TimeOfImpact, LineByClosedFormIsTheSearchs, ()) {
     const Vec2 a = anywhere(2), b = anywhere(2);
     RC_PRE(length(b - a) > 0.01);
     const Feature line{Line{a, unit(b - a), length(b - a), {}, {}}, 0, 0};
-    const Path path = random_path(anywhere(10));
+    Path path = random_path(anywhere(10));
+    path.flight.drag = *rc::gen::element(0.0, 1e-9, 0.05, 1.0, 20.0);
     const double r = between(0.01, 0.3), end = 1;
     RC_PRE(look(line, path.flight.position, r).distance > r + 1e-6);
     const double closed = time_of_impact(line, {}, path, r, 0, end);
@@ -45,6 +46,25 @@ RC_GTEST_PROP(TimeOfImpact, LineByQuadraticIsTheSearchs, ()) {
     // What enters under the face from beyond its end is met by that point too.
     if (std::abs(sight.distance - r) > 1e-6) return;
     same(closed, searched, dot(path.velocity(first), sight.normal));
+}
+
+// Against steps of a fine walk: what falls below zero first.
+RC_GTEST_PROP(TimeOfImpact, FirstFallWithDragIsTheFirst, ()) {
+    const double gap = between(-1, 1), rate = between(-3, 3), bend = between(-10, 10);
+    const double drag = *rc::gen::element(1e-9, 0.05, 1.0, 20.0);
+    const auto gap_at = [&](double t) {
+        const Stretch s(drag, t);
+        return gap + s.shrunk * rate + s.fallen * bend;
+    };
+    const double found = first_fall(gap, rate, bend, drag);
+    bool above = gap > 0;
+    for (double t = 0; t < std::min(found, 3.0); t += 1e-3) {
+        above = above || gap_at(t) > 0;
+        RC_ASSERT(!above || gap_at(t) > -1e-12);
+    }
+    if (found > 3) return;
+    RC_ASSERT(gap_at(found) < 1e-12 * (1 + std::abs(gap)));
+    RC_ASSERT(gap_at(found + 1e-9) <= gap_at(found) + 1e-12);
 }
 
 RC_GTEST_PROP(TimeOfImpact, RoundInStraightMotionIsTheSearchs, ()) {
