@@ -46,7 +46,8 @@ void each_missing(const std::vector<T>& these, const std::vector<T>& those, auto
 
 }  // namespace
 
-void TouchList::reserve(std::size_t balls) {
+void TouchList::reserve(std::size_t pieces, std::size_t balls) {
+    make_room(moving_, pieces + balls);
     for (auto* list : {&before_, &now_}) make_room(*list, balls, touches_per_ball);
     make_room(pairs_, balls, contacts_per_ball);
     for (auto* list : {&sensed_before_, &sensed_}) make_room(*list, balls, touches_per_ball);

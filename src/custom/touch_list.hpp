@@ -38,8 +38,8 @@ class TouchList {
     void report_touches(double time, std::vector<Event>& events) const;
     void report_sensors(double time, std::vector<Sensed>& crossed, std::vector<Event>& events) const;
 
-    /// Makes room for so many balls.
-    void reserve(std::size_t balls);
+    /// Makes room for so many pieces and balls.
+    void reserve(std::size_t pieces, std::size_t balls);
 
   private:
     void begin();

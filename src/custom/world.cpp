@@ -38,7 +38,7 @@ void CustomWorld::make_room() {
     custom::make_room(balls_, balls_.size() + 1);
     discrete_.reserve(balls_.size());
     if (steps_continuously()) continuous_.reserve(balls_.size());
-    touches_.reserve(balls_.size());
+    touches_.reserve(layout_.size(), balls_.size());
     sleep_.reserve(balls_.size());
     custom::make_room(record_.events, balls_.size(), touches_per_ball);
     custom::make_room(record_.crossed, balls_.size(), touches_per_ball);

@@ -23,6 +23,7 @@
 #include <tuple>
 
 #include "custom/broad_phase/pair_order.hpp"
+#include "custom/broad_phase/room.hpp"
 
 namespace flipside::custom {
 
@@ -233,6 +234,7 @@ class Grid final : public BroadPhase {
         home_.reserve(moving);
         entries_.reserve(moving);
         wide_.reserve(moving);
+        custom::make_room(listings_, moving, pairs_per_ball);
         still_listed_.reserve(2 * still_listed_.size());
     }
 

@@ -45,6 +45,7 @@ class Quadtree final : public BroadPhase {
         clear(0);
         listings_.clear();
         make_room(listings_, moving.size(), pairs_per_ball);
+        make_room(moving_leaves_, moving.size());
         moving_leaves_.clear();
         moving_ = moving;
         if (std::ranges::none_of(moving, &Proxy::active)) return;
