@@ -109,6 +109,9 @@ TEST_F(CommandLine, BadUsageIsExitTwoAndOneLine) {
     expect_refused("check " FLIPSIDE_SOURCE_DIR "/CMakeLists.txt", 2, "line 1");
     expect_refused("pairs --most 5", 2, "32");
     expect_refused("report", 2, "--out");
+    expect_refused("cases perpetuum-mobile", 2, "galperin");
+    expect_refused("cases --engine newton", 2, "box2d");
+    expect_refused("cases --dt 2", 2, "1e-6");
     expect_refused("somersault", 2, "compare");
 }
 
@@ -122,8 +125,8 @@ TEST_F(CommandLine, WhatCannotBeDoneIsExitOne) {
 }
 
 TEST_F(CommandLine, HelpIsNoError) {
-    for (const char* command :
-         {"", "run ", "compare ", "play ", "render ", "check ", "scenes ", "engines ", "pairs ", "report "}) {
+    for (const char* command : {"", "run ", "compare ", "play ", "render ", "check ", "scenes ", "engines ",
+                                "pairs ", "cases ", "report "}) {
         const Result result = flipside(command + std::string("--help"));
         EXPECT_EQ(result.code, 0) << command;
         EXPECT_NE(result.out.find("Usage"), std::string::npos) << command;
@@ -298,6 +301,23 @@ TEST_F(CommandLine, AReportThatIsInterruptedLeavesWholeFilesAndGoesOn) {
         EXPECT_EQ(text_of(entry.path()).back(), '\n') << entry.path();
     }
     expect_refused("report --out " + out, 2, "report.json");  // not --quick
+}
+
+TEST_F(CommandLine, CasesGiveATableAndAFileAndExitOneWhereOneFails) {
+    const Result passed =
+        flipside("cases galperin 9 --quick --set solver=continuous --json " + file("cases.json"));
+    EXPECT_EQ(passed.code, 0);
+    EXPECT_NE(passed.out.find("collisions, M/m = 100^3"), std::string::npos);
+    EXPECT_NE(passed.out.find("2 cases: 2 pass"), std::string::npos);
+    const auto json = nlohmann::json::parse(text_of(file("cases.json")));
+    EXPECT_EQ(json["cases"].size(), 2U);
+    EXPECT_EQ(json["settings"]["solver"], "continuous");
+    // Sweeps off and steps coarse: a ball of a million radii per second is past the wall in one step.
+    const Result failed = flipside("cases thin-wall --set solver=discrete --set sweep_from=1000000");
+    EXPECT_EQ(failed.code, 1);
+    EXPECT_NE(failed.out.find("1 cases: 1 fail"), std::string::npos);
+    EXPECT_EQ(flipside("cases --engine box2d --map " + file("map.csv")).code, 0);
+    EXPECT_EQ(rows_of(file("map.csv")).size(), 216U);
 }
 
 TEST_F(CommandLine, AnInterruptLeavesNoFile) {

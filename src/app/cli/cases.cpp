@@ -6,6 +6,7 @@
 #include "app/cli/interrupt.hpp"
 #include "app/cli/progress.hpp"
 #include "lab/cases/case.hpp"
+#include "lab/cases/stability_map.hpp"
 #include "lab/engines.hpp"
 #include "lab/whole_file.hpp"
 
@@ -20,7 +21,7 @@ struct Options {
     std::string dt = "1/60";
     bool quick = false;
     bool list = false;
-    std::string json;  ///< file; "" where not asked for
+    std::string json, map;  ///< files; "" where not asked for
 };
 
 std::string number(const char* format, std::optional<double> value) {
@@ -35,6 +36,9 @@ void print(const lab::CaseRun& run) {
     std::printf("\n%2d %s: %s  (%.3g s of CPU)\n", run.which->number, std::string(run.which->name).c_str(),
                 std::string(name_of(result.verdict)).c_str(), result.cpu_seconds);
     if (!result.reason.empty()) std::printf("   %s\n", result.reason.c_str());
+    if (result.handed_over > 0)
+        std::printf("   balls left to the time-stepping solver, summed over the steps: %llu\n",
+                    static_cast<unsigned long long>(result.handed_over));
     for (const lab::CaseRow& row : result.rows) {
         const std::string name = row.quantity + (row.unit.empty() ? "" : " [" + row.unit + "]");
         std::printf("   %-62s %14s %14s %9s %9s  %s\n", name.c_str(), number("%.9g", row.expected).c_str(),
@@ -66,15 +70,39 @@ int list_cases() {
     return 0;
 }
 
-int run_cases(const Options& options) {
-    const auto chosen = lab::find_cases(options.names);
+lab::CaseInput input_of(const Options& options) {
     const Engine& engine = lab::engine_named(options.engine);
     const Engine* const used[] = {&engine};
     const auto changes = lab::parse_changes(options.settings, used);
-    lab::CaseInput input{{&engine, lab::settings_for(engine, Scene{}, changes)},
-                         lab::parse_step(options.dt),
-                         options.quick,
-                         stop_if_interrupted};
+    return {{&engine, lab::settings_for(engine, Scene{}, changes)},
+            lab::parse_step(options.dt),
+            options.quick,
+            stop_if_interrupted};
+}
+
+int map_stability(const Options& options) {
+    const lab::CaseInput input = input_of(options);
+    catch_interrupts();
+    lab::WholeFile file(options.map);
+    std::vector<lab::StabilityPoint> points;
+    {
+        Progress progress(1);
+        points = lab::stability_map(input.entrant, [&](double done) {
+            progress.at(done);
+            stop_if_interrupted();
+        });
+    }
+    write_stability(file.out(), input.entrant, points);
+    file.finish();
+    const auto stable =
+        std::ranges::count_if(points, [](const lab::StabilityPoint& point) { return point.failure.empty(); });
+    std::printf("Stable in %td of %zu runs, mass ratio x speed x step\n", stable, points.size());
+    return 0;
+}
+
+int run_cases(const Options& options) {
+    const auto chosen = lab::find_cases(options.names);
+    const lab::CaseInput input = input_of(options);
     catch_interrupts();
     std::vector<lab::CaseRun> runs;
     {
@@ -112,8 +140,15 @@ void add_cases(CLI::App& program, Action& chosen) {
     command.add_flag("--quick", options->quick, "Fewer hits and shorter runs; the rows name the numbers");
     command.add_flag("--list", options->list, "List the cases, a sentence each");
     command.add_option("--json", options->json, "Everything found, as JSON")->type_name("FILE");
+    command
+        .add_option("--map", options->map,
+                    "Instead of the cases: where the engine holds, mass ratio x speed x step, as CSV")
+        ->type_name("FILE");
     command.callback([options, &chosen] {
-        chosen = [options] { return options->list ? list_cases() : run_cases(*options); };
+        chosen = [options] {
+            if (options->list) return list_cases();
+            return options->map.empty() ? run_cases(*options) : map_stability(*options);
+        };
     });
 }
 

@@ -16,6 +16,13 @@ constexpr double sense_gap = 1e-9;
 /// The least way between two looks for a sensor's border, in radii.
 constexpr double sense_step = 1e-2;
 
+/// A touch of a bend is found by steps and late by up to `rounding` of the gap. A hop that gains as much
+/// speed by it as its bounce loses comes back for ever: the speed below which that happens, m/s.
+double unending_hop(const Feature& feature, double force, double rounding, double restitution) {
+    if (std::holds_alternative<Line>(feature.is) || restitution >= 1) return 0;
+    return restitution * std::sqrt(2 * force * rounding / (1 - restitution * restitution));
+}
+
 }  // namespace
 
 /// Whether the feature lets the ball through now.
@@ -82,10 +89,13 @@ void ContinuousSolver::find_grips(Place i, double time) {
         if (const shape::Gate* gate = gate_of(scene_.parts[feature.part]))
             if (table_->parts()[feature.part].open || dot(sight.normal, gate->normal) < 0) continue;
         Hold hold = hold_at(feature, turning, ball, normal, time, drive_);
-        hold.friction = layout_.mixed(ball.material, scene_.parts[feature.part].material).friction;
+        const Mixed mixed = layout_.mixed(ball.material, scene_.parts[feature.part].material);
+        hold.friction = mixed.friction;
         const Vec2 relative = ball.velocity - hold.surface_velocity;
+        const double force = std::max(0.0, hold.force);
         const double still =
-            1e-12 * length(relative) + grip_hop * std::sqrt(ball.radius * std::max(0.0, hold.force));
+            1e-12 * length(relative) + grip_hop * std::sqrt(ball.radius * force) +
+            unending_hop(feature, force, gap_rounding(ball.position, ball.radius), mixed.restitution);
         if (std::abs(dot(relative, normal)) > still) continue;
         const double scale = length(drive_.gravity) + length_squared(relative) / ball.radius;
         grips_.push_back({hold, hold.force > 1e-12 * scale});

@@ -6,12 +6,23 @@
 
 #include <boost/math/distributions/students_t.hpp>
 
+#include "lab/cases/text.hpp"
+
 namespace flipside::lab {
 
 namespace {
 
-/// Steps that all worlds of one case may take together: some seconds of CPU for one ball.
-constexpr std::uint64_t most_steps = 4'000'000, most_quick_steps = 200'000;
+/// What all worlds of one case may cost together. The limit of CPU time is for engines that are much slower
+/// than the others at something; where it strikes, results depend on the machine, and say so.
+struct Limits {
+    std::uint64_t steps;
+    double cpu_seconds;
+};
+constexpr Limits full_limits{4'000'000, 60}, quick_limits{200'000, 20};
+
+const Limits& limits_of(const CaseInput& input) {
+    return input.quick ? quick_limits : full_limits;
+}
 
 bool is_event_ordered(const Session& session) {
     return session.engine().name == "reference" || session.world().statistics().solver == "continuous";
@@ -83,8 +94,19 @@ void Experiment::cut_short(const std::string& quantity, Verdict verdict, const s
                             .error = no_number,
                             .tolerance = 0,
                             .verdict = verdict});
+    explain(reason);
+}
+
+void Experiment::explain(const std::string& reason) {
     if (result_.reason.find(reason) == std::string::npos)
         result_.reason += (result_.reason.empty() ? "" : "; ") + reason;
+}
+
+std::string Experiment::end_of_work() const {
+    const Limits& limits = limits_of(*input_);
+    return result_.steps >= limits.steps
+               ? "stopped after " + std::to_string(limits.steps) + " steps, the most that a case may take"
+               : "stopped after " + text_of(limits.cpu_seconds) + " s of CPU, the most that a case may cost";
 }
 
 CaseResult Experiment::finish() {
@@ -99,9 +121,6 @@ CaseResult Experiment::finish() {
         result_.verdict = worst;
         break;
     }
-    if (result_.reason.empty() && out_of_work_)
-        result_.reason =
-            "stopped after " + std::to_string(result_.steps) + " steps, the most a case may take";
     return std::move(result_);
 }
 
@@ -110,13 +129,14 @@ Trial::Trial(Experiment& experiment, const Scene& scene)
       session_(std::make_shared<const Scene>(scene), *experiment.input().entrant.engine,
                experiment.input().entrant.settings) {}
 
-bool Trial::step(double dt) {
+bool Trial::may_step() const {
+    const Limits& limits = limits_of(experiment_->input());
+    return experiment_->result_.steps < limits.steps && experiment_->result_.cpu_seconds < limits.cpu_seconds;
+}
+
+void Trial::step(double dt) {
     CaseResult& result = experiment_->result_;
-    const CaseInput& input = experiment_->input();
-    if (result.steps >= (input.quick ? most_quick_steps : most_steps)) {
-        experiment_->out_of_work_ = true;
-        return false;
-    }
+    if (!may_step()) throw OutOfWork(experiment_->end_of_work());
     const Totals before = session_.totals();
     session_.step(dt);
     check_finite(session_, time());
@@ -125,15 +145,16 @@ bool Trial::step(double dt) {
     result.cpu_seconds += session_.totals().step_seconds - before.step_seconds;
     result.handed_over += world().statistics().handed_over;
     if (!is_event_ordered(session_)) experiment_->event_ordered_ = false;
-    if (input.watch) input.watch();
-    return true;
+    if (experiment_->input().watch) experiment_->input().watch();
 }
 
-bool Trial::run_to(double end) {
-    const Timeline timeline(time(), end - time(), experiment_->dt());
-    for (std::uint64_t k = 0; k < timeline.steps(); ++k)
-        if (!step(timeline.length(k))) return false;
-    return true;
+std::optional<Event> Trial::first_impact(double end) {
+    std::vector<Event> found;
+    while (found.empty() && time() < end) {
+        step();
+        found = impacts();
+    }
+    return found.empty() ? std::nullopt : std::optional(found.front());
 }
 
 std::vector<Event> Trial::impacts() const {

@@ -11,6 +11,11 @@
 
 namespace flipside::lab {
 
+/// A case had all the work that it may cost.
+struct OutOfWork : Failure {
+    using Failure::Failure;
+};
+
 /// Of a row that was not reached.
 inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -44,7 +49,8 @@ class Experiment {
     void note(std::string quantity, std::string unit, double measured, std::optional<double> expected = {});
 
     /// A part of the case that may end early without ending the others: what the engine refuses, and a state
-    /// that is no number, become a row named `quantity`, and their reasons the result's.
+    /// that is no number, and the end of the work allowed become a row named `quantity`, and their reasons
+    /// the result's.
     template <class Part>
     void attempt(const std::string& quantity, Part&& part) {
         try {
@@ -55,8 +61,12 @@ class Experiment {
             cut_short(quantity, Verdict::refused, error.what());
         } catch (const NotANumber& failure) {
             cut_short(quantity, Verdict::fail, failure.what());
+        } catch (const OutOfWork& end) {
+            cut_short(quantity, Verdict::not_reached, end.what());
         }
     }
+    /// What has been reached goes into the table even where the work allowed was not enough for the rest.
+    void cut_short() { explain(end_of_work()); }
     [[nodiscard]] CaseResult finish();
 
   private:
@@ -64,24 +74,50 @@ class Experiment {
 
     void add(CaseRow row, bool held);
     void cut_short(const std::string& quantity, Verdict verdict, const std::string& reason);
+    void explain(const std::string& reason);
+    [[nodiscard]] std::string end_of_work() const;
 
     const CaseInput* input_;
     CaseResult result_;
     bool event_ordered_ = true;  ///< of every step so far
-    bool out_of_work_ = false;
 };
 
-/// One world of a case. Balls of its scene keep their numbers as indices while none is lost.
+/// One world of a case, whose costs are put on the case's account.
 class Trial {
   public:
     Trial(Experiment& experiment, const Scene& scene);
+    /// From a state of the same scene.
+    Trial(Experiment& experiment, const Scene& scene, const State& state) : Trial(experiment, scene) {
+        session_.restore(state);
+    }
 
-    /// One step of the case's dt, or of `dt`. False, without a step, when the case has had all the work it
-    /// may cost. Throws Failure as soon as a ball is where no number says.
-    [[nodiscard]] bool step() { return step(experiment_->dt()); }
-    [[nodiscard]] bool step(double dt);
-    /// Steps until `time` exactly.
-    [[nodiscard]] bool run_to(double time);
+    /// One step of the case's dt, or of `dt`. Throws OutOfWork, Refusal, and NotANumber as soon as a ball is
+    /// where no number says.
+    void step() { step(experiment_->dt()); }
+    void step(double dt);
+    /// Is another step within what the case may cost?
+    [[nodiscard]] bool may_step() const;
+    /// Steps until `end` exactly, and calls `see` after each step.
+    template <class See>
+    void run_to(double end, See&& see) {
+        const Timeline timeline(time(), end - time(), experiment_->dt());
+        for (std::uint64_t k = 0; k < timeline.steps(); ++k) {
+            step(timeline.length(k));
+            see();
+        }
+    }
+    void run_to(double end) {
+        run_to(end, [] {});
+    }
+    /// The same until `done` or `end`, in whole steps; was it done?
+    template <class Done>
+    [[nodiscard]] bool run_until(Done&& done, double end) {
+        while (time() < end) {
+            step();
+            if (done()) return true;
+        }
+        return false;
+    }
 
     [[nodiscard]] World& world() { return session_.world(); }
     [[nodiscard]] const World& world() const { return session_.world(); }
@@ -89,8 +125,10 @@ class Trial {
     /// NaNs where it was lost.
     [[nodiscard]] Ball ball(BallNumber number) const;
     [[nodiscard]] std::span<const Event> events() const { return session_.events(); }
-    /// Of the last step.
+    /// The impacts of the last step.
     [[nodiscard]] std::vector<Event> impacts() const;
+    /// The first impact from now on, until `end`.
+    [[nodiscard]] std::optional<Event> first_impact(double end);
     [[nodiscard]] std::uint64_t impact_count() const { return session_.totals().impacts; }
     [[nodiscard]] std::uint64_t lost_count() const { return session_.totals().lost; }
     /// Kinetic and potential, J.

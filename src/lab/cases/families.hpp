@@ -8,8 +8,44 @@ namespace flipside::lab {
 // bounces.cpp
 void zeno_drop(Experiment& experiment);
 void elastic_drop(Experiment& experiment);
+void v_corner(Experiment& experiment);
+void far_away(Experiment& experiment);
+void friction_bounce(Experiment& experiment);
 
 // chains.cpp
 void galperin(Experiment& experiment);
+void channel(Experiment& experiment);
+void column(Experiment& experiment);
+void cradle(Experiment& experiment);
+void head_on(Experiment& experiment);
+void stacked_drop(Experiment& experiment);
+void opposed_balls(Experiment& experiment);
+
+// billiards.cpp
+void box(Experiment& experiment);
+void circular_billiard(Experiment& experiment);
+void grazing(Experiment& experiment);
+void thin_wall(Experiment& experiment);
+void deep_overlap(Experiment& experiment);
+
+// resting.cpp
+void bowl(Experiment& experiment);
+void leaving_a_circle(Experiment& experiment);
+void incline(Experiment& experiment);
+void collinear_segments(Experiment& experiment);
+void pile(Experiment& experiment);
+
+// parts.cpp
+void flipper(Experiment& experiment);
+void sensor(Experiment& experiment);
+void crushed_ball(Experiment& experiment);
+
+// gas.cpp
+void mean_free_path(Experiment& experiment);
+void disc_gas(Experiment& experiment);
+void equipartition(Experiment& experiment);
+
+// galton.cpp
+void galton_board(Experiment& experiment);
 
 }  // namespace flipside::lab

@@ -1,5 +1,5 @@
 // The continuous solver on whole scenes: no dependence on dt, continuation from a saved state, friction of
-// held contacts. Its answers in single cases are in test_hard_cases*.cpp.
+// held contacts. Its answers in single cases are those of lab/cases, tested there.
 
 #include <cmath>
 #include <numbers>
@@ -140,6 +140,54 @@ TEST(ContinuousSolver, RidesAMovingPart) {
     }
     EXPECT_LE(length(ends[0] - ends[1]), 1e-11);
     EXPECT_LT(ends[0].x, 0.5);  // it slides down the raised side
+}
+
+// A ball that hops down on a pin slides off it once its hops are lower than rounding: they end.
+TEST(ContinuousSolver, HopsOnABendEnd) {
+    for (const double e : {0.4, 0.9}) {
+        for (const double x : {0.0005, 0.001, 0.0015}) {
+            Scene scene = empty_scene({0, -g});
+            scene.rest_speed = 0;
+            add_part(scene, {shape::Circle{{0, 0}, 0.01}}, {"", e, 0, 0});
+            add_ball(scene, {x, 0.035}, {}, 0.02);
+            const auto world = continuous(scene);
+            std::uint64_t impacts = 0;
+            for (int i = 0; i < 90; ++i) {
+                world->step(1.0 / 60);
+                impacts += world->statistics().impacts;
+                ASSERT_EQ(world->statistics().handed_over, 0U);
+            }
+            EXPECT_LT(impacts, 400U);
+            EXPECT_LT(world->balls()[0].position.y, -0.05);
+        }
+    }
+}
+
+// Balls that press on each other are the discrete solver's, and counted; nothing sinks in or is lost.
+TEST(ContinuousSolver, PilesAreHandedOver) {
+    const auto settles = [](const Scene& scene, double deepest_allowed) {
+        const auto world = make_world(scene, {{"solver", "continuous"}, {"sleep", "off"}});
+        run(*world, 6);
+        double deepest = 0;
+        for (const Contact& contact : world->contacts())
+            deepest = std::max(deepest, -contact.separation / 0.1);
+        EXPECT_LE(deepest, deepest_allowed);
+        EXPECT_EQ(world->balls().size(), scene.balls.size());
+        EXPECT_EQ(world->statistics().handed_over, scene.balls.size());
+        for (const Ball& ball : world->balls()) EXPECT_LT(length(ball.velocity), 0.5);
+    };
+    Scene column = empty_scene({0, -9.81});
+    add_part(column, segment({-1, 0}, {1, 0}), {"", 0.5, 0, 0});
+    column.materials[0].restitution = 0.5;
+    for (int i = 0; i < 10; ++i) add_ball(column, {0, 0.1 + 0.21 * i});
+    settles(column, 0.02);
+
+    Scene pit = empty_scene({0, -9.81});
+    pit.materials[0].restitution = 0.5;
+    add_part(pit, {shape::Polyline{{{-4, 4}, {0, 0}, {4, 4}}, false}}, {"", 0.5, 0, 0});
+    for (int i = 0; i < 20; ++i)
+        add_ball(pit, {-0.9 + 0.21 * (i % 9) + 0.003 * (i / 9), 1.2 + 0.25 * (i / 9)});
+    settles(pit, 0.03);
 }
 
 }  // namespace

@@ -1,0 +1,177 @@
+// Chaotic motion without gravity: trajectories are unknowable, averages are known. Every world starts from
+// seeded random states, and the spread between the worlds gives the confidence interval.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "lab/cases/families.hpp"
+#include "lab/cases/text.hpp"
+#include "lab/dice.hpp"
+#include "world/scene_builder.hpp"
+
+namespace flipside::lab {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double radius = 0.1;  // m
+
+/// Elastic walls around [0, side]².
+Scene walled(double side) {
+    Scene scene = empty_scene();
+    scene.rest_speed = 0;
+    add_part(scene, {shape::Polyline{{{0, 0}, {side, 0}, {side, side}, {0, side}}, true}});
+    return scene;
+}
+
+/// n balls on a lattice in [0, side]², jittered, at 1 m/s in all directions.
+void fill(Scene& scene, int n, double side, Dice& dice) {
+    const int columns = static_cast<int>(std::ceil(std::sqrt(n)));
+    const double pitch = (side - 2 * radius) / columns, play = std::min(pitch - 2 * radius, pitch / 2);
+    for (int i = 0; i < n; ++i) {
+        const Vec2 cell{radius + (i % columns + 0.5) * pitch, radius + (i / columns + 0.5) * pitch};
+        const Vec2 jitter{dice.below(play) - play / 2, dice.below(play) - play / 2};
+        add_ball(scene, cell + jitter, dice.direction(), radius);
+    }
+}
+
+double kinetic(const Ball& ball) {
+    return 0.5 * ball.mass * length_squared(ball.velocity);
+}
+
+/// Σ m·r·v, whose change over any time is 2·K·t + Σ r·J: the virial theorem of hard discs, exactly.
+double moment(const Trial& trial) {
+    double sum = 0;
+    for (const Ball& ball : trial.world().balls()) sum += ball.mass * dot(ball.position, ball.velocity);
+    return sum;
+}
+
+/// What one world of the gas gives.
+struct GasSample {
+    double packing;   ///< share of the central square that discs cover
+    double pressure;  ///< Z = P/(ρkT) there
+    double virial;    ///< residual of the virial theorem over 2·K·t
+    double energy;    ///< drift, relative
+};
+
+/// Impulses and kinetic energy are counted in a central square, clear of the layers along the walls.
+GasSample gas_sample(Experiment& experiment, double side, int n, std::uint64_t seed) {
+    constexpr double settling = 2;  // s, several impacts per ball at the least
+    const double seconds = experiment.size(12.0, 1.0), margin = side / 4;
+    const Box middle{{margin, margin}, {side - margin, side - margin}};
+    Scene scene = walled(side);
+    Dice dice(seed);
+    fill(scene, n, side, dice);
+    Trial trial(experiment, scene);
+    trial.run_to(settling);
+
+    const double from = trial.time(), moment_first = moment(trial), twice_k = 2 * trial.energy();
+    double pair_virial = 0, energy_time = 0, count_time = 0;  // in the middle
+    double all_virial = 0;
+    double last = from;
+    trial.run_to(from + seconds, [&] {
+        const double dt = trial.time() - last;
+        last = trial.time();
+        for (const Ball& ball : trial.world().balls()) {
+            if (!middle.contains(ball.position)) continue;
+            energy_time += kinetic(ball) * dt;
+            count_time += dt;
+        }
+        for (const Event& impact : trial.impacts()) {
+            const double pair = 2 * radius * impact.impulse;
+            const double wall = impact.impulse * dot(impact.point + radius * impact.normal, impact.normal);
+            all_virial += impact.other.is_ball ? pair : wall;
+            if (impact.other.is_ball && middle.contains(impact.point)) pair_virial += pair;
+        }
+    });
+    const double t = trial.time() - from, area = (side - 2 * margin) * (side - 2 * margin);
+    return {count_time / t * pi * radius * radius / area, 1 + pair_virial / (2 * energy_time),
+            (moment(trial) - moment_first - twice_k * t - all_virial) / (twice_k * t),
+            2 * trial.energy() / twice_k - 1};
+}
+
+void gas_at(Experiment& experiment, double nominal) {
+    const int n = experiment.size(300, 100);  // walls order a dense gas up to some diameters away
+    const auto worlds = experiment.size<std::uint64_t>(8, 4);
+    const double side = std::sqrt(n * pi * radius * radius / nominal);
+    std::vector<double> excess;
+    double packing = 0, virial = 0, energy = 0;
+    for (std::uint64_t seed = 1; seed <= worlds; ++seed) {
+        const GasSample sample = gas_sample(experiment, side, n, seed);
+        const double eta = sample.packing;
+        // D. Henderson, A simple equation of state for hard discs, 1975; good to 1 %.
+        excess.push_back(sample.pressure / ((1 + eta * eta / 8) / ((1 - eta) * (1 - eta))));
+        packing += eta / static_cast<double>(worlds);
+        virial = std::max(virial, std::abs(sample.virial));
+        energy = std::max(energy, std::abs(sample.energy));
+    }
+    const std::string of = ", eta = " + text_of(nominal) + ", " + text_of(n) + " balls";
+    experiment.note("packing in the middle" + of, "", packing, nominal);
+    experiment.exact("Z over Henderson's" + of, "", 1, estimate(excess), 0.01);
+    experiment.exact("energy drift, worst, relative" + of, "", 0, energy, 1e-12);
+    experiment.exact("virial theorem, worst residual" + of, "", 0, virial, 1e-9);
+}
+
+}  // namespace
+
+void mean_free_path(Experiment& experiment) {
+    constexpr double side = 1.2, pin = 0.2, speed = 4;
+    constexpr double inner = side - 2 * radius, reach = pin + radius;
+    constexpr double area = inner * inner - pi * reach * reach, perimeter = 4 * inner + 2 * pi * reach;
+    const double seconds = experiment.size(400.0, 20.0);
+    std::vector<double> paths;
+    double lost = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        Scene scene = walled(side);
+        add_part(scene, {shape::Circle{{side / 2, side / 2}, pin}});
+        Dice dice(seed);
+        Vec2 start;
+        do start = {radius + dice.below(inner), radius + dice.below(inner)};
+        while (length(start - Vec2{side / 2, side / 2}) <= reach);
+        add_ball(scene, start, speed * dice.direction(), radius);
+        Trial trial(experiment, scene);
+        double way = 0;
+        trial.run_to(seconds, [&] { way += length(trial.ball(0).velocity) * experiment.dt(); });
+        paths.push_back(way / static_cast<double>(trial.impact_count()));
+        lost += static_cast<double>(trial.lost_count());
+    }
+    experiment.exact("mean free path", "m", pi * area / perimeter, estimate(paths), 0);
+    experiment.always("balls lost", "", 0, lost);
+}
+
+void disc_gas(Experiment& experiment) {
+    for (const double packing : {0.1, 0.3, 0.5})
+        experiment.attempt("gas, eta = " + text_of(packing), [&] { gas_at(experiment, packing); });
+}
+
+void equipartition(Experiment& experiment) {
+    constexpr double masses[] = {1, 4, 16};
+    constexpr int n = 30;
+    constexpr double side = 1.8;
+    const double settling = experiment.size(30.0, 10.0), seconds = experiment.size(120.0, 20.0);
+    const auto worlds = experiment.size<std::uint64_t>(10, 5);
+    std::vector<double> shares[3];
+    double lost = 0;
+    for (std::uint64_t seed = 1; seed <= worlds; ++seed) {
+        Scene scene = walled(side);
+        Dice dice(seed);
+        fill(scene, n, side, dice);
+        for (Ball& ball : scene.balls) ball.mass = masses[ball.number % 3];
+        Trial trial(experiment, scene);
+        trial.run_to(settling);
+        double energies[3] = {};
+        trial.run_to(settling + seconds, [&] {
+            for (const Ball& ball : trial.world().balls()) energies[ball.number % 3] += kinetic(ball);
+        });
+        const double all = energies[0] + energies[1] + energies[2];
+        for (std::size_t kind = 0; kind < 3; ++kind) shares[kind].push_back(3 * energies[kind] / all);
+        lost += static_cast<double>(trial.lost_count());
+    }
+    for (std::size_t kind = 0; kind < 3; ++kind)
+        experiment.exact("energy over the mean, mass " + text_of(masses[kind]), "", 1, estimate(shares[kind]),
+                         0);
+    experiment.always("balls lost", "", 0, lost);
+}
+
+}  // namespace flipside::lab

@@ -1,0 +1,51 @@
+#include "lab/cases/stability_map.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "lab/engines.hpp"
+
+namespace flipside::lab {
+namespace {
+
+std::vector<StabilityPoint> map_of(const Entrant& entrant) {
+    double done = 0;
+    const auto points = stability_map(entrant, [&](double share) { done = share; });
+    EXPECT_EQ(done, 1);
+    EXPECT_EQ(points.size(), std::size(map_mass_ratios) * std::size(map_speeds) * std::size(map_steps));
+    return points;
+}
+
+Entrant entrant_of(std::string_view engine) {
+    const Engine& chosen = engine_named(engine);
+    Entrant entrant{&chosen, settings_for(chosen, Scene{})};
+    if (engine == "custom") entrant.settings.set("solver", "discrete");
+    return entrant;
+}
+
+// Balls of like mass at the speeds of a pinball hold at every step, on every time-stepping solver.
+TEST(StabilityMap, gentleThrowsHold) {
+    for (const std::string_view engine : {"custom", "box2d"}) {
+        for (const StabilityPoint& point : map_of(entrant_of(engine))) {
+            EXPECT_NE(point.failure, "not a number");
+            if (point.mass_ratio > 100 || point.speed > 10) continue;
+            EXPECT_EQ(point.failure, "") << engine << " " << point.mass_ratio << " " << point.speed;
+            EXPECT_LE(point.energy_gain, 0.01);
+            EXPECT_LE(point.overlap, 0.1);
+        }
+    }
+}
+
+TEST(StabilityMap, csvHasARowPerPoint) {
+    const StabilityPoint points[] = {{1, 10, 0.25, "", -0.5, 0}, {100, 1000, 0.5, "escape", 2, 0.125}};
+    std::ostringstream out;
+    write_stability(out, entrant_of("box2d"), points);
+    EXPECT_EQ(out.str(), std::string(stability_header) +
+                             "box2d,1,10,0.25,1,,-0.5,0\n"
+                             "box2d,100,1000,0.5,0,escape,2,0.125\n");
+}
+
+}  // namespace
+}  // namespace flipside::lab
