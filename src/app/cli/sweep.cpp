@@ -64,7 +64,10 @@ void print(const std::vector<sweep::Figures>& all) {
 
 int run(const Options& options) {
     const sweep::Shard shard = parse_shard(options.shard);
-    const sweep::Plan plan{sweep::variants_of(options.scenes, options.balls), options.seed, options.quick};
+    auto variants = sweep::variants_of(options.scenes, options.balls);
+    const sweep::Plan plan = options.quick
+                                 ? sweep::quick_plan(std::move(variants), options.seed)
+                                 : sweep::Plan{.variants = std::move(variants), .seed = options.seed};
     const std::filesystem::path folder = options.out;
     catch_interrupts();
     {

@@ -138,7 +138,8 @@ Chapter work_precision_chapter(const Effort& effort, const std::vector<fs::path>
         };
         return chapter;
     }
-    const sweep::Plan plan{effort.variants, 1, effort.quick_sweep};
+    const sweep::Plan plan =
+        effort.quick_sweep ? sweep::quick_plan(effort.variants, 1) : sweep::Plan{.variants = effort.variants};
     const auto take = [plan](const fs::path& file, const Watch& watch) {
         const fs::path folder = file.parent_path();
         sweep::make_runs(plan, {}, folder, watch);

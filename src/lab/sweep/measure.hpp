@@ -33,7 +33,7 @@ struct Unmatched {
 /// Runs the world, made for the window's scene, from the window's start in steps of dt, which divides its
 /// length. Engines' exceptions become failures.
 [[nodiscard]] Outcome run_window(World& world, const Window& window, double dt);
-/// CPU time of the same steps and nothing else, s.
+/// CPU time of the same steps and nothing else, s, once the caches know the world.
 [[nodiscard]] double time_window(World& world, const Window& window, double dt);
 
 }  // namespace flipside::lab::sweep

@@ -42,13 +42,35 @@ Block windows_of(const Plan& plan, const Unit& unit, const fs::path& folder,
                  const std::shared_ptr<const Scene>& scene, const std::function<void()>& watch) {
     const fs::path file = file_of(unit, folder, "windows", ".json");
     if (!fs::exists(file)) {
-        const BlockPlan block{*unit.variant, plan.seed, unit.block, plan.block_size()};
+        const BlockPlan block{*unit.variant, plan.seed, unit.block, plan.block_size};
         write_block(file, make_block(block, scene, reference_for(*scene), watch), *scene);
     }
     return read_block(file, *scene);
 }
 
+/// About how long a unit of a variant takes, in steps of a ball.
+double work_of(const Plan& plan, const Variant& variant) {
+    const double balls = variant.balls > 0 ? variant.balls : 10;
+    const double seconds = 0.5 * window_unit * (variant.shortest + variant.longest);
+    constexpr double overhead = 4;  // a step costs about as much as that many balls in it
+    double work = 0;
+    for (const Entrant& entrant : entrants())
+        for (const double dt : steps_of(entrant, plan))
+            work += std::min((overhead + balls) * seconds / dt, plan.most_work);
+    return work;
+}
+
 }  // namespace
+
+Plan quick_plan(std::vector<Variant> variants, std::uint64_t seed) {
+    Plan plan{.variants = std::move(variants), .seed = seed};
+    plan.blocks = 4;
+    plan.block_size = 10;
+    plan.timed = 2;
+    plan.finest = 960;
+    plan.most_work = 2'000;
+    return plan;
+}
 
 std::string to_json(const Plan& plan) {
     nlohmann::ordered_json variants, all;
@@ -66,12 +88,13 @@ std::string to_json(const Plan& plan) {
                        {"settings", entrant.settings},
                        {"about", entrant.about}});
     const nlohmann::ordered_json json{{"format", "flipside-sweep/1"},
-                                      {"kind", plan.quick ? "quick" : "full"},
                                       {"seed", plan.seed},
-                                      {"blocks", plan.blocks()},
-                                      {"windows_per_block", plan.block_size()},
-                                      {"timed_per_block", plan.timed()},
-                                      {"repetitions", plan.repetitions()},
+                                      {"blocks", plan.blocks},
+                                      {"windows_per_block", plan.block_size},
+                                      {"timed_per_block", plan.timed},
+                                      {"repetitions", plan.repetitions},
+                                      {"finest_steps_per_second", plan.finest},
+                                      {"most_work", plan.most_work},
                                       {"variants", variants},
                                       {"entrants", all}};
     return json.dump(2) + '\n';
@@ -79,22 +102,22 @@ std::string to_json(const Plan& plan) {
 
 std::vector<double> steps_of(const Entrant& entrant, const Plan& plan) {
     std::vector<double> steps;
-    for (int n = entrant.coarsest; n <= std::min(entrant.finest, plan.finest()); n *= 2)
+    for (int n = entrant.coarsest; n <= std::min(entrant.finest, plan.finest); n *= 2)
         steps.push_back(1.0 / n);
     return steps;
 }
 
-std::size_t thinning(std::size_t balls, double seconds, double dt) {
-    constexpr double enough = 20'000;
+std::size_t thinning(const Plan& plan, std::size_t balls, double seconds, double dt) {
     std::size_t every = 1;
-    while (static_cast<double>(balls) * seconds / dt > enough * static_cast<double>(every)) every *= 2;
+    while (static_cast<double>(balls) * seconds / dt > plan.most_work * static_cast<double>(every))
+        every *= 2;
     return every;
 }
 
 std::vector<Unit> units_of(const Plan& plan) {
     std::vector<Unit> units;
     for (const Variant& variant : plan.variants)
-        for (std::uint32_t block = 0; block < plan.blocks(); ++block) units.push_back({&variant, block});
+        for (std::uint32_t block = 0; block < plan.blocks; ++block) units.push_back({&variant, block});
     return units;
 }
 
@@ -107,15 +130,17 @@ void make_runs(const Plan& plan, Shard shard, const fs::path& folder,
     const std::vector<Unit> all = units_of(plan);
     for (std::size_t i = shard.index - 1; i < all.size(); i += shard.count) units.push_back(all[i]);
 
-    for (std::size_t i = 0; i < units.size(); ++i) {
-        const auto share = [&](double of_unit) {
-            watch((static_cast<double>(i) + of_unit) / static_cast<double>(units.size()));
-        };
-        const fs::path file = runs_file(units[i], folder);
-        if (fs::exists(file)) continue;
-        const auto scene = load(*units[i].variant);
-        const Block block = windows_of(plan, units[i], folder, scene, [&] { share(0); });
-        write_runs(file, measure_unit(plan, units[i], block, scene, share));
+    double whole = 0, done = 0;
+    for (const Unit& unit : units) whole += work_of(plan, *unit.variant);
+    for (const Unit& unit : units) {
+        const double work = work_of(plan, *unit.variant);
+        const auto share = [&](double of_unit) { watch((done + of_unit * work) / whole); };
+        if (const fs::path file = runs_file(unit, folder); !fs::exists(file)) {
+            const auto scene = load(*unit.variant);
+            const Block block = windows_of(plan, unit, folder, scene, [&] { share(0); });
+            write_runs(file, measure_unit(plan, unit, block, scene, share));
+        }
+        done += work;
     }
 }
 

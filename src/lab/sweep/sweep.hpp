@@ -19,25 +19,26 @@
 namespace flipside::lab::sweep {
 
 struct Plan {
-    std::vector<Variant> variants;
+    std::vector<Variant> variants{};
     std::uint64_t seed = 1;
-    bool quick = false;  ///< fewer windows and no step below 1/960 s: for a first look
+    std::uint32_t blocks = 20;    ///< per variant
+    std::size_t block_size = 25;  ///< windows
+    std::size_t timed = 3;        ///< windows of each block that are timed, and
+    std::size_t repetitions = 5;  ///< how often
+    int finest = finest_steps;    ///< steps per second at most
+    double most_work = 8'000;     ///< balls times steps in a window, above which windows are left out
 
-    [[nodiscard]] std::uint32_t blocks() const { return quick ? 4 : 20; }  ///< per variant
-    [[nodiscard]] std::size_t block_size() const { return quick ? 10 : 25; }
-    [[nodiscard]] std::size_t windows() const { return blocks() * block_size(); }
-    /// Windows of each block that are timed, and how often.
-    [[nodiscard]] std::size_t timed() const { return quick ? 2 : 5; }
-    [[nodiscard]] std::size_t repetitions() const { return 5; }
-    [[nodiscard]] int finest() const { return quick ? 960 : finest_steps; }  ///< steps per second
+    [[nodiscard]] std::size_t windows() const { return blocks * block_size; }
 };
+/// A plan of fewer windows and no step below 1/960 s, for a first look.
+[[nodiscard]] Plan quick_plan(std::vector<Variant> variants, std::uint64_t seed);
 [[nodiscard]] std::string to_json(const Plan& plan);
 
 /// The step sizes at which an entrant is swept, s, the largest first.
 [[nodiscard]] std::vector<double> steps_of(const Entrant& entrant, const Plan& plan);
-/// Only every n-th window of a variant is run where many balls take many steps: a power of two, such that
-/// n windows' worth of balls and steps stays near 20,000.
-[[nodiscard]] std::size_t thinning(std::size_t balls, double seconds, double dt);
+/// Only every n-th window of a variant is run where many balls take many steps: n is a power of two, such
+/// that balls and steps of n windows make no more than n times the plan's most_work.
+[[nodiscard]] std::size_t thinning(const Plan& plan, std::size_t balls, double seconds, double dt);
 
 struct Unit {
     const Variant* variant;

@@ -3,9 +3,11 @@
 namespace flipside::lab::sweep {
 
 Truth reference_for(const Scene& scene) {
-    const Engine& engine = engine_named("reference");
-    Settings settings = settings_for(engine, scene);
-    return {&engine, settings, settings};
+    const Engine* const engine = &engine_named("reference");
+    const auto with = [&](const std::vector<std::string>& texts) {
+        return settings_for(*engine, scene, parse_changes(texts, {&engine, 1}));
+    };
+    return {engine, with({"precision=53", "twin=off"}), with({"precision=113", "twin=on"})};
 }
 
 }  // namespace flipside::lab::sweep

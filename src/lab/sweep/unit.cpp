@@ -34,10 +34,10 @@ std::vector<Task> tasks_of(const Plan& plan, const Unit& unit, const Block& bloc
             const Window& window = block.windows[i];
             const std::size_t balls = window.start.balls.size();
             const double longest = unit.variant->longest * window_unit;
-            const std::size_t number = unit.block * plan.block_size() + i;
-            if (number % thinning(balls, longest, lane.dt) != 0) continue;
+            const std::size_t number = unit.block * plan.block_size + i;
+            if (number % thinning(plan, balls, longest, lane.dt) != 0) continue;
             tasks.push_back(
-                {&lane, i, i < plan.timed(), static_cast<double>(balls) * window.seconds / lane.dt});
+                {&lane, i, i < plan.timed, static_cast<double>(balls) * window.seconds / lane.dt});
         }
     return tasks;
 }
@@ -45,7 +45,7 @@ std::vector<Task> tasks_of(const Plan& plan, const Unit& unit, const Block& bloc
 Run run_of(const Task& task, const Plan& plan, const Unit& unit, const Block& block) {
     const Window& window = block.windows[task.window];
     Run run{unit.variant->name, std::string(task.lane->entrant->name),
-            task.lane->dt,      unit.block * plan.block_size() + task.window,
+            task.lane->dt,      unit.block * plan.block_size + task.window,
             window.seconds,     run_window(*task.lane->world, window, task.lane->dt),
             not_timed,          not_timed};
     return run;
@@ -70,7 +70,7 @@ std::vector<Run> measure_unit(const Plan& plan, const Unit& unit, const Block& b
         for (const double dt : steps_of(entrant, plan)) lanes.push_back({&entrant, worlds.back().get(), dt});
     }
     std::vector<Task> tasks = tasks_of(plan, unit, block, lanes);
-    const auto rounds = static_cast<double>(plan.repetitions());
+    const auto rounds = static_cast<double>(plan.repetitions);
     double whole = 0, done = 0;
     for (const Task& task : tasks) whole += task.work * (task.timed ? 1 + rounds : 1);
     const auto did = [&](const Task& task) { watch((done += task.work) / whole); };
@@ -80,7 +80,7 @@ std::vector<Run> measure_unit(const Plan& plan, const Unit& unit, const Block& b
         runs.push_back(run_of(task, plan, unit, block));
         did(task);
     }
-    for (std::size_t round = 0; round < plan.repetitions(); ++round)
+    for (std::size_t round = 0; round < plan.repetitions; ++round)
         for (Task& task : tasks) {
             if (!task.timed) continue;
             task.cpu.push_back(time_window(*task.lane->world, block.windows[task.window], task.lane->dt));

@@ -20,22 +20,12 @@ bool has_field(const std::string& scene) {
     }
 }
 
-/// `count` launches of strengths that carry a ball onto the table, one after another as their place gets
-/// free.
-Script launches(int count, Dice& dice) {
-    constexpr double first = 0.1, weakest = 0.6;  // s; of the launcher's full strength
-    Script script;
-    for (int i = 0; i < count; ++i)
-        script.push_back({first, control::Launch{dice.between(weakest, 1), 1, 1}});
-    return script;
-}
-
 }  // namespace
 
 std::vector<Variant> standard_variants() {
     return {
         {.name = "pinball-1", .scene = "pinball", .balls = 1, .from = 1, .until = 12},
-        {.name = "pinball-8", .scene = "pinball", .balls = 8, .from = 1, .until = 12},
+        {.name = "pinball-8", .scene = "pinball", .balls = 8, .from = 0.1, .until = 4},
         {.name = "toy", .scene = "toy", .from = 1, .until = 12},
         // A tenth of a second of 320 balls holds some two hundred hits; later on they lie in heaps.
         {.name = "rain", .scene = "rain", .balls = 320, .from = 0, .until = 1.5, .shortest = 3, .longest = 3},
@@ -73,13 +63,19 @@ std::shared_ptr<const Scene> load(const Variant& variant) {
     return std::make_shared<const Scene>(field ? load_scene(file, variant.balls) : load_scene(file));
 }
 
+bool is_fired(const Variant& variant, const Scene& scene) {
+    return variant.balls > 0 && scene.launcher && scene.balls.empty();
+}
+
 Script trajectory_script(const Variant& variant, const Scene& scene, Dice& dice) {
     const auto file = script_beside(scene_file(variant.scene));
     const Script own = file ? load_script(*file, scene) : Script{};
-    const bool fired = variant.balls > 0 && scene.launcher && scene.balls.empty();
+    const bool fired = is_fired(variant, scene);
 
     Script script;
-    if (fired) script = launches(variant.balls, dice);
+    constexpr double first = 0.1,
+                     weakest = 0.6;  // s; of full strength, so that the ball comes onto the table
+    if (fired) script.push_back({first, control::Launch{dice.between(weakest, 1), 1, 1}});
     if (!scene.balls.empty()) {
         const double most = 5 * scene.balls.front().radius;
         script.push_back({0, control::Nudge{{dice.between(-most, most), dice.between(-most, most)}}});

@@ -15,7 +15,7 @@ namespace flipside::lab::sweep {
 struct Variant {
     std::string name;                ///< stable, as in all files: "pinball-8"
     std::string scene;               ///< a name in assets/scenes or the path of a scene file
-    int balls = 0;                   ///< fired by the launcher, or generated; 0: what scene and script say
+    int balls = 0;                   ///< fired by the launcher, or generated; 0: as scene and script say
     double from = 0, until = 10;     ///< s since the trajectory's start
     int shortest = 3, longest = 15;  ///< length of a window, in units of window_unit
 
@@ -32,12 +32,14 @@ inline constexpr double window_unit = 1.0 / 30;
 /// another number of balls.
 [[nodiscard]] std::vector<Variant> variants_of(const std::vector<std::string>& scenes, int balls);
 
-/// The scene with the variant's balls.
+/// Its balls come from the launcher: each from a launch of its own, all put on one table at once.
+[[nodiscard]] bool is_fired(const Variant& variant, const Scene& scene);
+/// The scene with the variant's balls, as far as they are generated.
 [[nodiscard]] std::shared_ptr<const Scene> load(const Variant& variant);
 /// Controls for one more trajectory of the variant, another one for each throw of the dice: the scene's own
-/// script with launches of other strengths; where the variant says how many balls the launcher fires, those
-/// in place of the script's launches, and the rest of the script from another moment on. What lies on the
-/// table at the start gets a nudge of up to 5 radii a second.
+/// script with launches of other strengths; where the variant says how many balls are fired, one launch in
+/// place of the script's, and the rest of the script from another moment on. What lies on the table at the
+/// start gets a nudge of up to 5 radii a second.
 [[nodiscard]] Script trajectory_script(const Variant& variant, const Scene& scene, Dice& dice);
 
 }  // namespace flipside::lab::sweep

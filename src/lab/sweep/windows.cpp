@@ -1,6 +1,7 @@
 #include "lab/sweep/windows.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "lab/session.hpp"
@@ -82,12 +83,64 @@ void go_on(Session& session, double time, const Script& script, std::size_t& nex
     }
 }
 
+/// A ball in mid-play, from a launch of its own, or nothing where it was lost by then.
+std::optional<State> one_in_play(const Variant& variant, const std::shared_ptr<const Scene>& scene,
+                                 const Truth& truth, Dice& dice) {
+    constexpr double soonest = 1, latest = 6;  // s after the start; the launch is at 0.1 s
+    const Script script = trajectory_script(variant, *scene, dice);
+    const double time = dice.between(soonest, latest);
+    Session session(scene, *truth.engine, truth.trajectory);
+    std::size_t next = 0;
+    try {
+        go_on(session, time, script, next);
+    } catch (const Refusal&) {
+        return std::nullopt;
+    }
+    State state = session.world().save();
+    if (waits(state) || state.balls.size() != 1) return std::nullopt;
+    return state;
+}
+
+/// Whether a ball lies in a part or another ball of this state, deeper than rounding.
+bool overlaps(const State& state, World& world) {
+    constexpr double rounding = 1e-12;  // m
+    world.restore(state);
+    return std::ranges::any_of(world.contacts(),
+                               [](const Contact& contact) { return contact.separation < -rounding; });
+}
+
+/// As many balls in mid-play as the variant has, each as it was some time after a launch of its own, on the
+/// table of the first.
+State crowd(const Variant& variant, const std::shared_ptr<const Scene>& scene, const Truth& truth,
+            Dice& dice) {
+    constexpr int most_tries = 1000;
+    const auto world = truth.engine->make(scene, truth.trajectory);
+    State all;
+    for (int i = 0; i < most_tries && all.balls.size() < static_cast<std::size_t>(variant.balls); ++i) {
+        const auto one = one_in_play(variant, scene, truth, dice);
+        if (!one) continue;
+        State more = all.balls.empty() ? *one : all;
+        more.next_number = static_cast<BallNumber>(all.balls.size() + 1);
+        if (!all.balls.empty()) more.balls.push_back(one->balls.front());
+        more.balls.back().number = more.next_number - 1;
+        if (!overlaps(more, *world)) all = std::move(more);
+    }
+    all.clock = {};
+    return all;
+}
+
 /// Adds the windows of one trajectory until the block is full.
 void follow(const BlockPlan& plan, const std::shared_ptr<const Scene>& scene, const Truth& truth, Dice& dice,
             World& exact, Block& block, const std::function<void()>& watch) {
-    const Script script = trajectory_script(plan.variant, *scene, dice);
+    Script script = trajectory_script(plan.variant, *scene, dice);
     const std::vector<double> times = moments(plan.variant, dice);
     Session session(scene, *truth.engine, truth.trajectory);
+    if (plan.variant.balls > 1 && is_fired(plan.variant, *scene)) {
+        session.restore(crowd(plan.variant, scene, truth, dice));
+        std::erase_if(script, [](const TimedControl& timed) {
+            return std::holds_alternative<control::Launch>(timed.control);
+        });
+    }
     std::size_t next = 0;
     for (const double time : times) {
         const double seconds = window_length(plan.variant, dice);
@@ -101,6 +154,8 @@ void follow(const BlockPlan& plan, const std::shared_ptr<const Scene>& scene, co
         }
         const State state = session.world().save();
         const auto wanted = static_cast<std::size_t>(plan.variant.balls);
+        // Those that were put on the table together do not become more again.
+        if (wanted > 1 && state.balls.size() < wanted && is_fired(plan.variant, *scene)) return;
         if (waits(state) || (wanted > 0 && state.balls.size() != wanted)) {
             ++block.skipped["another number of balls"];
             continue;

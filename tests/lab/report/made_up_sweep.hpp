@@ -24,7 +24,7 @@ inline double made_up_cost(double dt) {
 }
 
 inline void make_up_sweep(const std::filesystem::path& folder) {
-    const sweep::Plan plan{sweep::variants_of({"toy"}, 0), 1, true};
+    const sweep::Plan plan = sweep::quick_plan(sweep::variants_of({"toy"}, 0), 1);
     std::filesystem::create_directories(folder / "runs");
     write_whole_file(folder / "plan.json", sweep::to_json(plan));
     std::vector<sweep::Run> runs;

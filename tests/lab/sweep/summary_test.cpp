@@ -64,7 +64,7 @@ TEST_F(SweepSummary, FiguresByNearestRankWithFailuresAsInfinite) {
 }
 
 TEST_F(SweepSummary, FoldersTogetherAreAsOne) {
-    const Plan plan{standard_variants()};
+    const Plan plan{.variants = standard_variants()};
     const Runs a{run("box2d", 1.0 / 60, 0, 0.1), run("box2d", 1.0 / 30, 0, 0.2),
                  run("custom-discrete", 1.0 / 60, 0, 0.3)};
     const Runs b{run("box2d", 1.0 / 60, 1, inf), run("box2d", 1.0 / 30, 1, 0.4),
@@ -89,7 +89,7 @@ TEST_F(SweepSummary, FoldersTogetherAreAsOne) {
 }
 
 TEST_F(SweepSummary, RefusesWhatDoesNotBelongTogether) {
-    Plan plan{standard_variants()}, other = plan;
+    Plan plan{.variants = standard_variants()}, other = plan;
     other.seed = 2;
     const Runs runs{run("box2d", 1.0 / 60, 0, 0.1)};
     const fs::path folders[] = {folder("a", plan, runs), folder("b", other, runs)};

@@ -1,0 +1,115 @@
+// The engines against the reference on every scene, in a few windows each: `flipside sweep` does the same
+// with 500. The custom engine's continuous solver must agree in every impact, its time, the positions and
+// the contacts, to 1e-9: both are exact but for rounding. Box2D must agree in what is hit first; what it may
+// be late by is bounded by
+//   - one step, for it knows contacts per step alone,
+//   - the three slops of 0.005 units that surfaces may overlap before it stops a ball (b2TimeOfImpact), and
+//   - what its semi-implicit Euler flight is off by, ½·g·dt·t, on the way there,
+// both divided by the approach speed. Left out are first hits that graze (see cross_validation_test.cpp) and
+// those of balls that touch something when the window starts.
+
+#include <algorithm>
+#include <cstdio>
+
+#include <gtest/gtest.h>
+
+#include "lab/assets.hpp"
+#include "lab/sweep/entrants.hpp"
+#include "lab/sweep/measure.hpp"
+
+namespace flipside::lab::sweep {
+namespace {
+
+constexpr double exact = 1e-9;  // radii, and seconds
+
+/// The impacts of a world over a window.
+std::vector<Event> impacts_of(World& world, const Window& window, double dt) {
+    std::vector<Event> impacts;
+    world.restore(window.start);
+    for (auto step = std::llround(window.seconds / dt); step > 0; --step) {
+        world.step(dt);
+        std::ranges::copy_if(world.events(), std::back_inserter(impacts),
+                             [](const Event& event) { return event.kind == EventKind::impact; });
+    }
+    return impacts;
+}
+
+std::unique_ptr<World> world_of(const Entrant& entrant, const std::shared_ptr<const Scene>& scene) {
+    return engine_named(entrant.engine).make(scene, settings_of(entrant, *scene));
+}
+
+class EverySceneAgrees : public testing::TestWithParam<std::string> {
+  protected:
+    EverySceneAgrees() : variant(variants_of({GetParam()}, 0).front()), scene(load(variant)) {
+        const bool slow = GetParam() == "bowl" || GetParam() == "rain";  // long rides, and many balls
+        if (slow) variant.longest = variant.shortest;
+        block = make_block({variant, 11, 0, slow ? 1U : 6U}, scene, reference_for(*scene), [] {});
+    }
+    Variant variant;
+    std::shared_ptr<const Scene> scene;
+    Block block;
+};
+
+TEST_P(EverySceneAgrees, WithTheContinuousSolver) {
+    ASSERT_FALSE(block.windows.empty());
+    const auto custom = world_of(entrant_named("custom-continuous"), scene);
+    const Truth truth = reference_for(*scene);
+    const auto reference = truth.engine->make(scene, truth.trajectory);
+    for (const double dt : {1.0 / 30, 1.0 / 60, 1.0 / 960})
+        for (const Window& window : block.windows) {
+            const Outcome outcome = run_window(*custom, window, dt);
+            EXPECT_EQ(outcome.failure, "");
+            EXPECT_LE(outcome.error, exact) << "dt " << dt << " from " << window.start.clock.time << " s";
+            const double end = window.start.clock.time + window.seconds;
+            const Unmatched unmatched =
+                count_unmatched(window.impacts, impacts_of(*custom, window, dt), exact, end);
+            EXPECT_EQ(unmatched.first, 0U) << "dt " << dt << " from " << window.start.clock.time << " s";
+            EXPECT_EQ(unmatched.second, 0U) << "dt " << dt << " from " << window.start.clock.time << " s";
+
+            static_cast<void>(impacts_of(*reference, window, dt));
+            const auto a = reference->contacts(), b = custom->contacts();
+            ASSERT_EQ(a.size(), b.size());
+            for (std::size_t i = 0; i < a.size(); ++i) {
+                EXPECT_EQ(a[i].ball, b[i].ball);
+                EXPECT_EQ(a[i].other, b[i].other);
+                EXPECT_NEAR(a[i].separation, b[i].separation, exact * window.ends.front().radius);
+                EXPECT_LE(length(a[i].normal - b[i].normal), exact);
+            }
+        }
+}
+
+TEST_P(EverySceneAgrees, WithBox2dInTheFirstImpact) {
+    constexpr double dt = 1.0 / 960, grazing_cosine = 0.35, slops = 3 * 0.005;
+    const auto box2d = world_of(entrant_named("box2d"), scene);
+    int compared = 0, left_out = 0;
+    for (const Window& window : block.windows) {
+        const Event& first = window.impacts.front();
+        const auto ball = std::ranges::find(window.start.balls, first.ball, &Ball::number);
+        const double flown = first.time - window.start.clock.time;
+        const double speed = length(ball->velocity + flown * scene->gravity);
+        box2d->restore(window.start);
+        const auto touching = box2d->contacts();
+        if (std::ranges::find(touching, first.ball, &Contact::ball) != touching.end() ||
+            first.other.is_ball || first.speed < grazing_cosine * speed) {
+            ++left_out;
+            continue;
+        }
+        const std::vector<Event> impacts = impacts_of(*box2d, window, dt);
+        const auto same = std::ranges::find_if(impacts, [&](const Event& impact) {
+            return impact.ball == first.ball && impact.other == first.other;
+        });
+        ++compared;
+        ASSERT_NE(same, impacts.end()) << "from " << window.start.clock.time << " s: nothing is hit";
+        const double units = 0.25 / ball->radius;  // Box2D units per metre: a diameter is 0.5
+        const double late = slops / units + 0.5 * length(scene->gravity) * dt * flown;
+        EXPECT_NEAR(same->time, first.time, dt + late / first.speed)
+            << "from " << window.start.clock.time << " s";
+    }
+    std::printf("%s: %d first impacts compared, %d left out\n", GetParam().c_str(), compared, left_out);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, EverySceneAgrees, testing::ValuesIn(scene_names()),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace flipside::lab::sweep

@@ -1,0 +1,169 @@
+// A whole sweep of a few windows: in one go, in shards, and stopped and taken up again.
+
+#include "lab/sweep/sweep.hpp"
+
+#include <filesystem>
+#include <map>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "lab/assets.hpp"
+#include "lab/csv_table.hpp"
+#include "lab/failure.hpp"
+#include "lab/sweep/summary.hpp"
+#include "world/input_error.hpp"
+#include "world/json_file.hpp"
+
+namespace flipside::lab::sweep {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Two windows of pinball with one ball each, in four blocks, at 1/30 and 1/60 s.
+Plan small_plan() {
+    Plan plan{.variants = variants_of({"pinball"}, 1)};
+    plan.blocks = 4;
+    plan.block_size = 2;
+    plan.timed = 1;
+    plan.repetitions = 2;
+    plan.finest = 60;
+    return plan;
+}
+
+const std::function<void(double)> unwatched = [](double) {};
+
+/// Everything in a folder's files but what is measured in time, by file, row and column.
+std::map<std::string, std::string> contents(const fs::path& folder) {
+    std::map<std::string, std::string> all;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        const std::string name = fs::relative(entry.path(), folder).string();
+        if (entry.path().extension() == ".json") all[name] = read_file(entry.path());
+        if (entry.path().extension() == ".part") ADD_FAILURE() << name << " was left behind";
+        if (entry.path().extension() != ".csv") continue;
+        const CsvTable table(entry.path());
+        for (std::size_t row = 0; row < table.rows(); ++row)
+            for (const std::string& column : table.columns())
+                if (!column.starts_with("cpu_"))
+                    all[name + ':' + std::to_string(row) + ':' + column] = table.text(row, column);
+    }
+    return all;
+}
+
+class Sweeps : public ::testing::Test {
+  protected:
+    static inline const fs::path base =
+        fs::temp_directory_path() / ("flipside-sweep-" + std::to_string(getpid()));
+    static void SetUpTestSuite() { make_runs(small_plan(), {}, base / "whole", unwatched); }
+    static void TearDownTestSuite() { fs::remove_all(base); }
+
+    static std::map<std::string, std::string> figures(std::span<const fs::path> folders) {
+        const fs::path made = base / "figures";
+        fs::create_directories(made);
+        write_summary(made / "sweep.csv", summarize(gather(folders)));
+        return contents(made);
+    }
+};
+
+TEST_F(Sweeps, MeasureEveryEntrantOnEveryWindow) {
+    const fs::path folder = base / "whole";
+    EXPECT_TRUE(is_complete(small_plan(), folder));
+    const std::vector<Figures> all = summarize(gather({&folder, 1}));
+    std::size_t lanes = 0;
+    for (const Entrant& entrant : entrants()) lanes += steps_of(entrant, small_plan()).size();
+    ASSERT_EQ(all.size(), lanes);
+    for (const Figures& f : all) {
+        EXPECT_EQ(f.windows, small_plan().windows()) << f.entrant;
+        EXPECT_EQ(f.timed, small_plan().blocks) << f.entrant;
+        EXPECT_GT(f.cpu_min, 0) << f.entrant;
+        EXPECT_LE(f.cpu_min, f.cpu_median) << f.entrant;
+        EXPECT_GE(f.impacts, f.windows) << f.entrant;
+    }
+    EXPECT_EQ(count_windows({&folder, 1}).at("pinball-1").windows, small_plan().windows());
+}
+
+TEST_F(Sweeps, ShardsTogetherAreOneRun) {
+    std::vector<fs::path> shards;
+    for (const std::size_t shard : {3U, 1U, 4U, 2U}) {
+        shards.push_back(base / ("shard-" + std::to_string(shard)));
+        make_runs(small_plan(), {shard, 4}, shards.back(), unwatched);
+        EXPECT_FALSE(is_complete(small_plan(), shards.back()));
+    }
+    const fs::path whole = base / "whole";
+    EXPECT_EQ(figures(shards), figures({&whole, 1}));
+    EXPECT_EQ(count_windows(shards).at("pinball-1").skipped,
+              count_windows({&whole, 1}).at("pinball-1").skipped);
+    std::map<std::string, std::string> files;
+    for (const fs::path& shard : shards) files.merge(contents(shard));
+    EXPECT_EQ(files, contents(whole));
+}
+
+TEST_F(Sweeps, StoppedAnywhereAndTakenUpAgainEndTheSame) {
+    const fs::path folder = base / "stopped";
+    for (int patience = 5; !is_complete(small_plan(), folder); patience += 40) {
+        int calls = 0;
+        const auto impatient = [&](double share) {
+            EXPECT_GE(share, 0);
+            EXPECT_LE(share, 1 + 1e-9);
+            if (++calls > patience) throw Failure("interrupted");
+        };
+        try {
+            make_runs(small_plan(), {}, folder, impatient);
+        } catch (const Failure&) {
+            EXPECT_LT(contents(folder).size(), contents(base / "whole").size());
+        }
+    }
+    EXPECT_EQ(contents(folder), contents(base / "whole"));
+}
+
+TEST_F(Sweeps, AFolderHoldsOnePlan) {
+    Plan other = small_plan();
+    other.seed = 2;
+    EXPECT_THROW(make_runs(other, {}, base / "whole", unwatched), InputError);
+}
+
+TEST(SweepWindows, HoldAHitAndAKnownEnd) {
+    for (const Variant& variant : standard_variants()) {
+        const auto scene = load(variant);
+        const Block block = make_block({variant, 7, 0, 2}, scene, reference_for(*scene), [] {});
+        EXPECT_EQ(block.windows.size(), 2U) << variant.name;
+        for (const Window& window : block.windows) {
+            EXPECT_GE(window.seconds, variant.shortest * window_unit);
+            EXPECT_LE(window.seconds, variant.longest * window_unit);
+            if (variant.balls > 0) {
+                EXPECT_EQ(window.start.balls.size(), static_cast<std::size_t>(variant.balls));
+            }
+            EXPECT_FALSE(window.impacts.empty());
+            EXPECT_TRUE(std::ranges::any_of(window.ends, &Window::End::hit));
+            for (const Window::End& end : window.ends)
+                EXPECT_LE(end.uncertainty, claim_radii * end.radius) << variant.name;
+        }
+    }
+}
+
+TEST(SweepWindows, AreReadBackAsTheyWere) {
+    const Variant variant = standard_variants().front();
+    const auto scene = load(variant);
+    const Block block = make_block({variant, 7, 3, 3}, scene, reference_for(*scene), [] {});
+    const fs::path file = fs::temp_directory_path() / ("flipside-block-" + std::to_string(getpid()));
+    write_block(file, block, *scene);
+    const Block read = read_block(file, *scene);
+    EXPECT_EQ(read.skipped, block.skipped);
+    ASSERT_EQ(read.windows.size(), block.windows.size());
+    for (std::size_t i = 0; i < read.windows.size(); ++i) {
+        const Window &a = block.windows[i], &b = read.windows[i];
+        EXPECT_EQ(a.start.balls, b.start.balls);
+        EXPECT_EQ(a.start.parts, b.start.parts);
+        EXPECT_EQ(a.start.clock, b.start.clock);
+        EXPECT_EQ(a.seconds, b.seconds);
+        ASSERT_EQ(a.ends.size(), b.ends.size());
+        EXPECT_EQ(a.ends.front().position, b.ends.front().position);
+        ASSERT_EQ(a.impacts.size(), b.impacts.size());
+        EXPECT_EQ(count_unmatched(a.impacts, b.impacts, 0, 1e9).first, 0U);
+    }
+    fs::remove(file);
+    EXPECT_THROW(static_cast<void>(read_block(scene_file("pinball"), *scene)), InputError);
+}
+
+}  // namespace
+}  // namespace flipside::lab::sweep
