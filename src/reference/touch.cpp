@@ -8,12 +8,18 @@ namespace flipside::reference {
 
 namespace {
 
-/// By how much a point is within the ends of a face; below 0: it is past one. With the rate of that.
+/// By how much a point is within one end of a face, `past` the far one; below 0: it is beyond. With the rate.
+template <class R>
+Value<R> within_end(const Line<R>& line, const Motion<R>& m, const R& radius, bool past) {
+    const R s = dot(m.position - line.start, line.along), slope = dot(m.velocity, line.along);
+    if (past) return {line.length + line.past.of(radius) - s, -slope};
+    return {s + line.before.of(radius), slope};
+}
+/// By how much it is within both ends.
 template <class R>
 Value<R> within(const Line<R>& line, const Motion<R>& m, const R& radius) {
-    const R s = dot(m.position - line.start, line.along), slope = dot(m.velocity, line.along);
-    const R low = s + line.before.of(radius), high = line.length + line.past.of(radius) - s;
-    return low < high ? Value<R>{low, slope} : Value<R>{high, -slope};
+    const Value<R> a = within_end(line, m, radius, false), b = within_end(line, m, radius, true);
+    return a.value < b.value ? a : b;
 }
 template <class R>
 Value<R> within(const Curve<R>& curve, const Motion<R>& m, const R& radius) {
@@ -22,6 +28,14 @@ Value<R> within(const Curve<R>& curve, const Motion<R>& m, const R& radius) {
     const Value<R> a{cross(curve.from, out) + curve.before.of(radius), cross(curve.from, m.velocity)};
     const Value<R> b{cross(out, curve.to) + curve.past.of(radius), cross(m.velocity, curve.to)};
     return (a.value < b.value) != curve.wide ? a : b;
+}
+/// Of a wide curve, which one leaves only where it is beyond both ends: within both.
+template <class R>
+Value<R> within_end(const Curve<R>& curve, const Motion<R>& m, const R& radius, bool past) {
+    if (curve.full || curve.wide) return within(curve, m, radius);
+    const V<R> out = m.position - curve.center;
+    if (past) return {cross(out, curve.to) + curve.past.of(radius), cross(m.velocity, curve.to)};
+    return {cross(curve.from, out) + curve.before.of(radius), cross(curve.from, m.velocity)};
 }
 
 /// One side of a line: `sign` +1 on the left of it.
@@ -281,12 +295,20 @@ R leaves_face(const Feature<R>& feature, const View<R>& view, const R& radius, c
               const R& until) {
     if (!(until >= from)) return infinity<R>();
     const Bounds<R> bounds = view.bounds(from, until);
-    const auto face = [&](const R& t) {
-        const Motion<R> m = view.at(t);
-        return std::visit([&](const auto& shape) { return within(shape, m, radius); }, feature.is);
-    };
-    return first_fall(face, from, until, bounds.acceleration,
-                      Smallest<R>{rounding_speed(bounds.speed), 16 * epsilon<R>() * radius});
+    const Smallest<R> smallest{rounding_speed(bounds.speed), 16 * epsilon<R>() * radius};
+    // The nearer end changes half way, and there the slope jumps down: each end is watched by itself. Of a
+    // curve that is past neither end before it is past both, it jumps up, which can only be later.
+    R first = infinity<R>();
+    for (const bool past : {false, true}) {
+        const auto beyond = [&](const R& t) {
+            const Motion<R> m = view.at(t);
+            return std::visit([&](const auto& shape) { return within_end(shape, m, radius, past); },
+                              feature.is);
+        };
+        const R last = first < until ? first : until;
+        first = std::min(first, first_fall(beyond, from, last, bounds.acceleration, smallest));
+    }
+    return first;
 }
 
 #define FLIPSIDE_TOUCHES(R)                                                                                  \
