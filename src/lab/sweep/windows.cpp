@@ -20,45 +20,54 @@ struct Found {
     std::string skipped;  ///< "" for a window
 };
 
+/// The worlds that windows are run in.
+struct Reference {
+    std::unique_ptr<World> exact, in_double;
+};
+
 bool waits(const State& state) {
     return !state.launches.empty();
 }
 
-void note_ends(Window& window, const World& world) {
+/// The ends of the balls that the reference claims, and that its run in double precision knows too.
+void note_ends(Window& window, const World& exact, const World& in_double) {
     std::set<BallNumber> hit;
     for (const Event& impact : window.impacts) {
         hit.insert(impact.ball);
         if (impact.other.is_ball) hit.insert(impact.other.index);
     }
-    const auto balls = world.balls();
-    const auto uncertainty = world.uncertainty();
+    const auto balls = exact.balls(), rounded = in_double.balls();
+    const auto uncertainty = exact.uncertainty();
     for (std::size_t i = 0; i < balls.size() && i < uncertainty.size(); ++i) {
         const Ball& ball = balls[i];
         if (!(uncertainty[i] <= claim_radii * ball.radius)) continue;
+        if (!(length(rounded[i].position - ball.position) <= horizon_radii * ball.radius)) continue;
         window.ends.push_back(
             {ball.number, ball.position, ball.radius, uncertainty[i], hit.contains(ball.number)});
     }
 }
 
 /// Runs the reference over the window that starts from `start`.
-Found look(const State& start, double seconds, World& world) {
+Found look(const State& start, double seconds, World& exact, World& in_double) {
     Found found{{start, seconds, {}, {}}, ""};
     try {
-        world.restore(start);
-        world.step(seconds);
+        for (World* world : {&in_double, &exact}) {
+            world->restore(start);
+            world->step(seconds);
+        }
     } catch (const Refusal&) {
         found.skipped = "refused";
         return found;
     }
-    for (const Event& event : world.events())
+    for (const Event& event : exact.events())
         if (event.kind == EventKind::impact) found.window.impacts.push_back(event);
-    if (world.balls().size() != start.balls.size()) {
+    if (exact.balls().size() != start.balls.size() || in_double.balls().size() != start.balls.size()) {
         found.skipped = "a ball is lost";
         return found;
     }
-    note_ends(found.window, world);
+    note_ends(found.window, exact, in_double);
     const bool known = std::ranges::any_of(found.window.ends, &Window::End::hit);
-    if (!known) found.skipped = found.window.impacts.empty() ? "no hit" : "not claimed";
+    if (!known) found.skipped = found.window.impacts.empty() ? "no hit" : "past the horizon";
     return found;
 }
 
@@ -131,7 +140,7 @@ State crowd(const Variant& variant, const std::shared_ptr<const Scene>& scene, c
 
 /// Adds the windows of one trajectory until the block is full.
 void follow(const BlockPlan& plan, const std::shared_ptr<const Scene>& scene, const Truth& truth, Dice& dice,
-            World& exact, Block& block, const std::function<void()>& watch) {
+            const Reference& reference, Block& block, const std::function<void()>& watch) {
     Script script = trajectory_script(plan.variant, *scene, dice);
     const std::vector<double> times = moments(plan.variant, dice);
     Session session(scene, *truth.engine, truth.trajectory);
@@ -160,7 +169,7 @@ void follow(const BlockPlan& plan, const std::shared_ptr<const Scene>& scene, co
             ++block.skipped["another number of balls"];
             continue;
         }
-        Found found = look(state, seconds, exact);
+        Found found = look(state, seconds, *reference.exact, *reference.in_double);
         if (found.skipped.empty())
             block.windows.push_back(std::move(found.window));
         else
@@ -183,10 +192,11 @@ Block make_block(const BlockPlan& plan, const std::shared_ptr<const Scene>& scen
                  const std::function<void()>& watch) {
     Dice dice(seed_of(plan));
     Block block;
-    const auto exact = truth.engine->make(scene, truth.window);
+    const Reference reference{truth.engine->make(scene, truth.window),
+                              truth.engine->make(scene, truth.trajectory)};
     while (block.windows.size() < plan.size && block.trajectories < most_trajectories) {
         ++block.trajectories;
-        follow(plan, scene, truth, dice, *exact, block, watch);
+        follow(plan, scene, truth, dice, reference, block, watch);
     }
     return block;
 }

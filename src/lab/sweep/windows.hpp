@@ -4,8 +4,11 @@
 /// hit multiplies an error by a large factor, so only short runs can say how good an engine is; and far
 /// past its horizon a trajectory is still a fair source of states, though no longer the scene's own.
 ///
-/// The outcome is the reference's at its highest precision, and only balls count whose position it claims
-/// to `claim_radii`: many more digits than double precision leaves any other engine.
+/// The outcome is the reference's at 113 bits, and only balls count
+///   - whose position it claims, against 226 bits, to `claim_radii`: more digits than a double holds, and
+///   - which its run in double precision knows to `horizon_radii`. Past that horizon rounding alone decides
+///     (a ball that rolls over an edge turns 1e-16 into 1e-8), so no engine that computes in double could do
+///     better, and the window would tell nothing of the engine.
 
 #include <filesystem>
 #include <functional>
@@ -18,7 +21,7 @@
 
 namespace flipside::lab::sweep {
 
-inline constexpr double claim_radii = 1e-13;
+inline constexpr double claim_radii = 1e-13, horizon_radii = 1e-10;
 
 struct Window {
     /// A ball whose end is known.
@@ -42,7 +45,7 @@ struct Block {
     std::size_t trajectories = 0;
 };
 
-/// The engine that knows: quick settings for the trajectories that states are taken from, the highest
+/// The engine that knows: in double precision for the trajectories that states are taken from, at its highest
 /// precision for what happens in a window.
 struct Truth {
     const Engine* engine;
