@@ -83,6 +83,15 @@ void TouchList::begin() {
     narrow_tests_ = 0;
 }
 
+void TouchList::clear() {
+    before_.clear();
+    now_.clear();
+    sensed_before_.clear();
+    sensed_.clear();
+    pairs_.clear();
+    narrow_tests_ = 0;
+}
+
 void TouchList::refresh(const Layout& layout, const Table& table, std::span<const Ball> balls,
                         BroadPhase& broad, NearList& near, bool everything) {
     begin();

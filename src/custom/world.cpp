@@ -61,23 +61,40 @@ void CustomWorld::step(double dt) {
     else
         discrete_.step(table_, balls_, dt, *broad_, record_);
 
-    const auto start = std::chrono::steady_clock::now();
     table_.advance(dt);
-    if (continuous) {
-        touches_.refresh(layout_, table_, balls_, continuous_.near_pairs());
-    } else {
-        lose_balls();
-        touches_.refresh(layout_, table_, balls_, *broad_, discrete_.near(), false);
-    }
-    touches_.report_touches(time(), record_.events);
-    if (!continuous) touches_.report_sensors(time(), record_.crossed, record_.events);
+    if (continuous)
+        report_continuous();
+    else
+        report_discrete();
     if (settings_.sleep) sleep_.settle(balls_, contacts(), dt);
+    fill_statistics(box_tests() - tests_before);
+}
+
+void CustomWorld::report_continuous() {
+    if (continuous_.quiet() && contacts().empty()) {
+        touches_.clear();
+        return;
+    }
+    touches_.refresh(layout_, table_, balls_, continuous_.near_pairs());
+    touches_.report_touches(time(), record_.events);
+    sort_events();
+}
+
+void CustomWorld::report_discrete() {
+    const auto start = std::chrono::steady_clock::now();
+    lose_balls();
+    touches_.refresh(layout_, table_, balls_, *broad_, discrete_.near(), false);
+    touches_.report_touches(time(), record_.events);
+    touches_.report_sensors(time(), record_.crossed, record_.events);
+    sort_events();
+    record_.report_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void CustomWorld::sort_events() {
     std::ranges::sort(record_.events, [](const Event& a, const Event& b) {
         return std::tie(a.time, a.kind, a.ball, a.other, a.speed, a.impulse) <
                std::tie(b.time, b.kind, b.ball, b.other, b.speed, b.impulse);
     });
-    record_.report_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    fill_statistics(box_tests() - tests_before);
 }
 
 std::uint64_t CustomWorld::box_tests() const {
@@ -119,14 +136,19 @@ void CustomWorld::fill_statistics(std::uint64_t pair_tests) {
     statistics.asleep = static_cast<std::uint64_t>(std::ranges::count_if(balls_, &Ball::asleep));
     for (const Contact& contact : contacts())
         statistics.max_penetration = std::max(statistics.max_penetration, -contact.separation);
+    if (steps_continuously()) {
+        // Every ball keeps its own list of what is near; nothing is sought for all of them. There are no
+        // stages, and a step takes less time than reading the clock a few times.
+        statistics.solver = "continuous";
+        statistics.broad_phase.name = "list per ball";
+        return;
+    }
+    statistics.solver = "discrete";
+    statistics.broad_phase = broad_->facts();
     statistics.stages[0] = {"broad phase", record_.broad_seconds};
     statistics.stages[1] = {"flight", record_.flight_seconds};
     statistics.stages[2] = {"contact", record_.contact_seconds};
     statistics.stages[3] = {"report", record_.report_seconds};
-    // Event by event, every ball keeps its own list of what is near; nothing is sought for all of them.
-    const bool continuous = steps_continuously();
-    statistics.solver = continuous ? "continuous" : "discrete";
-    statistics.broad_phase = continuous ? BroadPhaseFacts{.name = "list per ball"} : broad_->facts();
 }
 
 void CustomWorld::wake_all() {

@@ -35,6 +35,9 @@ class CustomWorld final : public World {
     void launch();
     void make_room();
     void lose_balls();
+    void report_continuous();
+    void report_discrete();
+    void sort_events();
     void wake_all();
     void fill_statistics(std::uint64_t pair_tests);
     void inspect_boxes(Inspector& inspector) const;

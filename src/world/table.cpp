@@ -12,19 +12,25 @@ const shape::Flipper& flipper_of(const Part& part) {
     return std::get<shape::Flipper>(part.shape.is);
 }
 
-Vec2 pivot_of(const Part& part) {
-    if (const auto* turn = std::get_if<motion::Turn>(&part.motion)) return turn->pivot;
-    if (std::holds_alternative<motion::Flip>(part.motion)) return flipper_of(part).pivot;
-    return {};
-}
+constexpr std::uint32_t nothing = ~0U;
 
 }  // namespace
 
 Table::Table(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {
     state_.next_number = static_cast<BallNumber>(scene_->balls.size());
     state_.parts.resize(scene_->parts.size());
-    for (PartIndex i = 0; i < scene_->parts.size(); ++i)
-        if (moves(scene_->parts[i])) moving_.push_back(i);
+    drive_of_.assign(scene_->parts.size(), nothing);
+    for (PartIndex i = 0; i < scene_->parts.size(); ++i) {
+        const Part& part = scene_->parts[i];
+        if (!moves(part)) continue;
+        drive_of_[i] = static_cast<std::uint32_t>(moving_.size());
+        moving_.push_back(i);
+        if (const auto* turn = std::get_if<motion::Turn>(&part.motion))
+            drives_.push_back({turn->pivot, false, turn->always, 0, 0, turn->rate, 0});
+        else if (const auto* flip = std::get_if<motion::Flip>(&part.motion))
+            drives_.push_back({flipper_of(part).pivot, true, false, static_cast<int>(flip->side),
+                               flip->raised - flipper_of(part).rest, flip->up_rate, flip->down_rate});
+    }
 }
 
 void Table::apply(const Control& control) {
@@ -47,27 +53,25 @@ void Table::apply(const Control& control) {
 }
 
 Table::Turning Table::turning(PartIndex index, double ahead) const {
-    const Part& part = scene_->parts[index];
     const double angle = state_.parts[index].angle;
-    if (const auto* turn = std::get_if<motion::Turn>(&part.motion)) {
-        const double rate = turn->always || state_.rotating ? turn->rate : 0;
+    if (drive_of_[index] == nothing) return {angle, 0, never};
+    const Drive& drive = drives_[drive_of_[index]];
+    if (!drive.flips) {
+        const double rate = drive.always || state_.rotating ? drive.rate : 0;
         return {angle + rate * ahead, rate, never};
     }
-    if (const auto* flip = std::get_if<motion::Flip>(&part.motion)) {
-        const bool up = state_.raised[static_cast<int>(flip->side)];
-        const double full = flip->raised - flipper_of(part).rest;
-        const double goal = up ? full : 0;
-        const double speed = up ? flip->up_rate : flip->down_rate;
-        const double until_stop = std::abs(goal - angle) / speed;
-        if (ahead >= until_stop) return {goal, 0, never};
-        const double rate = goal > angle ? speed : -speed;
-        return {angle + rate * ahead, rate, until_stop - ahead};
-    }
-    return {angle, 0, never};
+    const bool up = state_.raised[drive.side];
+    const double goal = up ? drive.full : 0;
+    const double speed = up ? drive.rate : drive.down_rate;
+    const double until_stop = std::abs(goal - angle) / speed;
+    if (ahead >= until_stop) return {goal, 0, never};
+    const double rate = goal > angle ? speed : -speed;
+    return {angle + rate * ahead, rate, until_stop - ahead};
 }
 
 Pose Table::pose(PartIndex part, double ahead) const {
-    return {pivot_of(scene_->parts[part]), turning(part, ahead).angle};
+    const Vec2 pivot = drive_of_[part] == nothing ? Vec2{} : drives_[drive_of_[part]].pivot;
+    return {pivot, turning(part, ahead).angle};
 }
 
 double Table::rate(PartIndex part, double ahead) const {

@@ -73,9 +73,21 @@ class Table {
     };
     [[nodiscard]] Turning turning(PartIndex index, double ahead) const;
 
+    /// What moves a part, taken out of the scene: it is asked for many times a step.
+    struct Drive {
+        Vec2 pivot;
+        bool flips = false;
+        bool always = false;             ///< turns even while rotate is off
+        int side = 0;                    ///< of a flipper, Side
+        double full = 0;                 ///< rad from rest to raised
+        double rate = 0, down_rate = 0;  ///< rad/s; of a flipper up and down
+    };
+
     std::shared_ptr<const Scene> scene_;
     std::vector<PartIndex> moving_;
-    State state_;  ///< without balls
+    std::vector<Drive> drives_;            ///< of moving_
+    std::vector<std::uint32_t> drive_of_;  ///< per part, into drives_; nothing for what is still
+    State state_;                          ///< without balls
 };
 
 }  // namespace flipside

@@ -27,8 +27,7 @@ double unending_hop(const Feature& feature, double force, double rounding, doubl
 
 /// Whether the feature lets the ball through now.
 bool ContinuousSolver::ignores(const Feature& feature, const Ball& ball) const {
-    const Part& part = scene_.parts[feature.part];
-    return part.sensor || table_->parts()[feature.part].down || !layers_meet(ball, part);
+    return feature.sensor || table_->parts()[feature.part].down || !layers_meet(ball, feature);
 }
 
 /// Finds the path of a ball from where it is: along what it rests on, or free.
@@ -86,7 +85,7 @@ void ContinuousSolver::find_grips(Place i, double time) {
         if (!sight.facing || gap > grip_gap * ball.radius + gap_rounding(ball.position, ball.radius))
             continue;
         const Vec2 normal = pose.angle == 0 ? sight.normal : rotated(sight.normal, pose.angle);
-        if (const shape::Gate* gate = gate_of(scene_.parts[feature.part]))
+        if (const shape::Gate* gate = feature.gate ? gate_of(scene_.parts[feature.part]) : nullptr)
             if (table_->parts()[feature.part].open || dot(sight.normal, gate->normal) < 0) continue;
         Hold hold = hold_at(feature, turning, ball, normal, time, drive_);
         const Mixed mixed = layout_.mixed(ball.material, scene_.parts[feature.part].material);
@@ -180,10 +179,9 @@ void ContinuousSolver::predict_features(Place i, double time) {
     for (const FeatureIndex f : mover.near.list()) {
         if (!overlap(mover.box, ranges_[f])) continue;
         const Feature& feature = features_[f];
-        const Part& part = scene_.parts[feature.part];
-        if (!pieces_[feature.part].empty() && inside(ball.number, feature.part)) continue;
-        if (part.sensor) {
-            if (feature.part == sensed || !layers_meet(ball, part)) continue;
+        if ((feature.sensor || feature.gate) && inside(ball.number, feature.part)) continue;
+        if (feature.sensor) {
+            if (feature.part == sensed || !layers_meet(ball, feature)) continue;
             sensed = feature.part;
             offer(mover, sense_time(sensed, ball, path, time, false), Next::sense, sensed);
             continue;

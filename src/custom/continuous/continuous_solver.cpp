@@ -90,10 +90,10 @@ void ContinuousSolver::begin() {
     const std::vector<Ball>& balls = *balls_;
     if (stretch_.time != dt_) stretch_ = Stretch(drive_.drag, dt_);
     for (const PartIndex i : table_->moving_parts()) {
-        const double stop = table_->until_stop(i);
         const Pose pose = table_->pose(i);
-        turnings_[i] = {pose, table_->rate(i), stop,
-                        std::isfinite(stop) ? table_->pose(i, stop).angle : pose.angle};
+        const double stop = table_->until_stop(i);
+        const double end = std::isfinite(stop) ? table_->pose(i, stop).angle : pose.angle;
+        turnings_[i] = {pose, table_->rate(i), stop, end};
     }
     if (pool_.size() < balls.size()) reserve(balls.size());
     movers_ = std::span(pool_).first(balls.size());
@@ -299,8 +299,7 @@ void ContinuousSolver::find_pairs() {
         if (active && !ball.asleep) {
             record_->statistics.pair_tests += movers_[i].near.cover(box, ranges_);
             for (const FeatureIndex f : movers_[i].near.list()) {
-                if (!overlap(box, ranges_[f]) || !layers_meet(ball, scene_.parts[features_[f].part]))
-                    continue;
+                if (!overlap(box, ranges_[f]) || !layers_meet(ball, features_[f])) continue;
                 // The box of an arc is mostly empty.
                 if (std::holds_alternative<Bow>(features_[f].is) &&
                     look(features_[f], table_->pose(features_[f].part, dt_).undo(ball.position), ball.radius)

@@ -31,6 +31,8 @@ class ContinuousSolver {
     /// removed (or kept and noted as reported).
     void step(Table& table, std::vector<Ball>& balls, double dt, BroadPhase& broad, StepRecord& record);
 
+    /// Whether nothing happened in the last step: all balls flew free or slept on.
+    [[nodiscard]] bool quiet() const { return !any_active_; }
     /// Pairs of pieces and awake balls that are near each other after a step, as a broad phase gives them.
     [[nodiscard]] std::span<const Pair> near_pairs() const { return pairs_; }
     /// Makes room for so many balls.
@@ -42,15 +44,19 @@ class ContinuousSolver {
     enum class Next : std::uint8_t { nothing, feature, ball, look_again, sense, leave_bounds };
     using Place = std::uint32_t;  ///< of a ball in the list
 
-    /// What the solver knows of a ball beside the Ball itself.
+    /// What the solver knows of a ball beside the Ball itself. What every step looks at comes first.
     struct Mover {
         BallNumber number = 0;
-        Candidates near;
-        HeldPath way;                   ///< from its last event on
-        Box box;                        ///< of that path until the end of the step
-        const Feature* held = nullptr;  ///< what it rests on
-        const Feature* left = nullptr;  ///< what it just let go
-        std::uint32_t changes = 0;      ///< of its path
+        bool active = false;  ///< takes part in this step: has a path that may meet something
+        bool clear = false;   ///< touches nothing when the step begins
+        bool lies = false;    ///< asleep where nothing turns
+        bool handed_over = false;
+        bool lost = false;
+        /// s, from the end of the last step on: flies free, if it is still there and so fast.
+        double free = 0;
+        Vec2 left_at, left_with;
+
+        std::uint32_t changes = 0;  ///< of its path
         std::uint32_t predictions = 0;
         Next next = Next::nothing;
         double next_time = 0;
@@ -58,14 +64,11 @@ class ContinuousSolver {
         std::uint32_t met_changes = 0;  ///< the other ball's, when this was predicted
         double last_time = -1;          ///< of its last event
         int stalled = 0;                ///< events at that very time
-        bool active = false;            ///< takes part in this step: has a path that may meet something
-        bool clear = false;             ///< touches nothing when the step begins
-        bool lies = false;              ///< asleep where nothing turns
-        bool handed_over = false;
-        bool lost = false;
-        /// s, from the end of the last step on: flies free, if it is still there and so fast.
-        double free = 0;
-        Vec2 left_at, left_with;
+        const Feature* held = nullptr;  ///< what it rests on
+        const Feature* left = nullptr;  ///< what it just let go
+        Box box;                        ///< of its path until the end of the step
+        Candidates near;
+        HeldPath way;  ///< from its last event on
     };
     /// What happens at the same time is taken in an order that does not depend on who predicted it.
     struct Entry {

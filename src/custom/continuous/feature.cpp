@@ -92,7 +92,11 @@ class Taker {
     }
 
   private:
-    void add(auto&& feature) { features_.push_back({feature, piece_, part_}); }
+    void add(auto&& feature) {
+        const Part& part = scene_.parts[part_];
+        features_.push_back(
+            {feature, piece_, part_, part.layer, part.collides_with, part.sensor, gate_of(part) != nullptr});
+    }
 
     static Line face(Vec2 a, Vec2 b) { return {a, unit(b - a), length(b - a), {}, {}}; }
 

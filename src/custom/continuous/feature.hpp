@@ -52,6 +52,10 @@ struct Feature {
     std::variant<Line, Bow, Round> is;
     std::uint32_t piece = 0;  ///< index into the pieces given
     PartIndex part = 0;
+    // Of the part, kept at hand.
+    std::uint32_t layer = 1, collides_with = ~0U;
+    bool sensor = false;
+    bool gate = false;
 };
 
 /// In the order of the pieces, so by part. Cost: linear (joints: n log n).
