@@ -5,16 +5,23 @@
 //   flipside_bench [--benchmark_filter=rain/1000]
 //
 // Counters: ours, box2d (ns per ball and step), ratio (box2d / ours); overlap_*: median over the contacts
-// at the end of steps, in radii; lost_*: balls; drift_*: relative change of energy (gas alone).
+// at the end of steps, in radii; lost_*: balls; drift_*: relative change of energy (gas alone). Of rain also
+// where ours spends its time, in parts of the sum (search, flight, contact, report) and what a bare loop
+// in single precision needs for the same balls (floor, lost_floor: bare_loop.hpp).
+// growth: ours per ball-step with that many balls against 1,000, over the same first half second.
 // Box2D runs with continuous collision between balls (its defaults: best error) and in rain also without
 // (its best speed there).
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 #include <benchmark/benchmark.h>
 
+#include "bare_loop.hpp"
 #include "lab/assets.hpp"
+#include "lab/cpu_clock.hpp"
 #include "lab/engines.hpp"
 #include "lab/session.hpp"
 #include "world/scene_file.hpp"
@@ -40,6 +47,7 @@ struct Runner {
     double first_energy;
     std::vector<double> overlaps;  ///< radii, of contacts at the end of steps
     std::uint64_t ball_steps = 0;
+    std::array<double, 4> stages{};  ///< s
 
     explicit Runner(lab::Session made)
         : session(std::move(made)), first_energy(lab::energy(session.world(), session.scene())) {}
@@ -47,6 +55,7 @@ struct Runner {
     void step(double dt) {
         session.step(dt);
         const World& world = session.world();
+        for (std::size_t i = 0; i < stages.size(); ++i) stages[i] += world.statistics().stages[i].seconds;
         ball_steps += world.balls().size();
         const double radius = world.balls().empty() ? 1 : world.balls().front().radius;
         for (const Contact& contact : world.contacts())
@@ -88,13 +97,47 @@ void race(benchmark::State& state, Runner& ours, Runner& theirs, double seconds,
     counters["drift_box2d"] = theirs.drift();
 }
 
+/// Parts of our time by stage, measured by the wall's clock.
+void tell_stages(benchmark::State& state, const std::array<double, 4>& seconds) {
+    constexpr const char* names[] = {"search", "flight", "contact", "report"};
+    const double sum = std::accumulate(seconds.begin(), seconds.end(), 0.0);
+    for (std::size_t i = 0; i < seconds.size(); ++i) state.counters[names[i]] = seconds[i] / sum;
+}
+
 void rain(benchmark::State& state, const char* bullets) {
     const auto balls = static_cast<int>(state.range(0));
     const auto scene = shared(load_scene(lab::scene_file("rain"), balls));
     Runner ours(session(scene, "custom")),
         theirs(session(scene, "box2d", {std::string("bullets=") + bullets}));
     // Box2D takes minutes per second of 100,000 balls: there a tenth of a second must do.
-    race(state, ours, theirs, balls > 10'000 ? 0.1 : 2, false);
+    const double seconds = balls > 10'000 ? 0.1 : 2;
+    race(state, ours, theirs, seconds, false);
+    tell_stages(state, ours.stages);
+
+    BareLoop floor(*scene);
+    const double start = lab::cpu_seconds();
+    const auto steps = static_cast<int>(std::lround(seconds * 60));
+    for (int i = 0; i < steps; ++i) floor.step(1.0F / 60);
+    state.counters["floor"] = 1e9 * (lab::cpu_seconds() - start) / steps / balls;
+    state.counters["lost_floor"] = static_cast<double>(floor.lost());
+}
+
+/// Nanoseconds per ball and step over half a second.
+double cost_of_rain(int balls) {
+    Runner ours(session(shared(load_scene(lab::scene_file("rain"), balls)), "custom"));
+    for (int i = 0; i < 30; ++i) ours.step(1.0 / 60);
+    return ours.nanoseconds();
+}
+
+void growth(benchmark::State& state) {
+    double few = 0, many = 0;
+    for (auto _ : state) {
+        few = cost_of_rain(1000);
+        many = cost_of_rain(static_cast<int>(state.range(0)));
+    }
+    state.counters["ours_1000"] = few;
+    state.counters["ours"] = many;
+    state.counters["ratio"] = many / few;
 }
 
 /// Balls of 27 mm let go over the middle of the pinball table.
@@ -153,6 +196,7 @@ BENCHMARK_CAPTURE(rain, plain, "off")
     ->Arg(100'000)
     ->Iterations(1)
     ->Unit(benchmark::kMillisecond);
+BENCHMARK(growth)->Arg(10'000)->Arg(100'000)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(pinball, discrete, "discrete")
     ->Arg(1)
     ->Arg(8)
