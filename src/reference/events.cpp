@@ -154,26 +154,41 @@ void Simulation<R>::hit_ball(Place i) {
     const V<R> between = a.body.position - b.body.position, normal = unit(between);
     const V<R> relative = a.body.velocity - b.body.velocity;
     const R closing = -dot(relative, normal);
-    bool happened = false;
+    using std::sqrt;
+    const R hop = sqrt(2 * epsilon<R>() * std::min(a.radius, b.radius) * length(drive_.gravity));
+    bool slow = true;
     if (closing > 4096 * epsilon<R>() * (length(a.body.velocity) + length(b.body.velocity))) {
         const Mixed& material = mixed_[a.ball.material * scene_->materials.size() + b.ball.material];
         const Impact<R> impact =
             respond(a.body, a.mass, b.body, b.mass, normal, material, scene_->rest_speed);
-        happened = impact.happened;
-        if (happened)
+        slow = !impact.happened || impact.speed <= hop;
+        if (impact.happened)
             report(EventKind::impact, a, Other::ball(b.ball.number), impact,
                    b.body.position + b.radius * normal, normal);
     }
     set_out(i);
     set_out(j);
-    if (!happened) refuse_piles(a, b);
+    if (slow) refuse_piles(a, b);
     predict(i);
     predict(j);
 }
 
-/// Balls that touch, do not move apart, and are driven together.
+/// Balls that touch, do not move apart, and are driven together; or that are so by a third, with which slow
+/// touches then alternate without end.
 template <class R>
-void Simulation<R>::refuse_piles(const Mover& a, const Mover& b) const {
+void Simulation<R>::refuse_piles(Mover& a, Mover& b) const {
+    constexpr double moment = 1e-4;  // s
+    constexpr int most = 60;
+    const auto refuse = [&] {
+        throw Refusal("reference: balls " + std::to_string(a.ball.number) + " and " +
+                      std::to_string(b.ball.number) + " press on each other" + at_time(now_) +
+                      ": a pile has no order of impacts");
+    };
+    if (now_ - a.pressed_since > moment) {
+        a.pressed_since = now_;
+        a.pressed = 0;
+    }
+    if (++a.pressed > most) refuse();
     const V<R> between = a.body.position - b.body.position, normal = unit(between);
     const V<R> relative = a.path.velocity - b.path.velocity;
     const R apart = dot(relative, normal), across = dot(relative, perp(normal));
@@ -183,9 +198,7 @@ void Simulation<R>::refuse_piles(const Mover& a, const Mover& b) const {
         dot(a.path.begins_with() - b.path.begins_with(), normal) + across * across / (a.radius + b.radius);
     const R scale = length(drive_.gravity) + length(a.path.begins_with()) + length(b.path.begins_with());
     if (pulled >= -4096 * epsilon<R>() * scale) return;
-    throw Refusal("reference: balls " + std::to_string(a.ball.number) + " and " +
-                  std::to_string(b.ball.number) + " press on each other" + at_time(now_) +
-                  ": a pile has no order of impacts");
+    refuse();
 }
 
 /// A ball enters or leaves a sensor, or leaves a gate.

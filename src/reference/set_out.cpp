@@ -31,6 +31,20 @@ Sight<R> Simulation<R>::sight(FeatureIndex f, const V<R>& position, const R& rad
     return seen;
 }
 
+/// Outlines have no inside, so a centre may not begin within a polygon or a taper.
+template <class R>
+void Simulation<R>::refuse_inside(const Mover& mover) const {
+    for (const Piece& piece : pieces_) {
+        const bool solid = std::holds_alternative<piece::Polygon>(piece.is) ||
+                           std::holds_alternative<piece::Taper>(piece.is);
+        if (!solid || scene_->parts[piece.part].sensor || ignores(piece.part, mover)) continue;
+        const auto regions = regions_of<R>({piece}, piece.part);
+        if (!inside(regions, view(mover, piece.part), R(mover.radius * epsilon<R>()), now_)) continue;
+        throw Refusal("reference: ball " + std::to_string(mover.ball.number) + " begins inside " +
+                      scene_->parts[piece.part].name + at_time(now_));
+    }
+}
+
 /// Moves a ball that begins inside a part, or across a line, out of it: the deepest overlap first.
 template <class R>
 void Simulation<R>::come_out(Mover& mover) {
@@ -176,9 +190,10 @@ void Simulation<R>::set_out(Place i) {
                   at_time(now_) + ", and not at rest: no closed motion for that");
 }
 
-#define FLIPSIDE_SET_OUT(R)                        \
-    template void Simulation<R>::set_out(Place);   \
-    template void Simulation<R>::come_out(Mover&); \
+#define FLIPSIDE_SET_OUT(R)                                         \
+    template void Simulation<R>::set_out(Place);                    \
+    template void Simulation<R>::come_out(Mover&);                  \
+    template void Simulation<R>::refuse_inside(const Mover&) const; \
     template Sight<R> Simulation<R>::sight(FeatureIndex, const V<R>&, const R&) const;
 FLIPSIDE_SET_OUT(double)
 FLIPSIDE_SET_OUT(Real113)

@@ -69,6 +69,7 @@ void Simulation<R>::load(const State& state) {
     for (const Ball& ball : state.balls) join(ball);
     rebuild_cells();
     for (Mover& mover : movers_) {
+        refuse_inside(mover);
         come_out(mover);
         begin_inside(mover);
     }
@@ -252,6 +253,7 @@ void Simulation<R>::add(const Ball& ball) {
     }
     movers_[i].cell = cells_.at(ball.position);
     cells_.link(i, movers_[i].cell);
+    refuse_inside(movers_[i]);
     refresh(i);
     predict(i);
 }
@@ -329,6 +331,7 @@ void Simulation<R>::set_clock_back() {
         mover.until -= now_;
         mover.next_time -= now_;
         mover.busy_since -= now_;
+        mover.pressed_since -= now_;
     }
     for (PartNow& part : parts_) {
         part.turning.since -= now_;

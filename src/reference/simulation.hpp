@@ -74,6 +74,8 @@ class Simulation final : public Exact {
         std::uint32_t met_changes = 0;  ///< the other ball's when this was predicted
         R busy_since{};                 ///< events pile up since then
         int busy = 0;
+        R pressed_since{};  ///< slow touches of other balls pile up since then
+        int pressed = 0;
     };
     struct PartNow {
         Turning<R> turning;
@@ -143,7 +145,8 @@ class Simulation final : public Exact {
     void hit_feature(Place i);
     void pass_gate(Place i, PartIndex part);
     void hit_ball(Place i);
-    void refuse_piles(const Mover& a, const Mover& b) const;
+    void refuse_piles(Mover& a, Mover& b) const;
+    void refuse_inside(const Mover& mover) const;
     void cross_cell(Place i);
     void sense(Place i);
     void lose(Place i);

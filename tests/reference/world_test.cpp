@@ -1,0 +1,133 @@
+// The exact engine as a World: many balls, precision and what it claims, refusals, states.
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "reference/support.hpp"
+#include "world/refusal.hpp"
+#include "world/scene_file.hpp"
+
+namespace flipside::reference::test {
+namespace {
+
+/// Eleven balls of different masses in a box, and a turning bar.
+Scene gas() {
+    Scene scene = empty_scene({0, -1});
+    scene.rest_speed = 0;
+    add_part(scene, {shape::Polyline{{{0, 0}, {4, 0}, {4, 3}, {0, 3}}, true}});
+    Part& bar = add_part(scene, segment({1.5, 1.5}, {2.5, 1.5}));
+    bar.motion = motion::Turn{{2, 1.5}, 1.5, true};
+    for (int i = 0; i < 11; ++i)
+        add_ball(scene, {0.4 + 0.3 * i, i % 2 == 0 ? 0.4 : 2.5}, {std::sin(3.0 * i), std::cos(5.0 * i)}, 0.1,
+                 1 + i % 3);
+    return scene;
+}
+
+TEST(ReferenceWorld, TheStepChangesNothingButRounding) {
+    const auto coarse = make_world(gas()), fine = make_world(gas());
+    run(*coarse, 2, 1.0 / 4);
+    run(*fine, 2, 1.0 / 256);
+    for (std::size_t i = 0; i < coarse->balls().size(); ++i)
+        EXPECT_LT(length(coarse->balls()[i].position - fine->balls()[i].position), 1e-10);
+}
+
+TEST(ReferenceWorld, ElasticBallsKeepTheirEnergyAmongStillWalls) {
+    Scene scene = gas();
+    scene.parts.pop_back();
+    const auto world = make_world(scene);
+    const auto energy = [&] {
+        double sum = 0;
+        for (const Ball& ball : world->balls())
+            sum += ball.mass * (length_squared(ball.velocity) / 2 + ball.position.y);
+        return sum;
+    };
+    const double before = energy();
+    run(*world, 20);
+    EXPECT_NEAR(energy(), before, 1e-12 * before);
+}
+
+TEST(ReferenceWorld, ClaimsOnlyTheDigitsThatHold) {
+    const auto claimed = make_world(gas(), {{"twin", "on"}}),
+               truth = make_world(gas(), {{"precision", "113"}});
+    EXPECT_EQ(claimed->uncertainty().size(), claimed->balls().size());
+    bool some = false;
+    for (int i = 0; i < 40; ++i) {
+        claimed->step(1.0 / 10);
+        truth->step(1.0 / 10);
+        for (std::size_t k = 0; k < claimed->balls().size(); ++k) {
+            const double error = length(claimed->balls()[k].position - truth->balls()[k].position);
+            EXPECT_LE(error, claimed->uncertainty()[k] + 1e-15);
+            some = some || claimed->uncertainty()[k] < 1e-12;
+        }
+    }
+    EXPECT_TRUE(some);
+    EXPECT_TRUE(make_world(gas())->uncertainty().empty());
+}
+
+TEST(ReferenceWorld, PilesAreRefusedAndTheWorldStaysReadable) {
+    Scene scene = empty_scene({0, -9.81});
+    scene.materials[0].restitution = 0.5;
+    add_part(scene, segment({-1, 0}, {1, 0}), {"", 0.5, 0, 0});
+    add_ball(scene, {0, 0.1});
+    add_ball(scene, {0, 0.4});
+    const auto world = make_world(scene);
+    std::string why;
+    for (int i = 0; i < 600 && why.empty(); ++i) {
+        const double before = world->time();
+        try {
+            world->step(1.0 / 60);
+        } catch (const Refusal& refusal) {
+            why = refusal.what();
+            EXPECT_EQ(world->time(), before);
+        }
+    }
+    EXPECT_NE(why.find("ball"), std::string::npos) << why;
+    EXPECT_NE(why.find(" s"), std::string::npos) << why;
+    EXPECT_THROW(world->step(1.0 / 60), Refusal);
+    State state = world->save();
+    EXPECT_EQ(state.balls.size(), 2U);
+    state.balls.pop_back();
+    world->restore(state);
+    EXPECT_NO_THROW(run(*world, 1));
+}
+
+TEST(ReferenceWorld, GoesOnFromAState) {
+    const auto whole = make_world(gas()), begun = make_world(gas()), rest = make_world(gas());
+    run(*whole, 2);
+    run(*begun, 1);
+    rest->restore(begun->save());
+    run(*rest, 1);
+    EXPECT_EQ(rest->time(), whole->time());
+    for (std::size_t i = 0; i < whole->balls().size(); ++i)
+        EXPECT_LT(length(whole->balls()[i].position - rest->balls()[i].position), 1e-9);
+}
+
+TEST(ReferenceWorld, TheSameRunGivesTheSameBits) {
+    const auto one = make_world(gas()), other = make_world(gas());
+    run(*one, 3);
+    run(*other, 3);
+    EXPECT_TRUE(std::ranges::equal(one->balls(), other->balls()));
+}
+
+TEST(ReferenceWorld, PinballAgreesWithAHundredBitsForTheDigitsItClaims) {
+    const Scene scene = load_scene(std::string(FLIPSIDE_SOURCE_DIR) + "/assets/scenes/pinball.json");
+    const auto claimed = make_world(scene, {{"twin", "on"}}),
+               truth = make_world(scene, {{"precision", "113"}});
+    for (World* world : {claimed.get(), truth.get()}) world->apply(control::Launch{0.8, 1, 1});
+    double worst = 0;
+    for (int i = 0; i < 150; ++i) {
+        claimed->step(1.0 / 60);
+        truth->step(1.0 / 60);
+        ASSERT_EQ(claimed->balls().size(), 1U);
+        const double error = length(claimed->balls()[0].position - truth->balls()[0].position);
+        worst = std::max(worst, claimed->uncertainty()[0]);
+        ASSERT_LE(error, claimed->uncertainty()[0] + 1e-16);
+    }
+    std::printf("pinball, 2.5 s: uncertainty at most %.2g m\n", worst);
+    EXPECT_LT(worst, 1e-5);
+}
+
+}  // namespace
+}  // namespace flipside::reference::test
