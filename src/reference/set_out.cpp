@@ -101,8 +101,12 @@ bool Simulation<R>::take_one(Mover& mover) {
         if (!(grip.force > none)) continue;
         const Rubbing<R> rub = rubbing_of(grip, mover.body);
         const V<R> added = grip.force * grip.normal + rub.force * grip.tangent;
+        const R slow = rounding_speed(length(mover.body.velocity));
         const bool keeps_off = std::ranges::all_of(touching_, [&](const Touching& other) {
-            return &other == &one || dot(added, other.grip.normal) - other.grip.force >= -none;
+            if (&other == &one) return true;
+            const R cosine = dot(grip.normal, other.grip.normal);
+            return dot(added, other.grip.normal) - other.grip.force >= -none &&
+                   other.grip.parting - grip.parting * cosine >= -slow;
         });
         if (!keeps_off) continue;
         const Ride<R> found = ride(grip, rub, mover.body, now_, R(now_ + 1), drive_);
@@ -174,12 +178,17 @@ void Simulation<R>::set_out(Place i) {
     find_touching(mover);
     mover.left = nothing;
     const R scale = length(drive_.gravity);
-    const bool pressed = std::ranges::any_of(touching_, [&](const Touching& one) {
-        const Grip<R>& grip = one.grip;
-        return grip.force > no_pull<R>() * (scale + magnitude(grip.force) + magnitude(grip.driven));
-    });
-    if (!pressed || take_one(mover)) return;
+    const auto is_pressed = [&] {
+        return std::ranges::any_of(touching_, [&](const Touching& one) {
+            const Grip<R>& grip = one.grip;
+            return grip.force > no_pull<R>() * (scale + magnitude(grip.force) + magnitude(grip.driven));
+        });
+    };
+    if (!is_pressed() || take_one(mover)) return;
     const R speed = length(mover.body.velocity);
+    // What it moves off by ever so little need not hold it.
+    const auto recedes = [&](const Touching& one) { return one.grip.parting > rounding_speed(speed); };
+    if (std::erase_if(touching_, recedes) > 0 && (!is_pressed() || take_one(mover))) return;
     using std::sqrt;
     const R slow = 65536 * sqrt(epsilon<R>() * mover.radius * scale);
     if (speed <= slow && take_two(mover)) return;

@@ -8,34 +8,34 @@ namespace flipside::reference {
 
 namespace {
 
-/// By how much a point is within one end of a face, `past` the far one; below 0: it is beyond. With the rate.
+/// By how much a point is within each end of a face, below 0: it is past it; and the rates of that.
 template <class R>
-Value<R> within_end(const Line<R>& line, const Motion<R>& m, const R& radius, bool past) {
+struct Ends {
+    Value<R> first, last;
+};
+template <class R>
+Ends<R> within_ends(const Line<R>& line, const Motion<R>& m, const R& radius) {
     const R s = dot(m.position - line.start, line.along), slope = dot(m.velocity, line.along);
-    if (past) return {line.length + line.past.of(radius) - s, -slope};
-    return {s + line.before.of(radius), slope};
+    return {{s + line.before.of(radius), slope}, {line.length + line.past.of(radius) - s, -slope}};
 }
-/// By how much it is within both ends.
+template <class R>
+Ends<R> within_ends(const Curve<R>& curve, const Motion<R>& m, const R& radius) {
+    const V<R> out = m.position - curve.center;
+    return {{cross(curve.from, out) + curve.before.of(radius), cross(curve.from, m.velocity)},
+            {cross(out, curve.to) + curve.past.of(radius), cross(m.velocity, curve.to)}};
+}
+
+/// Within both ends; on an arc of more than half a turn, within either.
 template <class R>
 Value<R> within(const Line<R>& line, const Motion<R>& m, const R& radius) {
-    const Value<R> a = within_end(line, m, radius, false), b = within_end(line, m, radius, true);
-    return a.value < b.value ? a : b;
+    const Ends<R> ends = within_ends(line, m, radius);
+    return ends.first.value < ends.last.value ? ends.first : ends.last;
 }
 template <class R>
 Value<R> within(const Curve<R>& curve, const Motion<R>& m, const R& radius) {
     if (curve.full) return {R(1), R(0)};
-    const V<R> out = m.position - curve.center;
-    const Value<R> a{cross(curve.from, out) + curve.before.of(radius), cross(curve.from, m.velocity)};
-    const Value<R> b{cross(out, curve.to) + curve.past.of(radius), cross(m.velocity, curve.to)};
-    return (a.value < b.value) != curve.wide ? a : b;
-}
-/// Of a wide curve, which one leaves only where it is beyond both ends: within both.
-template <class R>
-Value<R> within_end(const Curve<R>& curve, const Motion<R>& m, const R& radius, bool past) {
-    if (curve.full || curve.wide) return within(curve, m, radius);
-    const V<R> out = m.position - curve.center;
-    if (past) return {cross(out, curve.to) + curve.past.of(radius), cross(m.velocity, curve.to)};
-    return {cross(curve.from, out) + curve.before.of(radius), cross(curve.from, m.velocity)};
+    const Ends<R> ends = within_ends(curve, m, radius);
+    return (ends.first.value < ends.last.value) != curve.wide ? ends.first : ends.last;
 }
 
 /// One side of a line: `sign` +1 on the left of it.
@@ -294,21 +294,23 @@ template <class R>
 R leaves_face(const Feature<R>& feature, const View<R>& view, const R& radius, const R& from,
               const R& until) {
     if (!(until >= from)) return infinity<R>();
-    const Bounds<R> bounds = view.bounds(from, until);
-    const Smallest<R> smallest{rounding_speed(bounds.speed), 16 * epsilon<R>() * radius};
-    // The nearer end changes half way, and there the slope jumps down: each end is watched by itself. Of a
-    // curve that is past neither end before it is past both, it jumps up, which can only be later.
-    R first = infinity<R>();
-    for (const bool past : {false, true}) {
-        const auto beyond = [&](const R& t) {
-            const Motion<R> m = view.at(t);
-            return std::visit([&](const auto& shape) { return within_end(shape, m, radius, past); },
-                              feature.is);
-        };
-        const R last = first < until ? first : until;
-        first = std::min(first, first_fall(beyond, from, last, bounds.acceleration, smallest));
-    }
-    return first;
+    const R bound = view.bounds(from, until).acceleration;
+    const Smallest<R> smallest{rounding_speed(view.bounds(from, until).speed), 16 * epsilon<R>() * radius};
+    return std::visit(
+        [&](const auto& shape) {
+            if constexpr (requires { shape.wide; }) {
+                if (shape.full) return infinity<R>();
+                if (shape.wide)
+                    return first_fall([&](const R& t) { return within(shape, view.at(t), radius); }, from,
+                                      until, bound, smallest);
+            }
+            // Each end by itself: the nearer of the two is no smooth function.
+            const auto first = [&](const R& t) { return within_ends(shape, view.at(t), radius).first; };
+            const auto last = [&](const R& t) { return within_ends(shape, view.at(t), radius).last; };
+            return std::min(first_fall(first, from, until, bound, smallest),
+                            first_fall(last, from, until, bound, smallest));
+        },
+        feature.is);
 }
 
 #define FLIPSIDE_TOUCHES(R)                                                                                  \
