@@ -39,12 +39,24 @@ void Simulation<R>::predict(Place i) {
     std::push_heap(queue_.begin(), queue_.end());
 }
 
+/// Whether the ball comes to this feature only by sliding to the end of what holds it. That is no touch, but
+/// rounding would make one of it.
+template <class R>
+bool Simulation<R>::slides_to(const Mover& mover, FeatureIndex f) const {
+    const FeatureIndex on = mover.held[0];
+    if (on == nothing || mover.held[1] != nothing) return false;
+    const PartIndex part = features_[f].part, own = features_[on].part;
+    if (part != own && (turning(part) != nullptr || turning(own) != nullptr)) return false;
+    return ends_in(shape(on), shape(f), mover.held_normal, mover.radius);
+}
+
 template <class R>
 void Simulation<R>::predict_features(Mover& mover) {
     for (const FeatureIndex f : cells_.features(mover.cell)) {
         ++counts_.pair_tests;
         const PartIndex part = features_[f].part;
         if (f == mover.held[0] || f == mover.held[1] || ignores(part, mover)) continue;
+        if (slides_to(mover, f)) continue;
         ++counts_.narrow_tests;
         const R last = std::min(mover.next_time, parts_[part].turning.stop);
         const View<R> seen{mover.path, turning(part)};

@@ -114,6 +114,9 @@ bool Simulation<R>::take_one(Mover& mover) {
         mover.until = found.until;
         mover.lets_go = found.lets_go;
         mover.held[0] = one.feature;
+        mover.held_normal = grip.normal;
+        if (grip.turning != nullptr)
+            mover.held_normal = unrotated(grip.normal, from_angle(grip.turning->angle_at(now_)));
         return true;
     }
     return false;

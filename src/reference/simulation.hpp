@@ -61,6 +61,7 @@ class Simulation final : public Exact {
         R until = infinity<R>();  ///< the path is good until then
         bool lets_go = false;     ///< and ends because the contact does
         FeatureIndex held[2] = {nothing, nothing};
+        V<R> held_normal;             ///< of held[0], in the pose in which its part sees it
         FeatureIndex left = nothing;  ///< what it let go of just now
         Cells::Index cell = 0;
         std::vector<PartIndex> inside;  ///< sensors and gates
@@ -126,6 +127,7 @@ class Simulation final : public Exact {
     // What a ball does next (predict.cpp).
     void predict(Place i);
     void predict_features(Mover& mover);
+    [[nodiscard]] bool slides_to(const Mover& mover, FeatureIndex f) const;
     void predict_sensors(Mover& mover);
     void predict_balls(Place i);
     void offer(Mover& mover, const R& time, Next next, std::uint32_t met = 0, std::uint32_t changes = 0);

@@ -291,6 +291,29 @@ R leaves(const Path<R>& path, const Box& box, const R& from, const R& until, int
 }
 
 template <class R>
+bool ends_in(const Feature<R>& face, const Feature<R>& round, const V<R>& normal, const R& radius) {
+    const auto* there = std::get_if<Curve<R>>(&round.is);
+    if (there == nullptr || !there->round) return false;
+    const auto touches = [&](const V<R>& end, const V<R>& n) {
+        const V<R> center = end + radius * n;
+        const R gap = length(center - there->center) - there->radius - radius;
+        return magnitude(gap) <= 64 * epsilon<R>() * (length(center) + radius);
+    };
+    if (const auto* line = std::get_if<Line<R>>(&face.is)) {
+        const R side(cross(line->along, normal) >= 0 ? 1 : -1);
+        const V<R> n = side * perp(line->along);
+        return touches(line->start, n) || touches(line->start + line->length * line->along, n);
+    }
+    const auto& curve = std::get<Curve<R>>(face.is);
+    if (curve.full) return false;
+    // The normal of a ball inside points to the center.
+    for (const V<R>& end : {curve.from, curve.to})
+        for (const int sign : {1, -1})
+            if (touches(curve.center + curve.radius * end, R(sign) * end)) return true;
+    return false;
+}
+
+template <class R>
 R leaves_face(const Feature<R>& feature, const View<R>& view, const R& radius, const R& from,
               const R& until) {
     if (!(until >= from)) return infinity<R>();
@@ -318,6 +341,7 @@ R leaves_face(const Feature<R>& feature, const View<R>& view, const R& radius, c
     template R first_touch(const Feature<R>&, const View<R>&, const R&, const R&, const R&, std::uint64_t&); \
     template R first_touch(const Path<R>&, const Path<R>&, const R&, const R&, const R&, std::uint64_t&);    \
     template R leaves(const Path<R>&, const Box&, const R&, const R&, int&);                                 \
+    template bool ends_in(const Feature<R>&, const Feature<R>&, const V<R>&, const R&);                      \
     template R leaves_face(const Feature<R>&, const View<R>&, const R&, const R&, const R&);
 FLIPSIDE_TOUCHES(double)
 FLIPSIDE_TOUCHES(Real113)

@@ -41,6 +41,12 @@ template <class R>
 template <class R>
 [[nodiscard]] R leaves(const Path<R>& path, const Box& box, const R& from, const R& until, int& side);
 
+/// Whether a ball that slides to an end of the face meets the round there without any approach, as it does
+/// where the round is the end itself, or goes on smoothly. Both in the same pose.
+template <class R>
+[[nodiscard]] bool ends_in(const Feature<R>& face, const Feature<R>& round, const V<R>& normal,
+                           const R& radius);
+
 /// First time in [from, until] at which the ball leaves the range that a line or arc faces.
 template <class R>
 [[nodiscard]] R leaves_face(const Feature<R>& feature, const View<R>& view, const R& radius, const R& from,
