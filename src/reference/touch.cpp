@@ -49,8 +49,9 @@ struct LineSide {
         return {sign * cross(line.along, m.position - line.start) - radius,
                 sign * cross(line.along, m.velocity)};
     }
-    [[nodiscard]] bool right_side(const Motion<R>& m) const {
-        return sign * cross(line.along, m.position - line.start) >= 0;
+    /// Of the ball's centre from the surface; below 0 on the other side.
+    [[nodiscard]] R off(const Motion<R>& m) const {
+        return sign * cross(line.along, m.position - line.start);
     }
     [[nodiscard]] R bound(const View<R>& view, const Bounds<R>& bounds, const R& from, const R& until) const {
         return view.turning ? bounds.acceleration : view.path.bend_along(perp(line.along), from, until);
@@ -80,9 +81,10 @@ struct CurveSide {
         }
         return {sign * (dot(out, out) - d * d) / (2 * d), sign * dot(out, m.velocity) / d};
     }
-    [[nodiscard]] bool right_side(const Motion<R>& m) const {
-        const V<R> out = m.position - curve.center;
-        return curve.round || sign * (dot(out, out) - curve.radius * curve.radius) >= 0;
+    /// Of the ball's centre from the surface; below 0 on the other side. A round one has no other side.
+    [[nodiscard]] R off(const Motion<R>& m) const {
+        const R far = length(V<R>(m.position - curve.center));
+        return curve.round ? far : R(sign * (far - curve.radius));
     }
     [[nodiscard]] R bound(const View<R>& view, const Bounds<R>& bounds, const R& from, const R& until) const {
         if (curve.round) return bounds.acceleration;
@@ -126,7 +128,7 @@ R polynomial_touch(const Feature<R>& feature, const Motion<R>& m, const V<R>& a,
             const R& t = found.at[static_cast<std::size_t>(i)];
             if (!(t < first)) break;
             const Motion<R> then{m.position + t * (m.velocity + (t / 2) * a), m.velocity + t * a};
-            if (!side.right_side(then) || side.face(then).value < 0) continue;
+            if (side.off(then) < 0 || side.face(then).value < 0) continue;
             first = t;
         }
     });
@@ -181,14 +183,14 @@ R first_touch(const Feature<R>& feature, const View<R>& view, const R& radius, c
                                    16 * epsilon<R>() * (length(begin.position) + radius)};
         const auto meets = [&](const R& t) {
             const Motion<R> m = view.at(t);
-            return side.right_side(m) && side.face(m).value >= 0;
+            return side.off(m) >= 0 && side.face(m).value >= 0;
         };
         const auto again = [&](const R& t) {
             const Motion<R> m = view.at(t);
             R step = 64 * epsilon<R>() * std::max(R(until - from), magnitude(t));
             if (const Value<R> face = side.face(m); face.value < 0)
                 step = std::max(step, free_step(R(-face.value), R(-face.slope), bounds.acceleration));
-            if (!side.right_side(m)) step = std::max(step, R((radius + side.gap(m).value) / -bounds.speed));
+            if (const R off = side.off(m); off < 0) step = std::max(step, R(off / -bounds.speed));
             return R(t + step);
         };
         bool grazing = false;
