@@ -26,7 +26,7 @@ struct Plan {
     std::size_t timed = 3;        ///< windows of each block that are timed, and
     std::size_t repetitions = 5;  ///< how often
     int finest = finest_steps;    ///< steps per second at most
-    double most_work = 8'000;     ///< balls times steps in a window, above which windows are left out
+    double most_work = 3'000;     ///< balls times steps in a window, above which windows are left out
 
     [[nodiscard]] std::size_t windows() const { return blocks * block_size; }
 };
