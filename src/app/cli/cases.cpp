@@ -105,16 +105,17 @@ int run_cases(const Options& options) {
     const lab::CaseInput input = input_of(options);
     catch_interrupts();
     std::vector<lab::CaseRun> runs;
-    {
-        Progress progress(static_cast<double>(chosen.size()));
-        for (const lab::Case* one : chosen) {
+    print_head(input);
+    for (const lab::Case* one : chosen) {
+        {
+            Progress progress(static_cast<double>(chosen.size()));
             progress.at(static_cast<double>(runs.size()));
             runs.push_back({one, run_case(*one, input)});
         }
+        print(runs.back());
+        std::fflush(stdout);
     }
     if (!options.json.empty()) lab::write_whole_file(options.json, to_json(runs, input));
-    print_head(input);
-    for (const lab::CaseRun& run : runs) print(run);
     print_summary(runs);
     const auto failed = [](const lab::CaseRun& run) { return run.result.verdict == lab::Verdict::fail; };
     return std::ranges::any_of(runs, failed) ? 1 : 0;

@@ -111,9 +111,8 @@ std::string Experiment::end_of_work() const {
 
 CaseResult Experiment::finish() {
     const auto has = [&](Verdict verdict) {
-        return std::ranges::any_of(result_.rows, [&](const CaseRow& row) {
-            return row.verdict == verdict && (row.tolerance || verdict != Verdict::measured);
-        });
+        return std::ranges::any_of(
+            result_.rows, [&](const CaseRow& row) { return row.verdict == verdict && row.tolerance; });
     };
     result_.verdict = Verdict::pass;
     for (const Verdict worst : {Verdict::fail, Verdict::refused, Verdict::not_reached, Verdict::measured}) {
