@@ -28,11 +28,11 @@ inline double drag_phi(double x) {
 /// What a stretch of time does to every flight with the same drag. Made once, it serves many balls.
 struct Stretch {
     double time;
-    double kept;    ///< e^(−ct): the part of a velocity that is left
-    double shrunk;  ///< E, s
-    double fallen;  ///< F, s²
+    double kept = 1;  ///< e^(−ct): the part of a velocity that is left
+    double shrunk;    ///< E, s
+    double fallen;    ///< F, s²
 
-    Stretch(double drag, double t) : time(t), kept(1), shrunk(t), fallen(0.5 * t * t) {
+    Stretch(double drag, double t) : time(t), shrunk(t), fallen(0.5 * t * t) {
         if (drag <= 0) return;
         const double x = drag * t;
         if (x > 0.5) {

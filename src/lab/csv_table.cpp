@@ -41,7 +41,7 @@ class Fields {
     std::string field() {
         if (take('"')) return quoted();
         const std::size_t end = std::min(text_.find_first_of(",\r\n", at_), text_.size());
-        const std::string found = text_.substr(at_, end - at_);
+        std::string found = text_.substr(at_, end - at_);
         at_ = end;
         return found;
     }

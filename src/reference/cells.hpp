@@ -20,8 +20,8 @@ class Cells {
     /// Something that stands still, or the box of all its poses.
     struct Still {
         Box box;
-        PartIndex part;
-        bool senses;  ///< a sensor or gate, listed by its part; else a feature, listed by its place
+        PartIndex part = 0;
+        bool senses = false;  ///< a sensor or gate, listed by its part; else a feature, listed by its place
     };
     /// For balls of up to `radius`. `things` holds the features first, in order.
     void build(const Box& area, const std::vector<Still>& things, std::size_t balls, double radius);

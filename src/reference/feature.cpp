@@ -137,7 +137,7 @@ class Taker {
 
     struct PointAt {
         Vec2 at;
-        PartIndex part;
+        PartIndex part = 0;
     };
     const Scene& scene_;
     std::vector<PointAt> points_;

@@ -106,7 +106,7 @@ struct Path {
     [[nodiscard]] R bend_along(const V<R>& n, const R& from, const R& until) const {
         if (rests) return R(0);
         if (rides) return ride_bounds.acceleration;
-        const R pulled = magnitude(dot(n, acceleration));
+        R pulled = magnitude(dot(n, acceleration));
         if (!(drag > 0)) return pulled;
         return pulled + drag * (magnitude(dot(n, at(from).velocity)) + pulled * (until - from));
     }

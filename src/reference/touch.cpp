@@ -254,7 +254,7 @@ R first_touch(const Path<R>& a, const Path<R>& b, const R& reach, const R& from,
         return Value<R>{far - reach, dot(between, p.velocity - q.velocity) / far};
     };
     bool grazing = false;
-    const R t = first_fall(
+    R t = first_fall(
         gap, from, until, R(of_a.acceleration + of_b.acceleration),
         Smallest<R>{rounding_speed(speed), 16 * epsilon<R>() * (length(one.position) + reach)},
         [](const R&) { return true; }, [](const R& now) { return now; }, grazing);

@@ -62,7 +62,7 @@ std::vector<const Engine*> Stage::line_up(const Engine& first) const {
     std::ranges::copy_if(lab::engines(), std::back_inserter(engines), [this](const Engine* engine) {
         return reference_ || engine->name != reference_name;
     });
-    std::ranges::rotate(engines, std::ranges::find(engines, &first));
+    std::rotate(engines.begin(), std::ranges::find(engines, &first), engines.end());
     return engines;
 }
 

@@ -66,7 +66,7 @@ class Clearance {
         double reach = 0;  ///< m, of the ball from the chord
     };
 
-    void place(std::size_t obstacle, const Piece& piece, const Pose& pose);
+    void place(std::size_t index, const Piece& piece, const Pose& pose);
     void enclose(const Obstacle& obstacle);
     [[nodiscard]] bool apart(const Obstacle& obstacle, const Chord& chord) const;
     double follow(double t0, Vec2 at_t0, double t1, Vec2 at_t1, std::size_t first, std::size_t last);

@@ -88,7 +88,7 @@ struct Case {
 [[nodiscard]] CaseResult run_case(const Case& which, const CaseInput& input);
 
 struct CaseRun {
-    const Case* which;
+    const Case* which = nullptr;
     CaseResult result;
 };
 

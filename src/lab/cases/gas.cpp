@@ -30,7 +30,8 @@ void fill(Scene& scene, int n, double side, Dice& dice) {
     const int columns = static_cast<int>(std::ceil(std::sqrt(n)));
     const double pitch = (side - 2 * radius) / columns, play = std::min(pitch - 2 * radius, pitch / 2);
     for (int i = 0; i < n; ++i) {
-        const Vec2 cell{radius + (i % columns + 0.5) * pitch, radius + (i / columns + 0.5) * pitch};
+        const int row = i / columns;
+        const Vec2 cell{radius + (i % columns + 0.5) * pitch, radius + (row + 0.5) * pitch};
         const Vec2 jitter{dice.below(play) - play / 2, dice.below(play) - play / 2};
         add_ball(scene, cell + jitter, dice.direction(), radius);
     }

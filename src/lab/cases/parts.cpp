@@ -37,7 +37,7 @@ struct Hit {
 /// (length, 0); on its sides the distance is that of a cone along the axis (I. Quilez, "2D distance
 /// functions", uneven capsule).
 struct Nearest {
-    double distance;
+    double distance = 0;
     Vec2 normal;
 };
 Nearest nearest(Vec2 p) {
@@ -53,7 +53,7 @@ Nearest nearest(Vec2 p) {
 }
 
 struct Exact {
-    double time;
+    double time = 0;
     Vec2 velocity;  ///< of the ball after the hit
 };
 /// Scans for the first touch in steps of 10 µs, then bisects: independent of every engine.

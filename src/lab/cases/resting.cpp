@@ -187,8 +187,10 @@ void pile(Experiment& experiment) {
     Scene pit = empty_scene({0, -g});
     pit.materials[0].restitution = 0.5;
     add_part(pit, {shape::Polyline{{{-4, 4}, {0, 0}, {4, 4}}, false}}, {"", 0.5, 0, 0});
-    for (int i = 0; i < count; ++i)
-        add_ball(pit, {-0.9 + 0.21 * (i % 9) + 0.003 * (i / 9), 1.2 + 0.25 * (i / 9)}, {}, radius);
+    for (int i = 0; i < count; ++i) {
+        const int row = i / 9;
+        add_ball(pit, {-0.9 + 0.21 * (i % 9) + 0.003 * row, 1.2 + 0.25 * row}, {}, radius);
+    }
     experiment.attempt("V", [&] { pile_of(experiment, pit, "V of " + text_of(count)); });
 }
 

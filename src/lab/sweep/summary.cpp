@@ -110,8 +110,8 @@ std::vector<Run> gather(std::span<const fs::path> folders) {
         for (const fs::path& file : files) std::ranges::move(read_runs(file), std::back_inserter(all));
     }
     std::ranges::stable_sort(all, before);
-    const auto repeated = std::ranges::unique(all, {}, place);
-    all.erase(repeated.begin(), repeated.end());
+    const auto same = [](const Run& a, const Run& b) { return place(a) == place(b); };
+    all.erase(std::unique(all.begin(), all.end(), same), all.end());
     return all;
 }
 

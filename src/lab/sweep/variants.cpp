@@ -33,7 +33,7 @@ std::vector<Variant> standard_variants() {
 }
 
 std::vector<Variant> variants_of(const std::vector<std::string>& scenes, int balls) {
-    const std::vector<Variant> standard = standard_variants();
+    std::vector<Variant> standard = standard_variants();
     if (scenes.empty() && balls == 0) return standard;
     std::vector<std::string> names = scenes;
     if (names.empty())

@@ -48,7 +48,7 @@ struct Block {
 /// The engine that knows: in double precision for the trajectories that states are taken from, at its highest
 /// precision for what happens in a window.
 struct Truth {
-    const Engine* engine;
+    const Engine* engine = nullptr;
     Settings trajectory, window;
 };
 [[nodiscard]] Truth reference_for(const Scene& scene);

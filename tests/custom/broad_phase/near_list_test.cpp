@@ -61,8 +61,9 @@ TEST(NearList, SeeksThoseThatLeaveAlone) {
         std::uint64_t searched = 0;
         for (int step = 0; step < 60; ++step) {
             for (const int mover : {7, 100, 100 + step % 3}) {
+                Proxy& moved = moving[static_cast<std::size_t>(mover)];
                 const Vec2 by{0.3 * std::sin(mover + step), 0.25 * std::cos(2.0 * step)};
-                moving[mover].box = {moving[mover].box.min + by, moving[mover].box.max + by};
+                moved.box = {moved.box.min + by, moved.box.max + by};
             }
             twin->find_pairs(moving, expected);
             EXPECT_EQ(near_pairs(near, moving, *broad, room), expected)
