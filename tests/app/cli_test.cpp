@@ -295,7 +295,8 @@ TEST_F(CommandLine, AReportThatIsInterruptedLeavesWholeFilesAndGoesOn) {
     EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 1);
     EXPECT_FALSE(fs::exists(out + "/index.html"));
     ASSERT_GE(measured(), 4);
-    for (const auto& entry : fs::directory_iterator(out + "/data")) {
+    for (const auto& entry : fs::recursive_directory_iterator(out + "/data")) {
+        if (entry.is_directory()) continue;
         EXPECT_TRUE(entry.path().extension() == ".csv" || entry.path().extension() == ".json")
             << entry.path();
         EXPECT_EQ(text_of(entry.path()).back(), '\n') << entry.path();
