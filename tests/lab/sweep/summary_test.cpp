@@ -32,7 +32,7 @@ class SweepSummary : public ::testing::Test {
     void TearDown() override { fs::remove_all(base); }
 
     fs::path folder(const char* name, const Plan& plan, const Runs& runs) const {
-        const fs::path made = base / name;
+        fs::path made = base / name;
         fs::create_directories(made / "runs");
         write_whole_file(made / "plan.json", to_json(plan));
         write_runs(made / "runs" / (std::string("toy-") + name + ".csv"), runs);
