@@ -188,11 +188,13 @@ void Simulation<R>::set_out(Place i) {
         });
     };
     if (!is_pressed() || take_one(mover)) return;
+    using std::sqrt;
     const R speed = length(mover.body.velocity);
+    // Between two surfaces, hops lower than the rounding of its place (see find_touching) are rest.
+    if (speed <= 4 * sqrt(2 * epsilon<R>() * mover.radius * scale) && take_two(mover)) return;
     // What it moves off by ever so little need not hold it.
     const auto recedes = [&](const Touching& one) { return one.grip.parting > rounding_speed(speed); };
     if (std::erase_if(touching_, recedes) > 0 && (!is_pressed() || take_one(mover))) return;
-    using std::sqrt;
     const R slow = 65536 * sqrt(epsilon<R>() * mover.radius * scale);
     if (speed <= slow && take_two(mover)) return;
     std::string names;

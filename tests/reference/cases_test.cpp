@@ -188,7 +188,7 @@ TEST(Reference, GatesOpenOneWay) {
 
 TEST(Reference, RestsInAV) {
     Scene scene = empty_scene({0, -g});
-    scene.rest_speed = 1e-9;
+    scene.rest_speed = 0;
     add_ball(scene, {0.1, 0.6});
     add_part(scene, {shape::Polyline{{{-2, 2}, {0, 0}, {2, 2}}, false}}, {"", 0.5, 0, 0});
     const auto world = make_world(scene);
