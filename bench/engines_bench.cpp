@@ -22,6 +22,7 @@
 #include "bare_loop.hpp"
 #include "lab/assets.hpp"
 #include "lab/cpu_clock.hpp"
+#include "lab/elastic_scenes.hpp"
 #include "lab/engines.hpp"
 #include "lab/session.hpp"
 #include "world/scene_file.hpp"
@@ -159,32 +160,8 @@ void pinball(benchmark::State& state, const char* solver) {
 }
 
 /// Elastic gas: a fifth of a walled square is covered with balls, no gravity.
-Scene gas_of(int balls) {
-    constexpr double radius = 0.1, covered = 0.2, pi = 3.14159265358979;
-    const double side = std::sqrt(balls * pi * radius * radius / covered);
-    const int columns = static_cast<int>(std::ceil(std::sqrt(balls)));
-    Scene scene;
-    scene.name = "gas";
-    scene.bounds = {{-1, -1}, {side + 1, side + 1}};
-    scene.materials = {{"elastic", 1, 0, 0}};
-    for (int i = 0; i < balls; ++i) {
-        Ball ball;
-        ball.number = static_cast<BallNumber>(i);
-        ball.position = side / columns * Vec2{i % columns + 0.5, i / columns + 0.5};
-        ball.velocity = (0.5 + (i * 7 % 10) / 10.0) * from_angle(2.4 * i);
-        ball.radius = radius;
-        ball.mass = 1;
-        scene.balls.push_back(ball);
-    }
-    Part walls;
-    walls.name = "walls";
-    walls.shape = {shape::Polyline{{{0, 0}, {side, 0}, {side, side}, {0, side}}, true}};
-    scene.parts.push_back(walls);
-    return scene;
-}
-
 void gas(benchmark::State& state) {
-    const auto scene = shared(gas_of(static_cast<int>(state.range(0))));
+    const auto scene = shared(lab::elastic_gas(static_cast<int>(state.range(0))));
     Runner ours(session(scene, "custom", {"broad_phase=auto"})), theirs(session(scene, "box2d"));
     race(state, ours, theirs, 6, true);
 }
