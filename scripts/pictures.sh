@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Remakes the pictures of README.md in docs/ from the Release build, three by `flipside render` and one by the
+# Remakes the pictures of README.md in docs/ from the Release build, four by `flipside render` and one by the
 # window itself. Needs no display.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -12,6 +12,8 @@ render() { "$flipside" render "$@" --engine custom --width 1280 --height 800; }
 mkdir -p docs
 render pinball --view split --at 1.6 --show tracks --out docs/split.png
 render pinball --view overlay --at 1.6 --show tracks --out docs/overlay.png
+"$flipside" render pinball --engine reference --view overlay --at 1.45 --width 1280 --height 800 --show tracks \
+    --out docs/reference.png
 render toy --view split --at 4 --show boxes,cells,velocity --out docs/insides.png
 
 folder=$(mktemp -d)

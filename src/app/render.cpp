@@ -44,7 +44,7 @@ int render(const RenderOptions& options) {
     Stage stage(options.scene, options.engine, options.view, named_settings(options), options.script);
     stage.run_until(options.at, options.dt);
     for (const Run& run : stage.runs())
-        if (run.halt() && run.session().engine().name == options.engine) throw Refusal(run.halt()->reason);
+        if (run.halt() && run.engine().name == options.engine) throw Refusal(run.halt()->reason);
 
     sf::RenderTexture picture;
     if (!picture.create(options.width, options.height))
@@ -55,9 +55,9 @@ int render(const RenderOptions& options) {
     Camera camera;
     camera.size = {layout.panes.front().width, layout.panes.front().height};
     camera.fit(sight_of(stage.scene()), screen.scale() * pane_margin);
-    std::vector<long> scores;
-    for (const Run& run : stage.runs()) scores.push_back(run.session().game().score());
-    screen.draw(picture, stage, layout, camera, look, scores);
+    Readings readings;
+    for (const Run& run : stage.runs()) readings.scores.push_back(run.session().game().score());
+    screen.draw(picture, stage, layout, camera, look, readings);
     picture.display();
     if (!picture.getTexture().copyToImage().saveToFile(options.out.string()))
         throw std::runtime_error("cannot write " + options.out.string());

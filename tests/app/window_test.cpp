@@ -1,85 +1,22 @@
 /// The real window: what keys and clicks do, seen through what it reports and what it draws.
 
 #include <cmath>
-#include <memory>
-#include <stdexcept>
 #include <string>
 
 #include <SFML/Graphics/Image.hpp>
 #include <gtest/gtest.h>
 
-#include "app/real_window.hpp"
+#include "app/window_fixture.hpp"
 
 namespace flipside::app {
 namespace {
 
-using Json = RealWindow::Json;
-
-class Window : public testing::Test {
-  protected:
-    static void SetUpTestSuite() { display = std::make_unique<VirtualDisplay>(); }
-    static void TearDownTestSuite() { display.reset(); }
-
-    void open(const std::string& scene = "pinball", const std::string& view = "split") {
-        window = std::make_unique<RealWindow>(std::vector<std::string>{scene, "--view", view});
-    }
-    void TearDown() override {
-        if (!window) return;
-        const auto folder = window->folder();
-        window.reset();
-        std::filesystem::remove_all(folder);
-    }
-    /// Holds Space until the launch is charged that far.
-    void launch(double charge = 0.6) {
-        window->xdotool("keydown space");
-        window->wait("the charge", [&](const Json& s) { return s["charge"] >= charge; });
-        window->xdotool("keyup space");
-    }
-    Json wait_for_balls() {
-        return window->wait("a ball in every pane", [](const Json& s) {
-            for (const Json& pane : s["panes"])
-                if (pane["balls"].empty() || pane["launched"] < 1) return false;
-            return true;
-        });
-    }
-    Json pause() {
-        window->key("p");
-        return window->wait("the pause", [](const Json& s) { return s["paused"] == true; });
-    }
-    Json wait_for_view(const std::string& view) {
-        return window->wait("view " + view, [&](const Json& s) { return s["view"] == view; });
-    }
-    void click(const std::string& control) {
-        const Json state = scroll_to(control);
-        if (!state["controls"].contains(control)) throw std::runtime_error(control + " is not to be seen");
-        window->click(state["controls"][control]);
-    }
-    /// Turns the wheel over the panel, down to its end and up again, until a control is to be seen.
-    Json scroll_to(const std::string& control) {
-        Json state = window->now();
-        for (const char* wheel : {"5", "4"})
-            for (int turn = 0; turn < 30 && !state["controls"].contains(control); ++turn) {
-                const Json panel = state["layout"]["panel"];
-                window->xdotool("mousemove " + std::to_string(panel[0].get<int>() + 4) + ' ' +
-                                std::to_string(panel[1].get<int>() + panel[3].get<int>() / 2) + " click " +
-                                wheel);
-                state = window->now();
-            }
-        return state;
-    }
-
-    static inline std::unique_ptr<VirtualDisplay> display;
-    std::unique_ptr<RealWindow> window;
-};
+class Window : public WindowTest {};
 
 double angle(const Json& pane, const std::string& side) {
     for (const Json& flipper : pane["flippers"])
         if (flipper["side"] == side) return std::abs(flipper["angle"].get<double>());
     return -1;
-}
-
-double distance(const Json& a, const Json& b) {
-    return std::hypot(a[0].get<double>() - b[0].get<double>(), a[1].get<double>() - b[1].get<double>());
 }
 
 TEST_F(Window, OpensOnTheTableWithBothEnginesInEqualPanes) {
@@ -298,25 +235,6 @@ TEST_F(Window, TheMouseZoomsPansAndFits) {
     window->xdotool("mousemove_relative --sync -- -90 -70 click --repeat 2 --delay 60 1");
     window->wait("the fit",
                  [&](const Json& s) { return std::abs(s["scale"].get<double>() / fitted - 1) < 1e-9; });
-}
-
-/// How far apart two colours are, 0 to 765.
-int difference(sf::Color a, sf::Color b) {
-    return std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b);
-}
-
-/// Whether a pixel near the circle of that radius has about that colour.
-bool ring_has(const sf::Image& image, const Json& center, double radius, sf::Color color) {
-    for (double r = radius - 2.5; r <= radius + 1; r += 0.5)
-        for (int i = 0; i < 64; ++i) {
-            const double turn = i * 0.0981747704246810387;
-            const auto x = static_cast<unsigned>(center[0].get<double>() + r * std::cos(turn));
-            const auto y = static_cast<unsigned>(center[1].get<double>() + r * std::sin(turn));
-            if (x < image.getSize().x && y < image.getSize().y &&
-                difference(image.getPixel(x, y), color) < 60)
-                return true;
-        }
-    return false;
 }
 
 TEST_F(Window, AScreenshotShowsBothTablesAndTheBallsWhereTheyAre) {

@@ -17,6 +17,7 @@ namespace {
 constexpr double charge_seconds = 1.2;  ///< from nothing to a full launch
 constexpr double slow_motion = 0.1;     ///< simulated seconds per second
 constexpr double most_catch_up = 0.1;   ///< simulated seconds per frame
+constexpr double most_stepping = 0.02;  ///< seconds of work per frame
 constexpr double nudge_speed = 0.25;    ///< m/s
 
 /// Lettering grows with the display: 1 up to 1200 lines, then in quarters.
@@ -143,6 +144,12 @@ void App::act(Action action) {
         case Action::switch_engine:
             stage_.switch_engine();
             break;
+        case Action::reference:
+            stage_.show_reference(!stage_.reference());
+            break;
+        case Action::take_up:
+            stage_.take_up();
+            break;
         case Action::next_view:
             stage_.set_view(static_cast<View>((static_cast<int>(stage_.view()) + 1) % 3));
             break;
@@ -177,7 +184,13 @@ void App::advance(double seconds) {
     const double simulated = seconds * controls_.speed;
     if (held(Action::launch)) state_.charge = std::min(1.0, state_.charge + simulated / charge_seconds);
     const sf::Clock stepping;
-    for (int steps = accumulator_.advance(simulated); steps > 0; --steps) stage_.step();
+    // All engines in step: where one is too slow the table runs slower for all, and the window goes on.
+    for (int steps = accumulator_.advance(simulated); steps > 0; --steps) {
+        stage_.step();
+        measured_.simulated += stage_.dt();
+        if (stepping.getElapsedTime().asSeconds() > most_stepping) break;
+    }
+    measured_.asked += simulated;
     measured_.physics += stepping.getElapsedTime().asSeconds();
 }
 
@@ -211,9 +224,9 @@ void App::draw() {
     if (controls_.help_open)
         draw_help({0, layout_.panes.front().y, layout_.strip.width, layout_.panes.front().height});
     count_up(0);
-    std::vector<long> scores;
-    for (const double score : scores_) scores.push_back(std::lround(std::floor(score)));
-    screen_.draw(window_, stage_, layout_, camera_, controls_.look, scores);
+    Readings readings{{}, load_.asked, load_.reached};
+    for (const double score : scores_) readings.scores.push_back(std::lround(std::floor(score)));
+    screen_.draw(window_, stage_, layout_, camera_, controls_.look, readings);
     imgui_.end_frame();
     if (screenshot_wanted_) save_screenshot();
 }
@@ -240,7 +253,8 @@ void App::measure(double frame, double busy) {
     ++measured_.frames;
     if (measured_.seconds < 1) return;
     load_ = {measured_.frames / measured_.seconds, std::min(1.0, measured_.busy / measured_.seconds),
-             measured_.physics / measured_.seconds};
+             measured_.physics / measured_.seconds, measured_.asked / measured_.seconds,
+             measured_.simulated / measured_.seconds};
     for (Run& run : stage_.runs()) run.refresh(measured_.seconds);
     measured_ = {};
 }

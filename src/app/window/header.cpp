@@ -12,20 +12,36 @@ namespace flipside::app {
 
 namespace {
 
+constexpr double led_height = 21;  ///< px on an ordinary display
+constexpr int led_digits = 6;
+
+double score_width(const Canvas& canvas) {
+    return led_width(led_digits, canvas.scaled(led_height));
+}
+
 std::string energy_in_words(double drift) {
     // A ten-billionth of a joule is rounding.
     if (std::abs(drift) < 1e-10) return "energy kept";
     return engineering(std::abs(drift), "J") + (drift < 0 ? " lost" : " gained");
 }
 
+/// What an engine that accounts for its own errors may still say.
+std::string claim_in_words(const Run& run) {
+    if (const auto& time = run.passed_horizon()) return "horizon passed at " + with_unit(*time, 2, "s");
+    const double worst = run.uncertainty_history().back().value;
+    return worst > 0 ? "sure to " + in_radii(worst) : "exact";
+}
+
 /// What does not fit is left out from the end.
-std::string facts(const Canvas& canvas, const Run& run, double room) {
+std::string facts(const Canvas& canvas, const Run& run, std::optional<double> pace, double room) {
     const World& world = run.session().world();
     const auto asleep = static_cast<std::size_t>(
         std::ranges::count_if(world.balls(), [](const Ball& ball) { return ball.asleep; }));
-    const std::string parts[] = {balls_in_words(world.balls().size(), asleep),
-                                 engineering(run.step_cost(), "s") + " per step",
-                                 energy_in_words(run.energy_drift())};
+    std::vector<std::string> parts{balls_in_words(world.balls().size(), asleep)};
+    if (pace) parts.push_back("slow: " + with_unit(*pace, 2, "×"));
+    if (!run.uncertainty_history().empty()) parts.push_back(claim_in_words(run));
+    parts.push_back(engineering(run.step_cost(), "s") + " per step");
+    parts.push_back(energy_in_words(run.energy_drift()));
     std::string line;
     for (const std::string& part : parts) {
         const std::string longer = line.empty() ? part : line + "  ·  " + part;
@@ -35,21 +51,24 @@ std::string facts(const Canvas& canvas, const Run& run, double room) {
     return line;
 }
 
-/// The score and the balls left, flush right; returns the room they took, px.
-double draw_score(Canvas& canvas, const Rect& place, const lab::Game& game, long score) {
-    const double height = canvas.scaled(21), margin = canvas.scaled(12);
-    const double width = led_width(6, height), left = place.x + place.width - margin - width;
-    draw_led(canvas, {left, place.y + canvas.scaled(9)}, height, 6, score, colour::lit);
+/// The score and, where there is room from `left` on, the balls left: flush right on the line with its middle
+/// at `y`. Returns where they begin, px.
+double draw_score(Canvas& canvas, double left, double right, double y, const lab::Game& game, long score) {
+    const double begin = right - score_width(canvas);
+    draw_led(canvas, {begin, y - 0.5 * canvas.scaled(led_height)}, canvas.scaled(led_height), led_digits,
+             score, colour::lit);
     const int balls = std::min(game.balls_left(), 5);
+    const double room = canvas.scaled(14 * balls + 8);
+    if (begin - room < left) return begin;
     for (int i = 0; i < balls; ++i)
-        canvas.steel({left - canvas.scaled(14 + 14 * i), place.y + canvas.scaled(20)}, canvas.scaled(5),
+        canvas.steel({begin - canvas.scaled(14 + 14 * i), y + canvas.scaled(0.5)}, canvas.scaled(5),
                      sf::Color::Transparent);
-    return width + margin + canvas.scaled(14 * balls + 8);
+    return begin - room;
 }
 
 }  // namespace
 
-void draw_header(Canvas& canvas, const Rect& place, const Run& run, long score) {
+void draw_header(Canvas& canvas, const Rect& place, const Run& run, long score, std::optional<double> pace) {
     const lab::Session& session = run.session();
     const sf::Color color = engine_colour(session.engine().name);
     const double margin = canvas.scaled(12), left = place.x + margin;
@@ -59,16 +78,21 @@ void draw_header(Canvas& canvas, const Rect& place, const Run& run, long score) 
     const std::string name(session.engine().name);
     canvas.text({left, place.y + canvas.scaled(9)}, name, Type::large, color);
     const double after = left + canvas.lettering().width(name, Type::large) + canvas.scaled(9);
-    double taken = margin;
-    if (session.scene().rules) taken += draw_score(canvas, place, session.game(), score);
+    const double right = place.x + place.width - margin, y = place.y + canvas.scaled(37);
+    // The score is beside the name, or below it in a narrow pane, whatever the name.
+    double free = right, free_below = right;
+    if (session.scene().rules && place.width > canvas.scaled(240))
+        free = draw_score(canvas, after, right, place.y + canvas.scaled(19.5), session.game(), score);
+    else if (session.scene().rules)
+        free_below =
+            draw_score(canvas, right, right, place.y + canvas.scaled(45), session.game(), score) - margin;
     const std::string solver(session.world().statistics().solver);
-    if (after + canvas.lettering().width(solver, Type::small) < place.x + place.width - taken)
+    if (after + canvas.lettering().width(solver, Type::small) < free)
         canvas.text({after, place.y + canvas.scaled(13)}, solver, Type::small, colour::quiet);
-    const double y = place.y + canvas.scaled(37);
     if (const auto& halt = run.halt())
         canvas.text({left, y}, "stopped at " + with_unit(halt->time, 2, "s"), Type::small, colour::warning);
     else
-        canvas.text({left, y}, facts(canvas, run, place.width - 2 * margin), Type::small, colour::text);
+        canvas.text({left, y}, facts(canvas, run, pace, free_below - left), Type::small, colour::text);
 }
 
 }  // namespace flipside::app

@@ -7,7 +7,8 @@
 
 namespace flipside::app {
 
-/// `score` is the one to show, which may still be counting up.
-void draw_header(Canvas& canvas, const Rect& place, const Run& run, long score);
+/// `score` is the one to show, which may still be counting up. `pace` is there where this run keeps the table
+/// slower than it should be: simulated seconds per second.
+void draw_header(Canvas& canvas, const Rect& place, const Run& run, long score, std::optional<double> pace);
 
 }  // namespace flipside::app

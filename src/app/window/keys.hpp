@@ -21,6 +21,8 @@ enum class Action {
     slow_motion,
     restart,
     switch_engine,
+    reference,
+    take_up,
     next_view,
     view_single,
     view_split,

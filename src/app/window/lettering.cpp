@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 #include <SFML/System/String.hpp>
@@ -48,6 +49,18 @@ double Lettering::width(std::string_view utf8, Type type) const {
 
 double Lettering::line_height(Type type) const {
     return font(type).getLineSpacing(pixels(type));
+}
+
+std::vector<std::string> Lettering::lines(std::string_view utf8, Type type, double room) const {
+    std::vector<std::string> lines;
+    std::istringstream words{std::string(utf8)};
+    for (std::string word; words >> word;) {
+        if (!lines.empty() && width(lines.back() + ' ' + word, type) <= room)
+            lines.back() += ' ' + word;
+        else
+            lines.push_back(word);
+    }
+    return lines;
 }
 
 const sf::Texture& Lettering::texture(Type type) const {

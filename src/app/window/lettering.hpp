@@ -1,7 +1,9 @@
 #pragma once
 /// Text on the canvas, in two sizes, with figures of equal width so that changing numbers stand still.
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <SFML/Graphics/Font.hpp>
 #include <SFML/Graphics/VertexArray.hpp>
@@ -21,6 +23,8 @@ class Lettering {
     /// px.
     [[nodiscard]] double width(std::string_view utf8, Type type) const;
     [[nodiscard]] double line_height(Type type) const;
+    /// Broken between words into lines of at most `room` px; a longer word has a line of its own.
+    [[nodiscard]] std::vector<std::string> lines(std::string_view utf8, Type type, double room) const;
     /// Adds the letters' rectangles (triangles, to be drawn with texture(type)). `at` is the top left of
     /// the line.
     void write(sf::VertexArray& out, Vec2 at, std::string_view utf8, Type type, sf::Color color) const;

@@ -77,10 +77,21 @@ struct PanelParts {
                                   ImGui::GetStyleColorVec4(chosen ? ImGuiCol_ButtonActive : ImGuiCol_Button));
             if (ImGui::Button(name, vector(std::floor((room - 2 * gap) / 3), 0))) stage.set_view(view);
             ImGui::PopStyleColor();
-            tooltip("One engine, two side by side, or two on one table (V, or 1, 2, 3)");
+            tooltip("One engine, all side by side, or all on one table (V, or 1, 2, 3)");
             note(places, name);
             if (view != View::overlay) ImGui::SameLine();
         }
+    }
+    void reference() const {
+        bool on = stage.reference();
+        toggle("Reference", on,
+               "The exact engine, in green: how far are the others from the truth? Its balls fade as its own "
+               "certainty ends, and it stops where it cannot be exact (E)");
+        stage.show_reference(on);
+        if (!on) return;
+        ImGui::SameLine();
+        if (button("Take up again", "Let the reference go on from the state of the first of the others (T)"))
+            stage.take_up();
     }
     void time() const {
         if (button(controls.paused ? "Go on" : "Pause", "P", 1.0 / 3)) controls.paused = !controls.paused;
@@ -182,6 +193,7 @@ ControlPlaces draw_panel(const Rect& place, Stage& stage, WindowControls& contro
     if (parts.button("»", "Fold the controls away (F2)")) controls.panel_open = false;
     parts.scene_chooser();
     parts.views();
+    parts.reference();
     parts.time();
     if (region("Balls and table")) parts.table();
     if (region("Show")) parts.shows();

@@ -1,7 +1,6 @@
 #include "app/window/panel_parts.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <functional>
 
@@ -47,8 +46,7 @@ namespace {
 std::string in_words(std::string_view name) {
     std::string words(name);
     std::ranges::replace(words, '_', ' ');
-    if (!words.empty()) words[0] = static_cast<char>(std::toupper(words[0]));
-    return words;
+    return sentence(words);
 }
 
 /// A choice, slider or check box for one setting; true when the user changed `value`.
@@ -150,7 +148,7 @@ bool begin_table(const Stage& stage, const char* id) {
     ImGui::TableNextColumn();
     for (const Run& run : stage.runs()) {
         ImGui::TableNextColumn();
-        const std::string name(run.session().engine().name);
+        const std::string name(run.engine().name);
         const float slack = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(name.c_str()).x;
         ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, slack));
         ImGui::TextColored(imgui_color(engine_colour(name)), "%s", name.c_str());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "app/window/claim.hpp"
 #include "world/refusal.hpp"
 
 namespace flipside::app {
@@ -43,6 +44,20 @@ void Run::step(double dt, const Script& script) {
     step_cost_ = step_cost_ == 0 ? cost : step_cost_ + 0.05 * (cost - step_cost_);
     traces_.observe(session_.events(), session_.world().balls(), session_.world().time());
     measure_energy(false);
+    measure_uncertainty();
+}
+
+void Run::measure_uncertainty() {
+    const World& world = session_.world();
+    if (world.uncertainty().empty()) return;
+    double worst = 0;
+    for (std::size_t i = 0; i < world.balls().size(); ++i)
+        worst = std::max(worst, uncertainty_in_radii(world, i));
+    remember(uncertainty_, {world.time(), worst});
+    if (worst < horizon_radii)
+        passed_horizon_.reset();
+    else if (!passed_horizon_)
+        passed_horizon_ = world.time();
 }
 
 void Run::measure_energy(bool start_anew) {
@@ -56,6 +71,8 @@ void Run::measure_energy(bool start_anew) {
 void Run::change(std::shared_ptr<const Scene> scene, const Engine& engine, Settings settings) {
     session_.change(std::move(scene), engine, std::move(settings));
     halt_.reset();
+    uncertainty_.clear();
+    passed_horizon_.reset();
     step_cost_ = 0;
     measure_energy(true);
 }

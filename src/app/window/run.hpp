@@ -41,6 +41,7 @@ class Run {
     void refresh(double seconds);
 
     [[nodiscard]] const lab::Session& session() const { return session_; }
+    [[nodiscard]] const Engine& engine() const { return session_.engine(); }
     [[nodiscard]] const Traces& traces() const { return traces_; }
     [[nodiscard]] const Rates& rates() const { return rates_; }
     [[nodiscard]] double energy() const { return energy_; }  ///< J
@@ -51,9 +52,15 @@ class Run {
     /// CPU time per step, smoothed, s.
     [[nodiscard]] double step_cost() const { return step_cost_; }
     [[nodiscard]] const std::optional<Halt>& halt() const { return halt_; }
+    /// The worst of what the engine claims about its balls over time, in radii; empty for engines that claim
+    /// nothing.
+    [[nodiscard]] const std::deque<Sample>& uncertainty_history() const { return uncertainty_; }
+    /// When the first of the balls on the table passed beyond the horizon (claim.hpp), s.
+    [[nodiscard]] const std::optional<double>& passed_horizon() const { return passed_horizon_; }
 
   private:
     void measure_energy(bool start_anew);
+    void measure_uncertainty();
 
     lab::Session session_;
     std::size_t next_control_;  ///< of the script
@@ -65,6 +72,8 @@ class Run {
     double step_cost_ = 0;
     std::deque<Sample> history_;
     std::optional<Halt> halt_;
+    std::deque<Sample> uncertainty_;
+    std::optional<double> passed_horizon_;
 };
 
 }  // namespace flipside::app

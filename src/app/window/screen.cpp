@@ -1,10 +1,13 @@
 #include "app/window/screen.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "app/window/header.hpp"
 #include "app/window/overlays.hpp"
 #include "app/window/strip.hpp"
+#include "app/window/words.hpp"
 
 namespace flipside::app {
 
@@ -42,32 +45,93 @@ Layout layout_of(const Stage& stage, double width, double height, double scale, 
 }
 
 void Screen::draw(sf::RenderTarget& target, const Stage& stage, const Layout& layout, const Camera& camera,
-                  const Look& look, const std::vector<long>& scores) {
+                  const Look& look, const Readings& readings) {
     target.clear(colour::around);
     const std::span<const Run> runs = stage.runs();
     for (std::size_t i = 0; i < layout.panes.size(); ++i)
-        draw_pane(target, layout.panes[i], layout.panes.size() == 1 ? runs : runs.subspan(i, 1), camera,
-                  look);
+        draw_pane(target, stage, layout.panes[i], layout.panes.size() == 1 ? runs : runs.subspan(i, 1),
+                  camera, look);
     const sf::Vector2f all(target.getSize());
     target.setView(sf::View({0, 0, all.x, all.y}));
+    const Run& costliest = *std::ranges::max_element(runs, {}, &Run::step_cost);
+    const bool slow = readings.reached < 0.95 * readings.asked;
     for (std::size_t i = 0; i < layout.headers.size(); ++i)
-        draw_header(canvas_, layout.headers[i], runs[i], scores[i]);
+        draw_header(canvas_, layout.headers[i], runs[i], readings.scores[i],
+                    slow && &runs[i] == &costliest ? std::optional(readings.reached) : std::nullopt);
     draw_strip(canvas_, layout.strip, stage);
     canvas_.flush(target);
 }
 
-void Screen::draw_pane(sf::RenderTarget& target, const Rect& place, std::span<const Run> runs,
-                       const Camera& camera, const Look& look) {
+void Screen::draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect& place,
+                       std::span<const Run> runs, const Camera& camera, const Look& look) {
     target.setView(view_of(target, place));
-    draw_table(canvas_, camera, runs.front(), look);
-    for (const Run& run : runs) draw_overlays(canvas_, camera, run, look);
-    for (const Run& run : runs) draw_balls(canvas_, camera, run, look);
-    for (const Run& run : runs.subspan(1)) draw_links(canvas_, camera, runs.front(), run);
-    for (const Run& run : runs) draw_marks(canvas_, camera, run, look);
+    const bool alone = runs.size() == 1;
+    const Run& front = alone ? runs.front() : stage.lead();
+    draw_table(canvas_, camera, front, look);
+    // On one table, what has stopped at another time is not seen together with what goes on.
+    const auto seen = [&](const Run& run) { return alone || !run.halt(); };
+    for (const Run& run : runs)
+        if (seen(run)) draw_overlays(canvas_, camera, run, look);
+    for (const Run& run : runs) {
+        if (!seen(run)) continue;
+        if (!alone && is_reference(run.engine()))
+            draw_halos(canvas_, camera, run);
+        else
+            draw_balls(canvas_, camera, run, look);
+    }
+    draw_links_of(runs, camera);
+    for (const Run& run : runs)
+        if (seen(run)) draw_marks(canvas_, camera, run, look);
     if (look.charge == 0)
-        canvas_.text({0.5 * place.width, 0.57 * place.height}, advice(runs.front().session()), Type::large,
+        canvas_.text({0.5 * place.width, 0.57 * place.height}, advice(front.session()), Type::large,
                      colour::text, Align::center);
+    for (const Run& run : runs)
+        if (run.halt()) draw_halt(stage, place, run, alone);
     canvas_.flush(target);
+}
+
+/// From each run to the reference, or else to the first.
+void Screen::draw_links_of(std::span<const Run> runs, const Camera& camera) {
+    const auto exact = std::ranges::find_if(runs, [](const Run& run) { return is_reference(run.engine()); });
+    const Run& base = exact == runs.end() ? runs.front() : *exact;
+    for (const Run& run : runs)
+        if (&run != &base && !run.halt() && !base.halt())
+            draw_links(canvas_, camera, run, base,
+                       exact == runs.end() ? colour::text : engine_colour(run.engine().name));
+}
+
+/// Why the run has halted, and what can be done: in the middle of its own pane, or in the corner of one where
+/// others go on.
+void Screen::draw_halt(const Stage& stage, const Rect& place, const Run& run, bool alone) {
+    const double pad = canvas_.scaled(12), line = lettering_.line_height(Type::small);
+    const double room = std::min(place.width - 4 * pad, canvas_.scaled(alone ? 320 : 230));
+    const std::string name(run.engine().name);
+    // Reasons begin with the engine's name, for the command line.
+    std::string reason = run.halt()->reason;
+    if (reason.starts_with(name + ": ")) reason.erase(0, name.size() + 2);
+    const std::string words =
+        sentence(name) + " stopped at " + with_unit(run.halt()->time, 2, "s") + ": " + reason;
+    const std::vector<std::string> why = lettering_.lines(words, Type::small, room);
+    const std::vector<std::string> then =
+        lettering_.lines(stage.guide() ? "T takes it up again from the state on show"
+                                       : "R to restart, Tab for the next engine",
+                         Type::small, room);
+    const double height = line * static_cast<double>(why.size() + then.size()) + 2.5 * pad;
+    const Vec2 corner =
+        alone ? Vec2{std::round(0.5 * (place.width - room) - pad), std::round(0.5 * (place.height - height))}
+              : Vec2{pad, place.height - pad - height};
+    canvas_.rectangle(corner, corner + Vec2{room + 2 * pad, height}, with_alpha(colour::raised, 0.94));
+    canvas_.rectangle(corner, corner + Vec2{canvas_.scaled(3), height}, colour::warning);
+    Vec2 at = corner + Vec2{pad, pad};
+    for (const std::string& text : why) {
+        canvas_.text(at, text, Type::small, colour::text);
+        at.y += line;
+    }
+    at.y += 0.5 * pad;
+    for (const std::string& text : then) {
+        canvas_.text(at, text, Type::small, colour::quiet);
+        at.y += line;
+    }
 }
 
 }  // namespace flipside::app

@@ -17,18 +17,27 @@ inline constexpr double pane_margin = 12;
 /// What a scene wants to be seen of it.
 [[nodiscard]] const Box& sight_of(const Scene& scene);
 
+/// Figures of the window itself that go with the stage.
+struct Readings {
+    std::vector<long> scores;  ///< one per run, as shown
+    double asked = 1;          ///< simulated seconds per second, as set
+    double reached = 1;        ///< and as the machine makes them
+};
+
 class Screen {
   public:
     explicit Screen(double scale) : lettering_(scale), canvas_(lettering_) {}
 
-    /// `camera` is that of every pane. `scores` has one per run.
+    /// `camera` is that of every pane.
     void draw(sf::RenderTarget& target, const Stage& stage, const Layout& layout, const Camera& camera,
-              const Look& look, const std::vector<long>& scores);
+              const Look& look, const Readings& readings);
     [[nodiscard]] double scale() const { return lettering_.scale(); }
 
   private:
-    void draw_pane(sf::RenderTarget& target, const Rect& place, std::span<const Run> runs,
+    void draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect& place, std::span<const Run> runs,
                    const Camera& camera, const Look& look);
+    void draw_links_of(std::span<const Run> runs, const Camera& camera);
+    void draw_halt(const Stage& stage, const Rect& place, const Run& run, bool alone);
 
     Lettering lettering_;
     Canvas canvas_;

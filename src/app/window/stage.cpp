@@ -15,14 +15,17 @@ constexpr std::string_view reference_name = "reference";
 
 }  // namespace
 
-bool is_reference(const Run& run) {
-    return run.session().engine().name == reference_name;
+bool is_reference(const Engine& engine) {
+    return engine.name == reference_name;
 }
 
 Stage::Stage(const std::string& scene, const std::string& engine, View view,
              const std::vector<std::string>& settings, const std::optional<std::filesystem::path>& script)
     : engine_(&lab::engine_named(engine)), view_(view), reference_(engine == reference_name) {
-    changes_ = lab::parse_changes(settings, lab::engines());
+    // The reference is to say how far it may be trusted, unless the user will not pay for that.
+    std::vector<std::string> all{"reference.twin=on"};
+    all.insert(all.end(), settings.begin(), settings.end());
+    changes_ = lab::parse_changes(all, lab::engines());
     load(scene);
     if (script) script_ = load_script(*script, *scene_);
     start();
@@ -59,9 +62,8 @@ void Stage::start() {
 
 std::vector<const Engine*> Stage::line_up(const Engine& first) const {
     std::vector<const Engine*> engines;
-    std::ranges::copy_if(lab::engines(), std::back_inserter(engines), [this](const Engine* engine) {
-        return reference_ || engine->name != reference_name;
-    });
+    std::ranges::copy_if(lab::engines(), std::back_inserter(engines),
+                         [this](const Engine* engine) { return reference_ || !is_reference(*engine); });
     std::rotate(engines.begin(), std::ranges::find(engines, &first), engines.end());
     return engines;
 }
@@ -82,15 +84,14 @@ void Stage::arrange() {
     if (view_ == View::single) engines.resize(1);
     for (const Engine* engine : engines)
         if (!run_on(*engine)) runs_.push_back(taken_up(lead(), *engine, settings_of(*engine)));
-    const auto place = [&](const Run& run) { return std::ranges::find(engines, &run.session().engine()); };
+    const auto place = [&](const Run& run) { return std::ranges::find(engines, &run.engine()); };
     std::erase_if(runs_, [&](const Run& run) { return place(run) == engines.end(); });
     std::ranges::sort(runs_, {}, place);
     pair_up();
 }
 
 Run* Stage::run_on(const Engine& engine) {
-    const auto at =
-        std::ranges::find_if(runs_, [&](const Run& run) { return &run.session().engine() == &engine; });
+    const auto at = std::ranges::find_if(runs_, [&](const Run& run) { return &run.engine() == &engine; });
     return at == runs_.end() ? nullptr : &*at;
 }
 
@@ -116,11 +117,11 @@ void Stage::change(Run& run, const Engine& engine, const Settings& settings) {
 
 void Stage::switch_engine() {
     for (Run& run : runs_) {
-        const std::vector<const Engine*> engines = line_up(run.session().engine());
+        const std::vector<const Engine*> engines = line_up(run.engine());
         const Engine& next = *engines[1 % engines.size()];
         change(run, next, settings_of(next));
     }
-    engine_ = &runs_.front().session().engine();
+    engine_ = &runs_.front().engine();
     divergences_.clear();
     pair_up();
 }
@@ -138,16 +139,16 @@ void Stage::show_reference(bool on) {
 }
 
 const Run* Stage::guide() const {
-    const auto at =
-        std::ranges::find_if(runs_, [](const Run& run) { return !run.halt() && !is_reference(run); });
+    const auto at = std::ranges::find_if(
+        runs_, [](const Run& run) { return !run.halt() && !is_reference(run.engine()); });
     return at == runs_.end() ? nullptr : &*at;
 }
 
 void Stage::take_up() {
     const Run* from = guide();
     for (Run& run : runs_) {
-        if (!from || !(run.halt() || is_reference(run))) continue;
-        const Engine& engine = run.session().engine();
+        if (!from || !(run.halt() || is_reference(run.engine()))) continue;
+        const Engine& engine = run.engine();
         run = taken_up(*from, engine, settings_of(engine));
         compare_anew(engine);
     }
@@ -166,7 +167,7 @@ void Stage::pair_up() {
     });
     for (std::size_t i = 0; i < runs_.size(); ++i)
         for (std::size_t j = i + 1; j < runs_.size(); ++j) {
-            const Engine &a = runs_[i].session().engine(), &b = runs_[j].session().engine();
+            const Engine &a = runs_[i].engine(), &b = runs_[j].engine();
             const bool there = std::ranges::any_of(divergences_, [&](const Divergence& divergence) {
                 return (&divergence.first() == &a && &divergence.second() == &b) ||
                        (&divergence.first() == &b && &divergence.second() == &a);
@@ -200,7 +201,7 @@ void Stage::clear() {
     for (Run& run : runs_)
         if (!run.halt() || all_halted) run.clear();
     for (Run& run : runs_)
-        if (run.halt()) change(run, run.session().engine(), run.session().settings());
+        if (run.halt()) change(run, run.engine(), run.session().settings());
     divergences_.clear();
     pair_up();
 }
@@ -211,11 +212,11 @@ void Stage::set_gravity(bool on) {
     Scene changed = *original_;
     if (!on) changed.gravity = {};
     scene_ = std::make_shared<const Scene>(std::move(changed));
-    for (Run& run : runs_) change(run, run.session().engine(), run.session().settings());
+    for (Run& run : runs_) change(run, run.engine(), run.session().settings());
 }
 
 void Stage::change_setting(std::size_t run, std::string_view name, double value) {
-    const Engine& engine = runs_[run].session().engine();
+    const Engine& engine = runs_[run].engine();
     for (auto& [owner, settings] : settings_)
         if (owner == &engine) {
             Settings changed = settings;

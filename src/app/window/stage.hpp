@@ -91,6 +91,6 @@ class Stage {
     std::vector<Divergence> divergences_;
 };
 
-[[nodiscard]] bool is_reference(const Run& run);
+[[nodiscard]] bool is_reference(const Engine& engine);
 
 }  // namespace flipside::app

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/window/claim.hpp"
 #include "app/window/draw_shapes.hpp"
 
 namespace flipside::app {
@@ -95,6 +96,16 @@ sf::Color own_colour(BallNumber number) {
     return {channel(0), channel(2.0944), channel(4.1888), 215};
 }
 
+/// Even what is known no longer leaves a trace of where the engine has it.
+double opacity(const World& world, std::size_t ball) {
+    constexpr double faint = 0.15;
+    return faint + (1 - faint) * claim(uncertainty_in_radii(world, ball));
+}
+
+bool out_of_sight(const Camera& camera, Vec2 at, double radius) {
+    return at.x < -radius || at.y < -radius || at.x > camera.size.x + radius || at.y > camera.size.y + radius;
+}
+
 }  // namespace
 
 Pose pose_of(const Part& part, const PartState& state) {
@@ -113,35 +124,48 @@ void draw_table(Canvas& canvas, const Camera& camera, const Run& run, const Look
 }
 
 void draw_balls(Canvas& canvas, const Camera& camera, const Run& run, const Look& look) {
-    const sf::Color rim = engine_colour(run.session().engine().name);
-    for (const Ball& ball : run.session().world().balls()) {
+    const World& world = run.session().world();
+    const sf::Color rim = engine_colour(run.engine().name);
+    for (std::size_t i = 0; i < world.balls().size(); ++i) {
+        const Ball& ball = world.balls()[i];
         const Vec2 at = camera.to_pixels(ball.position);
         const double radius = camera.scale * ball.radius;
-        if (at.x < -radius || at.y < -radius || at.x > camera.size.x + radius ||
-            at.y > camera.size.y + radius)
-            continue;
+        if (out_of_sight(camera, at, radius)) continue;
+        const double alpha = opacity(world, i);
         const sf::Color tint = look.random_colours ? own_colour(ball.number) : sf::Color::Transparent;
+        const sf::Color sleeper =
+            look.random_colours ? blend(colour::solid, tint, 0.6) : sf::Color(0x5b, 0x61, 0x69);
         if (ball.asleep)
-            canvas.disc(at, radius,
-                        look.random_colours ? blend(colour::solid, tint, 0.6) : sf::Color(0x5b, 0x61, 0x69));
+            canvas.disc(at, radius, with_alpha(sleeper, alpha));
         else
-            canvas.steel(at, radius, tint);
+            canvas.steel(at, radius, tint, alpha);
         const double width = std::clamp(0.16 * radius, 1.0, canvas.scaled(3));
-        canvas.ring(at, std::max(0.5, radius - 0.5 * width), width, rim);
+        canvas.ring(at, std::max(0.5, radius - 0.5 * width), width, with_alpha(rim, alpha));
         // Where friction makes a ball spin, a spot shows it.
         if (std::abs(ball.angle) > 1e-3 && radius > 5)
             canvas.disc(camera.to_pixels(ball.position + 0.6 * ball.radius * from_angle(ball.angle)),
-                        0.13 * radius, colour::around);
+                        0.13 * radius, with_alpha(colour::around, alpha));
     }
 }
 
-void draw_links(Canvas& canvas, const Camera& camera, const Run& a, const Run& b) {
+void draw_halos(Canvas& canvas, const Camera& camera, const Run& run) {
+    const World& world = run.session().world();
+    const sf::Color color = engine_colour(run.engine().name);
+    for (std::size_t i = 0; i < world.balls().size(); ++i) {
+        const Vec2 at = camera.to_pixels(world.balls()[i].position);
+        const double radius = camera.scale * world.balls()[i].radius, width = canvas.scaled(2);
+        if (!out_of_sight(camera, at, radius + 2 * width))
+            canvas.ring(at, radius + 1.5 * width, width, with_alpha(color, opacity(world, i)));
+    }
+}
+
+void draw_links(Canvas& canvas, const Camera& camera, const Run& a, const Run& b, sf::Color color) {
     const auto others = b.session().world().balls();
     for (const Ball& ball : a.session().world().balls()) {
         const auto other = std::ranges::lower_bound(others, ball.number, {}, &Ball::number);
         if (other != others.end() && other->number == ball.number)
             canvas.line(camera.to_pixels(ball.position), camera.to_pixels(other->position),
-                        canvas.scaled(1.5), with_alpha(colour::text, 0.6));
+                        canvas.scaled(1.5), with_alpha(color, 0.6));
     }
 }
 

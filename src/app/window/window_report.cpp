@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/window/claim.hpp"
+
 namespace flipside::app {
 
 namespace {
@@ -37,6 +39,7 @@ Json still(const Stage& stage, const WindowState& window, const WindowControls& 
     Json j;
     j["scene"] = stage.scene_name();
     j["view"] = name_of(stage.view());
+    j["reference"] = stage.reference();
     j["paused"] = controls.paused;
     j["speed"] = controls.speed;
     j["gravity"] = stage.gravity();
@@ -55,7 +58,7 @@ Json still(const Stage& stage, const WindowState& window, const WindowControls& 
     for (const auto& [name, place] : places) j["controls"][name] = json_of(place);
     for (const Run& run : stage.runs())
         j["engines"].push_back(
-            {{"engine", run.session().engine().name}, {"settings", settings_of(run.session().settings())}});
+            {{"engine", run.engine().name}, {"settings", settings_of(run.session().settings())}});
     return j;
 }
 
@@ -63,11 +66,13 @@ Json json_of(const Run& run, const Rect& pane, const Camera& camera) {
     const lab::Session& session = run.session();
     const Scene& scene = session.scene();
     Json balls = Json::array(), flippers = Json::array();
-    for (const Ball& ball : session.world().balls()) {
+    for (std::size_t i = 0; i < session.world().balls().size(); ++i) {
+        const Ball& ball = session.world().balls()[i];
         const Vec2 at = camera.to_pixels(ball.position);
         balls.push_back({{"number", ball.number},
                          {"position", {ball.position.x, ball.position.y}},
                          {"velocity", {ball.velocity.x, ball.velocity.y}},
+                         {"uncertainty", uncertainty_in_radii(session.world(), i)},
                          {"pixel", {pane.x + at.x, pane.y + at.y}},
                          {"pixel_radius", camera.scale * ball.radius}});
     }
@@ -76,14 +81,17 @@ Json json_of(const Run& run, const Rect& pane, const Camera& camera) {
             flippers.push_back({{"name", scene.parts[i].name},
                                 {"side", flip->side == Side::left ? "left" : "right"},
                                 {"angle", session.world().parts()[i].angle}});
-    return {{"engine", session.engine().name},
-            {"time", session.world().time()},
-            {"steps", session.totals().steps},
-            {"launched", session.totals().launched},
-            {"score", session.game().score()},
-            {"balls_left", session.game().balls_left()},
-            {"balls", balls},
-            {"flippers", flippers}};
+    return {
+        {"engine", session.engine().name},
+        {"time", session.world().time()},
+        {"steps", session.totals().steps},
+        {"launched", session.totals().launched},
+        {"score", session.game().score()},
+        {"balls_left", session.game().balls_left()},
+        {"balls", balls},
+        {"flippers", flippers},
+        {"horizon", run.passed_horizon() ? Json(*run.passed_horizon()) : Json()},
+        {"halted", run.halt() ? Json{{"time", run.halt()->time}, {"reason", run.halt()->reason}} : Json()}};
 }
 
 Json json_of(const Divergence& divergence, const Scene& scene) {

@@ -1,6 +1,7 @@
 #include "app/window/words.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 
@@ -28,6 +29,12 @@ std::string engineering(double value, const std::string& unit, bool sign) {
     const double scaled = value / std::pow(1000.0, prefix - 4);
     const double size = std::abs(scaled);
     return with_unit(scaled, size < 9.995 ? 2 : size < 99.95 ? 1 : 0, prefixes[prefix] + unit, sign);
+}
+
+std::string sentence(std::string_view words) {
+    std::string text(words);
+    if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    return text;
 }
 
 std::string power_of_ten(int exponent) {

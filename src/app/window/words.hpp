@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace flipside::app {
 
@@ -12,6 +13,8 @@ namespace flipside::app {
 [[nodiscard]] std::string with_unit(double value, int digits, const std::string& unit, bool sign = false);
 /// Three figures and the unit with the prefix that suits (p … k): "12.3 µs", "1.07 kJ", "0 J".
 [[nodiscard]] std::string engineering(double value, const std::string& unit, bool sign = false);
+/// With a capital letter in front.
+[[nodiscard]] std::string sentence(std::string_view words);
 /// A power of ten: "10⁻⁹".
 [[nodiscard]] std::string power_of_ten(int exponent);
 /// A length in radii of its ball: "12.1 r", "0.31 r", "2.1·10⁻⁹ r", "0 r".

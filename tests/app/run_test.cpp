@@ -1,0 +1,114 @@
+#include "app/window/run.hpp"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "app/window/claim.hpp"
+#include "world/refusal.hpp"
+#include "world/scene_file.hpp"
+
+namespace flipside::app {
+namespace {
+
+/// An engine whose one ball rests, whose claims get ten times worse with every step, and which refuses the
+/// step that would end after 1 s.
+class Doubter : public World {
+  public:
+    explicit Doubter(const Scene& scene) {
+        balls_.resize(1);
+        balls_[0].radius = scene.balls[0].radius;
+        balls_[0].mass = scene.balls[0].mass;
+        uncertainty_[0] = 3e-14 * balls_[0].radius;
+    }
+    void step(double dt) override {
+        if (time_ + dt > 1 + 1e-9) throw Refusal("doubter: it is not sure any more");
+        time_ += dt;
+        uncertainty_[0] *= 10;
+    }
+    void apply(const Control&) override {}
+    BallNumber add(const Ball&) override { return 0; }
+    bool remove(BallNumber) override { return false; }
+    [[nodiscard]] double time() const override { return time_; }
+    [[nodiscard]] std::span<const Ball> balls() const override { return balls_; }
+    [[nodiscard]] std::span<const PartState> parts() const override { return {}; }
+    [[nodiscard]] std::span<const Event> events() const override { return {}; }
+    [[nodiscard]] std::span<const Contact> contacts() const override { return {}; }
+    [[nodiscard]] const Statistics& statistics() const override { return statistics_; }
+    [[nodiscard]] std::span<const double> uncertainty() const override { return uncertainty_; }
+    [[nodiscard]] State save() const override {
+        State state;
+        state.clock.time = time_;
+        state.balls = balls_;
+        return state;
+    }
+    void restore(const State& state) override { time_ = state.clock.time; }
+    void inspect(Inspector&) const override {}
+
+  private:
+    double time_ = 0;
+    std::vector<Ball> balls_;
+    double uncertainty_[1]{};
+    Statistics statistics_;
+};
+
+const Engine doubter{"doubter",
+                     "For tests.",
+                     {},
+                     [](std::shared_ptr<const Scene> scene, const Settings&) -> std::unique_ptr<World> {
+                         return std::make_unique<Doubter>(*scene);
+                     }};
+
+Run run_of_doubter() {
+    auto scene = std::make_shared<const Scene>(
+        parse_scene(R"({"format": "flipside-scene/1", "name": "one", "about": "A ball.",
+                        "bounds": {"min": [-1, -1], "max": [1, 1]}, "gravity": [0, 0],
+                        "balls": [{"position": [0, 0], "radius": 0.5, "mass": 1}], "parts": []})",
+                    "test"));
+    return {lab::Session(scene, doubter, Settings(doubter.settings)), {}};
+}
+
+TEST(Run, StaysWhereItsEngineRefusedToGoOnAndSaysWhy) {
+    auto run = run_of_doubter();
+    for (int i = 0; i < 10; ++i) run.step(0.125, {});
+    ASSERT_TRUE(run.halt());
+    EXPECT_EQ(run.halt()->time, 1);
+    EXPECT_EQ(run.halt()->reason, "doubter: it is not sure any more");
+    EXPECT_EQ(run.session().world().time(), 1);
+    EXPECT_FALSE(run.press(control::Nudge{{1, 0}}));
+    EXPECT_EQ(run.energy_history().back().time, 1);
+    const Settings settings = run.session().settings();
+    run.change(run.session().shared_scene(), doubter, settings);
+    EXPECT_FALSE(run.halt());
+}
+
+TEST(Run, PassesTheHorizonWhereTheClaimEnds) {
+    auto run = run_of_doubter();
+    EXPECT_TRUE(run.uncertainty_history().empty());
+    for (int i = 1; i <= 12; ++i) {
+        run.step(1.0 / 16, {});
+        EXPECT_NEAR(run.uncertainty_history().back().value, 3 * std::pow(10.0, i - 14),
+                    std::pow(10.0, i - 20));
+    }
+    EXPECT_FALSE(run.passed_horizon());
+    run.step(1.0 / 16, {});
+    ASSERT_TRUE(run.passed_horizon());
+    EXPECT_EQ(*run.passed_horizon(), 13.0 / 16);
+    run.step(1.0 / 16, {});
+    EXPECT_EQ(*run.passed_horizon(), 13.0 / 16);
+    const Settings settings = run.session().settings();
+    run.change(run.session().shared_scene(), doubter, settings);
+    EXPECT_FALSE(run.passed_horizon());
+}
+
+TEST(Claim, FadesWithTheDigitsFromSureToTheHorizon) {
+    EXPECT_EQ(claim(0), 1);
+    EXPECT_EQ(claim(1e-9), 1);
+    EXPECT_DOUBLE_EQ(claim(1e-5), 0.5);
+    EXPECT_NEAR(claim(1e-3), 0.25, 1e-15);
+    EXPECT_EQ(claim(0.1), 0);
+    EXPECT_EQ(claim(std::numeric_limits<double>::infinity()), 0);
+}
+
+}  // namespace
+}  // namespace flipside::app

@@ -1,0 +1,141 @@
+#include "app/window/stage.hpp"
+
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+namespace flipside::app {
+namespace {
+
+std::vector<std::string> engines_of(const Stage& stage) {
+    std::vector<std::string> names;
+    for (const Run& run : stage.runs()) names.emplace_back(run.engine().name);
+    return names;
+}
+
+using Names = std::vector<std::string>;
+
+Stage stage_of(View view, const std::string& engine = "custom", const std::string& scene = "toy") {
+    return {scene, engine, view, {}, {}};
+}
+
+const Divergence& between(const Stage& stage, std::string_view a, std::string_view b) {
+    for (const Divergence& divergence : stage.divergences())
+        if ((divergence.first().name == a && divergence.second().name == b) ||
+            (divergence.first().name == b && divergence.second().name == a))
+            return divergence;
+    throw std::runtime_error("no such pair");
+}
+
+TEST(Stage, TheReferenceJoinsAndLeavesWithoutTouchingTheOthers) {
+    Stage stage = stage_of(View::split);
+    EXPECT_EQ(engines_of(stage), (Names{"custom", "box2d"}));
+    EXPECT_EQ(stage.divergences().size(), 1U);
+    for (int i = 0; i < 5; ++i) stage.step();
+    stage.show_reference(true);
+    ASSERT_EQ(engines_of(stage), (Names{"custom", "box2d", "reference"}));
+    EXPECT_EQ(stage.divergences().size(), 3U);
+    EXPECT_EQ(between(stage, "custom", "box2d").history().size(), 5U);
+    EXPECT_TRUE(between(stage, "custom", "reference").history().empty());
+    EXPECT_EQ(stage.runs()[2].session().world().time(), stage.time());
+    EXPECT_EQ(stage.runs()[2].session().world().balls()[0].position,
+              stage.runs()[0].session().world().balls()[0].position);
+    stage.step();
+    EXPECT_EQ(between(stage, "custom", "reference").history().size(), 1U);
+    stage.show_reference(false);
+    EXPECT_EQ(engines_of(stage), (Names{"custom", "box2d"}));
+    EXPECT_EQ(between(stage, "custom", "box2d").history().size(), 6U);
+}
+
+TEST(Stage, TheReferenceMayLead) {
+    Stage stage = stage_of(View::split, "reference");
+    EXPECT_TRUE(stage.reference());
+    EXPECT_EQ(engines_of(stage), (Names{"reference", "custom", "box2d"}));
+    stage.set_view(View::single);
+    EXPECT_EQ(engines_of(stage), (Names{"reference"}));
+    stage.show_reference(false);
+    EXPECT_EQ(engines_of(stage), (Names{"custom"}));
+    stage.show_reference(true);
+    EXPECT_EQ(engines_of(stage), (Names{"reference"}));
+    stage.switch_engine();
+    EXPECT_EQ(engines_of(stage), (Names{"custom"}));
+    stage.set_view(View::overlay);
+    EXPECT_EQ(engines_of(stage), (Names{"custom", "box2d", "reference"}));
+}
+
+TEST(Stage, EveryRunGoesOnWithTheNextEngine) {
+    Stage stage = stage_of(View::split);
+    stage.show_reference(true);
+    stage.switch_engine();
+    EXPECT_EQ(engines_of(stage), (Names{"box2d", "reference", "custom"}));
+    stage.show_reference(false);
+    EXPECT_EQ(engines_of(stage), (Names{"box2d", "custom"}));
+    stage.switch_engine();
+    EXPECT_EQ(engines_of(stage), (Names{"custom", "box2d"}));
+}
+
+TEST(Stage, TheReferenceAgreesWithCustomLongerThanBox2d) {
+    Stage stage = stage_of(View::overlay);
+    stage.show_reference(true);
+    // Until about the first impact.
+    for (int i = 0; i < 12; ++i) stage.step();
+    EXPECT_LT(between(stage, "custom", "reference").history().back().value, 1e-9);
+    EXPECT_GT(between(stage, "box2d", "reference").history().back().value, 1e-6);
+    EXPECT_FALSE(stage.runs()[2].uncertainty_history().empty());
+    EXPECT_LT(stage.runs()[2].uncertainty_history().back().value, 1e-9);
+}
+
+TEST(Stage, TakingUpAgainStartsTheReferenceFromTheFirstOfTheOthers) {
+    Stage stage = stage_of(View::split, "box2d");
+    stage.show_reference(true);
+    for (int i = 0; i < 30; ++i) stage.step();
+    ASSERT_EQ(engines_of(stage), (Names{"box2d", "reference", "custom"}));
+    const Vec2 other = stage.runs()[2].session().world().balls()[0].position;
+    stage.take_up();
+    EXPECT_EQ(stage.runs()[1].session().world().balls()[0].position,
+              stage.runs()[0].session().world().balls()[0].position);
+    EXPECT_EQ(stage.runs()[2].session().world().balls()[0].position, other);
+    EXPECT_TRUE(between(stage, "box2d", "reference").history().empty());
+    EXPECT_FALSE(between(stage, "box2d", "custom").history().empty());
+}
+
+class RefusedStage : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::ofstream(file) << R"({"format": "flipside-scene/1", "name": "pile", "about": "One on the other.",
+            "bounds": {"min": [-1, -1], "max": [1, 1]}, "gravity": [0, -9.81],
+            "balls": [{"position": [0, 0.1], "radius": 0.1, "mass": 1},
+                      {"position": [0, 0.4], "radius": 0.1, "mass": 1}],
+            "materials": {"soft": {"restitution": 0}},
+            "parts": [{"name": "floor", "material": "soft",
+                       "shape": {"type": "segment", "a": [-1, 0], "b": [1, 0]}}]})";
+    }
+    void TearDown() override { std::filesystem::remove(file); }
+
+    std::string file = testing::TempDir() + "/flipside-pile.json";
+};
+
+TEST_F(RefusedStage, TheOthersGoOnAndTheReferenceIsTakenUpWhereTheyAre) {
+    Stage stage = stage_of(View::overlay, "custom", file);
+    stage.show_reference(true);
+    for (int i = 0; i < 60; ++i) stage.step();
+    const auto& exact = stage.runs()[2];
+    ASSERT_TRUE(exact.halt());
+    EXPECT_NE(exact.halt()->reason.find("press on each other"), std::string::npos) << exact.halt()->reason;
+    EXPECT_LT(exact.halt()->time, 0.5);
+    EXPECT_NEAR(stage.time(), 1, 1e-9);
+    EXPECT_LE(between(stage, "custom", "reference").history().back().time, exact.halt()->time + 1e-9);
+    EXPECT_NEAR(between(stage, "custom", "box2d").history().back().time, 1, 1e-9);
+    stage.take_up();
+    EXPECT_FALSE(stage.runs()[2].halt());
+    EXPECT_NEAR(stage.runs()[2].session().world().time(), 1, 1e-9);
+    stage.step();  // on a pile still
+    EXPECT_TRUE(stage.runs()[2].halt());
+    stage.clear();
+    stage.step();
+    EXPECT_FALSE(stage.runs()[2].halt());
+    for (const auto& run : stage.runs()) EXPECT_NEAR(run.session().world().time(), stage.time(), 1e-12);
+}
+
+}  // namespace
+}  // namespace flipside::app
