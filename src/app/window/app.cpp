@@ -185,12 +185,13 @@ void App::advance(double seconds) {
     if (held(Action::launch)) state_.charge = std::min(1.0, state_.charge + simulated / charge_seconds);
     const sf::Clock stepping;
     // All engines in step: where one is too slow the table runs slower for all, and the window goes on.
-    for (int steps = accumulator_.advance(simulated); steps > 0; --steps) {
+    const int due = accumulator_.advance(simulated);
+    for (int steps = due; steps > 0; --steps) {
         stage_.step();
         measured_.simulated += stage_.dt();
         if (stepping.getElapsedTime().asSeconds() > most_stepping) break;
     }
-    measured_.asked += simulated;
+    measured_.asked += due * stage_.dt();
     measured_.physics += stepping.getElapsedTime().asSeconds();
 }
 

@@ -26,7 +26,7 @@ struct Load {
     double frames_per_second = 0;
     double busy = 0;     ///< share of a frame's time spent working, 0…1
     double physics = 0;  ///< the part of it that the engines took
-    double asked = 1;    ///< simulated seconds per second, as set
+    double asked = 1;    ///< simulated seconds per second that were due
     double reached = 1;  ///< and as the engines made them
 };
 

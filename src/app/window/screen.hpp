@@ -20,8 +20,8 @@ inline constexpr double pane_margin = 12;
 /// Figures of the window itself that go with the stage.
 struct Readings {
     std::vector<long> scores;  ///< one per run, as shown
-    double asked = 1;          ///< simulated seconds per second, as set
-    double reached = 1;        ///< and as the machine makes them
+    double asked = 1;          ///< simulated seconds per second that were due
+    double reached = 1;        ///< and that the engines made
 };
 
 class Screen {
