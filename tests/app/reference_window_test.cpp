@@ -59,7 +59,7 @@ TEST_F(ReferenceWindow, AKeyShowsAndHidesAThirdPaneOfEqualSize) {
 }
 
 TEST_F(ReferenceWindow, ClicksShowItAndTakeItUpAgain) {
-    open("toy", "split", "box2d");
+    open("drop", "split", "box2d");
     click("Reference");
     window->wait("a difference", [](const Json& s) { return apart(s, "box2d", "reference") > 1e-6; });
     const Json before = pause();
@@ -89,7 +89,7 @@ TEST_F(ReferenceWindow, InTheSingleViewItTakesOverTheRunningBall) {
 }
 
 TEST_F(ReferenceWindow, OnOneTableItsBallsAreGreenRingsAroundTheOthers) {
-    open("toy", "overlay");
+    open("box", "overlay");
     show_reference();
     pause();
     window->key("r");

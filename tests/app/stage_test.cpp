@@ -15,7 +15,7 @@ std::vector<std::string> engines_of(const Stage& stage) {
 
 using Names = std::vector<std::string>;
 
-Stage stage_of(View view, const std::string& engine = "custom", const std::string& scene = "toy") {
+Stage stage_of(View view, const std::string& engine = "custom", const std::string& scene = "drop") {
     return {scene, engine, view, {}, {}};
 }
 
