@@ -19,8 +19,10 @@ void tooltip(std::string_view words) {
 }
 
 void note(ControlPlaces& places, const std::string& label) {
-    if (!ImGui::IsItemVisible()) return;
     const ImVec2 min = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
+    // Its middle, where a click would go; an edge alone may be in sight.
+    const ImVec2 middle{min.x + size.x / 2, min.y + size.y / 2};
+    if (!ImGui::IsRectVisible(middle, {middle.x + 1, middle.y + 1})) return;
     places[label] = {min.x, min.y, size.x, size.y};
 }
 
