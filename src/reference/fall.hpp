@@ -28,6 +28,12 @@ R free_step(const R& f, const R& slope, const R& k) {
     return slope < 0 ? R(2 * f / (root - slope)) : R((slope + root) / k);
 }
 
+/// Value, slope and second derivative.
+template <class R>
+struct Bent {
+    R value{}, slope{}, bend{};
+};
+
 /// What counts as rounding.
 template <class R>
 struct Smallest {
@@ -45,7 +51,7 @@ R first_fall(const F& f, R from, const R& until, const R& bound, const Smallest<
              const Meets& meets, const Again& again, bool& grazes) {
     using std::sqrt;
     const R least = bound > 0 ? R(sqrt(2 * smallest.value / bound)) : infinity<R>();
-    constexpr int most_steps = 10'000'000;  // a few, in practice
+    constexpr int most_steps = 1'000'000;  // a few, in practice
     int steps = 0;
     R t = from;
     while (t <= until) {
@@ -86,6 +92,31 @@ R first_fall(const F& f, const R& from, const R& until, const R& bound, const Sm
     bool grazes = false;
     return first_fall(
         f, from, until, bound, smallest, [](const R&) { return true; }, [](const R& t) { return t; }, grazes);
+}
+
+/// Where a contact has just let go, a function begins at zero with slope and second derivative zero. There
+/// a bound on the second derivative certifies steps of its rounding only, 1/√ε of them. With a bound on the
+/// third, `jerk`, steps grow in proportion to the time since: f(t + h) ≥ f + f'h + f''h²/2 − jerk·h³/6.
+/// Gives a time up to which `f(t)` (a Bent) that begins so surely stays above −smallest.value; `from` for one
+/// that begins otherwise.
+template <class R, class F>
+R clear_of_start(const F& f, const R& from, const R& until, const R& jerk, const Smallest<R>& smallest) {
+    using std::cbrt, std::sqrt;
+    const R least = cbrt(R(3 * smallest.value / jerk));
+    const R flat = smallest.value / (least * least);
+    constexpr int most_steps = 1000;
+    R t = from;
+    for (int step = 0; step < most_steps && t < until; ++step) {
+        const Bent<R> now = f(t);
+        const bool begins = magnitude(now.value) <= smallest.value &&
+                            magnitude(now.slope) <= smallest.slope && magnitude(now.bend) <= flat;
+        if (step == 0 ? !begins : now.slope < -smallest.slope || now.bend < -flat) return t;
+        // The longer of the steps that slope and bend each certify by themselves.
+        const R by_slope = sqrt(std::max(R(0), R(6 * now.slope / jerk)));
+        const R by_bend = std::max(R(0), R(3 * now.bend / jerk));
+        t += std::max(least, std::max(by_slope, by_bend));
+    }
+    return t;
 }
 
 }  // namespace flipside::reference

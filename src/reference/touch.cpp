@@ -92,6 +92,18 @@ struct CurveSide {
         const R pulled = far * bounds.acceleration;
         return (sign > 0 ? pulled : R(bounds.speed * bounds.speed + pulled)) / reach();
     }
+    /// As ±(|q|² − D²)/2D whatever the curve, on a flight with acceleration `a`.
+    [[nodiscard]] Bent<R> bent(const Motion<R>& m, const V<R>& a) const {
+        const V<R> out = m.position - curve.center;
+        const R d = reach();
+        return {sign * (dot(out, out) - d * d) / (2 * d), sign * dot(out, m.velocity) / d,
+                sign * (dot(m.velocity, m.velocity) + dot(out, a)) / d};
+    }
+    /// Bound on its third derivative along a flight.
+    [[nodiscard]] R jerk(const Path<R>& path, const Bounds<R>& bounds, const R& from, const R& until) const {
+        const R far = length(path.at(from).position - curve.center) + bounds.speed * (until - from);
+        return bounds.acceleration * (3 * bounds.speed + far * path.drag) / reach();
+    }
     [[nodiscard]] Value<R> face(const Motion<R>& m) const { return within(curve, m, radius); }
     [[nodiscard]] Polynomial<R> polynomial(const Motion<R>& m, const V<R>& a) const {
         const V<R> out = m.position - curve.center;
@@ -194,7 +206,16 @@ R first_touch(const Feature<R>& feature, const View<R>& view, const R& radius, c
             return R(t + step);
         };
         bool grazing = false;
-        const R t = first_fall([&](const R& at) { return side.gap(view.at(at)); }, from, last, bound,
+        R begins = from;
+        if constexpr (requires { side.bent(begin, path.acceleration); }) {
+            const auto bent = [&](const R& t) {
+                const Motion<R> m = path.at(t);
+                return side.bent(m, path.acceleration - path.drag * m.velocity);
+            };
+            if (still && !path.rides)
+                begins = clear_of_start(bent, from, last, side.jerk(path, bounds, from, until), smallest);
+        }
+        const R t = first_fall([&](const R& at) { return side.gap(view.at(at)); }, begins, last, bound,
                                smallest, meets, again, grazing);
         grazes += grazing;
         if (t < first) first = t;

@@ -11,6 +11,8 @@ namespace {
 constexpr double grip_gap = 1e-9;
 /// Hops shorter than this, in units of √(r/a), do not happen: the contact holds.
 constexpr double grip_hop = 1e-9;
+/// Faces meet smoothly whose normals have at least this cosine (1.4e-3 rad; see joint_angle).
+constexpr double smooth_joint = 1 - 1e-6;
 /// How far a ball must be out of a sensor to have left it, in radii.
 constexpr double sense_gap = 1e-9;
 /// The least way between two looks for a sensor's border, in radii.
@@ -101,6 +103,28 @@ void ContinuousSolver::find_grips(Place i, double time) {
     }
 }
 
+/// Which way each grip leads the ball: on in its motion, or where it is driven if it does not move.
+void ContinuousSolver::find_ways(const Ball& ball, double time) {
+    for (Grip& grip : grips_) {
+        const Hold& hold = grip.hold;
+        const Vec2 tangent = perp(hold.normal);
+        const double along = dot(ball.velocity - hold.surface_velocity, tangent);
+        grip.way = (along != 0 ? along : hold.driven) > 0 ? tangent : -tangent;
+        const Pose pose = hold.turning->pose(time);
+        grip.ahead =
+            ahead(*hold.feature, pose.undo(ball.position), rotated(grip.way, -pose.angle), ball.radius);
+    }
+}
+
+/// Of two faces that meet smoothly, whether this one holds. Forces cannot tell, for curves need more: it is
+/// the one that does not lead into the other; or where both or none do, the one that goes on for longer.
+bool ContinuousSolver::goes_before(const Grip& grip, const Grip& other) {
+    const bool clear = dot(grip.way, other.hold.normal) >= -speed_rounding / 2;
+    const bool other_clear = dot(other.way, grip.hold.normal) >= -speed_rounding / 2;
+    if (clear != other_clear) return clear;
+    return grip.ahead > other.ahead || (grip.ahead == other.ahead && &grip < &other);
+}
+
 /// Chooses what the ball rests on among its grips: the one whose force keeps it off all others, or all
 /// together where no single one does.
 void ContinuousSolver::take_hold(Place i, double time) {
@@ -108,19 +132,17 @@ void ContinuousSolver::take_hold(Place i, double time) {
     Mover& mover = movers_[i];
     int pressed = 0;
     bool moving = false;
+    if (grips_.size() > 1) find_ways(ball, time);
     for (const Grip& grip : grips_) {
         pressed += grip.pressed;
         moving = moving || grip.hold.turning->rate_at(time) != 0;
         if (!grip.pressed) continue;
-        const Vec2 tangent = perp(grip.hold.normal);
-        const Vec2 along = dot(ball.velocity - grip.hold.surface_velocity, tangent) * tangent;
         const bool enough = std::ranges::all_of(grips_, [&](const Grip& other) {
             if (&other == &grip) return true;
-            // On nearly flat joints forces cannot tell the faces apart: then the way it goes does.
             const double cosine = dot(other.hold.normal, grip.hold.normal);
-            return other.hold.force - grip.hold.force * cosine <= 1e-9 * grip.hold.force &&
-                   (cosine < 1 - 1e-6 ||
-                    dot(along, other.hold.normal) >= -speed_rounding / 2 * length(along));
+            return cosine < smooth_joint
+                       ? other.hold.force - grip.hold.force * cosine <= 1e-9 * grip.hold.force
+                       : goes_before(grip, other);
         });
         if (!enough) continue;
         mover.held = grip.hold.feature;
@@ -164,6 +186,20 @@ void ContinuousSolver::predict(Place i, double time) {
     std::ranges::push_heap(queue_, std::greater{});
 }
 
+/// Whether the ball comes to this feature only by sliding to the end of what holds it. That is no touch, but
+/// rounding would make one of it, at an angle of its square root.
+bool ContinuousSolver::slides_to(const Mover& mover, const Ball& ball, const Feature& feature) const {
+    if (mover.held == nullptr) return false;
+    const auto is_posed = [&](PartIndex part) {
+        return !turnings_[part].still() || turnings_[part].begin.angle != 0;
+    };
+    const PartIndex own = mover.held->part;
+    if (feature.part != own && (is_posed(feature.part) || is_posed(own))) return false;
+    const Pose pose = turnings_[own].pose(mover.way.path.start);
+    const Vec2 normal = look(*mover.held, pose.undo(ball.position), ball.radius).normal;
+    return ends_in(*mover.held, normal, feature);
+}
+
 void ContinuousSolver::predict_features(Place i, double time) {
     const Ball& ball = (*balls_)[i];
     Mover& mover = movers_[i];
@@ -186,7 +222,7 @@ void ContinuousSolver::predict_features(Place i, double time) {
             offer(mover, sense_time(sensed, ball, path, time, false), Next::sense, sensed);
             continue;
         }
-        if (&feature == mover.held || ignores(feature, ball)) continue;
+        if (&feature == mover.held || ignores(feature, ball) || slides_to(mover, ball, feature)) continue;
         const Turning& turning = turnings_[feature.part];
         if (turning.still() &&
             (ball.asleep || (turning.begin.angle == 0 && clear_of(feature, from, to, ball.radius, sag))))

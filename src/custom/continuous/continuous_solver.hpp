@@ -107,6 +107,7 @@ class ContinuousSolver {
     void set_out(Place i, double time);
     void predict(Place i, double time);
     void predict_features(Place i, double time);
+    [[nodiscard]] bool slides_to(const Mover& mover, const Ball& ball, const Feature& feature) const;
     void predict_balls(Place i, double time);
     void predict_loss(Place i, double time);
     void offer(Mover& mover, double time, Next next, std::uint32_t met = 0, std::uint32_t met_changes = 0);
@@ -119,7 +120,11 @@ class ContinuousSolver {
     struct Grip {
         Hold hold;
         bool pressed = false;
+        Vec2 way{};        ///< in which it leads the ball, unit
+        double ahead = 0;  ///< how far, m
     };
+    void find_ways(const Ball& ball, double time);
+    [[nodiscard]] static bool goes_before(const Grip& grip, const Grip& other);
     void find_grips(Place i, double time);
     void take_hold(Place i, double time);
 

@@ -1,6 +1,7 @@
 #include "custom/continuous/feature.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 #include "custom/geometry/bounds.hpp"
@@ -191,6 +192,42 @@ Sight look(const Feature& feature, Vec2 point, double radius) {
 
 bool clear_of(const Feature& feature, Vec2 a, Vec2 b, double radius, double sag) {
     return std::visit(ClearOf{a, b, radius, sag}, feature.is);
+}
+
+bool ends_in(const Feature& face, Vec2 normal, const Feature& round) {
+    const auto* there = std::get_if<Round>(&round.is);
+    if (there == nullptr) return false;
+    // Where a ball on this side of the end would touch the round.
+    const auto goes_on = [&](Vec2 end, Vec2 n) {
+        constexpr double rounding = 64 * 0x1p-53;
+        const double size = std::abs(end.x) + std::abs(end.y) + there->radius;
+        return length(there->center + there->radius * n - end) <= rounding * size;
+    };
+    if (const auto* line = std::get_if<Line>(&face.is)) {
+        const Vec2 n = cross(line->along, normal) >= 0 ? perp(line->along) : -perp(line->along);
+        return goes_on(line->start, n) || goes_on(line->start + line->length * line->along, n);
+    }
+    const auto* bow = std::get_if<Bow>(&face.is);
+    if (bow == nullptr || bow->full) return false;
+    return std::ranges::any_of(std::array{bow->from, bow->to}, [&](Vec2 end) {
+        const Vec2 at = bow->center + bow->radius * end;
+        return goes_on(at, end) || goes_on(at, -end);
+    });
+}
+
+double ahead(const Feature& feature, Vec2 point, Vec2 direction, double radius) {
+    if (const auto* line = std::get_if<Line>(&feature.is)) {
+        const double s = dot(point - line->start, line->along);
+        return dot(direction, line->along) > 0 ? line->length - s : s;
+    }
+    const auto* bow = std::get_if<Bow>(&feature.is);
+    if (bow == nullptr) return 1e-9 * radius;
+    if (bow->full) return INFINITY;
+    const Vec2 out = point - bow->center;
+    const bool anticlockwise = cross(out, direction) > 0;
+    const Vec2 a = anticlockwise ? out : bow->from, b = anticlockwise ? bow->to : out;
+    const double angle = std::atan2(cross(a, b), dot(a, b));
+    return bow->radius * (angle < -joint_angle ? angle + 2 * std::numbers::pi : angle);
 }
 
 Feature posed(const Feature& feature, const Pose& pose) {

@@ -16,13 +16,15 @@
 namespace flipside::custom {
 
 /// How far a curve reaches past its end. Nothing past an end where a round stands; at a smooth joint or
-/// a tangent point just past the joint's own gap and kink, so that nothing slips through.
+/// a tangent point just past the joint's own gap and kink, so that nothing slips through. What it holds it
+/// keeps a little further, so that it does not touch again what it let go of there.
 struct Reach {
     bool joined = false;
     double gap = 0;   ///< m
     double kink = 0;  ///< rad
 
     [[nodiscard]] double of(double radius) const { return joined ? gap + (kink + 1e-10) * radius : 0; }
+    [[nodiscard]] double holds(double radius) const { return joined ? gap + (kink + 2e-10) * radius : 0; }
 };
 
 /// Two-sided straight face.
@@ -72,6 +74,15 @@ struct Sight {
 /// Whether a disc whose centre stays within `sag` of the chord from a to b surely does not touch the feature
 /// (in the pose of the scene file). Cheap, and true only where that is easy to see.
 [[nodiscard]] bool clear_of(const Feature& feature, Vec2 a, Vec2 b, double radius, double sag);
+
+/// Whether a ball that slides along the face to one of its ends there meets the round without any approach,
+/// since the round is the end itself or goes on smoothly; `normal` is the face's towards the ball. Both in
+/// the same pose.
+[[nodiscard]] bool ends_in(const Feature& face, Vec2 normal, const Feature& round);
+
+/// How far a ball of this radius that lies on the feature at `point` can move along `direction` (unit) until
+/// its end, m. A round, which goes on from where a face ends, counts as one that is about to end.
+[[nodiscard]] double ahead(const Feature& feature, Vec2 point, Vec2 direction, double radius);
 
 /// The feature turned into a pose.
 [[nodiscard]] Feature posed(const Feature& feature, const Pose& pose);

@@ -191,12 +191,12 @@ double end_of_face(const Feature& feature, const Turning& turning, const Path& p
         double h = never_touch;
         if (const auto* line = std::get_if<Line>(&feature.is)) {
             const double s = dot(q - line->start, line->along), along = dot(u, line->along);
-            h = std::min(free(s + line->before.of(radius), along),
-                         free(line->length + line->past.of(radius) - s, -along));
+            h = std::min(free(s + line->before.holds(radius), along),
+                         free(line->length + line->past.holds(radius) - s, -along));
         } else if (const auto* bow = std::get_if<Bow>(&feature.is); bow && !bow->full) {
             const Vec2 out = q - bow->center;
-            const double from = free(cross(bow->from, out) + bow->before.of(radius), cross(bow->from, u));
-            const double to = free(cross(out, bow->to) + bow->past.of(radius), cross(u, bow->to));
+            const double from = free(cross(bow->from, out) + bow->before.holds(radius), cross(bow->from, u));
+            const double to = free(cross(out, bow->to) + bow->past.holds(radius), cross(u, bow->to));
             h = bow->wide ? std::max(from, to) : std::min(from, to);
         }
         if (h <= 0) return t;

@@ -39,10 +39,18 @@ std::span<const Entrant> entrants() {
     return all;
 }
 
+std::vector<const Entrant*> all_entrants() {
+    std::vector<const Entrant*> pointers;
+    for (const Entrant& entrant : all) pointers.push_back(&entrant);
+    return pointers;
+}
+
 const Entrant& entrant_named(std::string_view name) {
     const auto at = std::ranges::find(all, name, &Entrant::name);
-    if (at == std::end(all)) throw InputError("unknown entrant '" + std::string(name) + "' of a sweep");
-    return *at;
+    if (at != std::end(all)) return *at;
+    std::string known;
+    for (const Entrant& entrant : all) known += (known.empty() ? "" : ", ") + std::string(entrant.name);
+    throw InputError("unknown entrant '" + std::string(name) + "' of a sweep; allowed are " + known);
 }
 
 Settings settings_of(const Entrant& entrant, const Scene& scene) {

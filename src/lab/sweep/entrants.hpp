@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lab/engines.hpp"
 
@@ -20,6 +21,7 @@ struct Entrant {
 inline constexpr int coarsest_steps = 30, finest_steps = 7680;  ///< per second
 
 [[nodiscard]] std::span<const Entrant> entrants();
+[[nodiscard]] std::vector<const Entrant*> all_entrants();
 /// Throws InputError for an unknown name.
 [[nodiscard]] const Entrant& entrant_named(std::string_view name);
 /// The engine's defaults, what the scene recommends, and the entrant's own settings.

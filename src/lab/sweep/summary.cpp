@@ -58,6 +58,7 @@ Figures figures_of(std::span<const Run> runs) {
         const Outcome& outcome = run.outcome;
         errors.push_back(outcome.error);
         typical.push_back(outcome.typical);
+        figures.exact += outcome.error <= exact_radii ? 1U : 0U;
         if (!outcome.failure.empty()) ++figures.failed, ++figures.failures[outcome.failure];
         figures.impacts += outcome.impacts;
         figures.missed += outcome.missed;
@@ -130,12 +131,17 @@ std::vector<Figures> summarize(std::span<const Run> runs) {
 void write_summary(const fs::path& file, std::span<const Figures> all) {
     WholeFile whole(file);
     whole.out() << "variant,entrant,engine,settings,dt,windows,failed,failures,median,p95,max,"
-                   "typical_median,typical_p95,impacts,missed,spurious,timed,cpu_min,cpu_median\n";
+                   "typical_median,typical_p95,exact,impacts,missed,spurious,timed,cpu_min,cpu_median\n";
     CsvRow row;
     for (const Figures& f : all) {
         row.add(f.variant).add(f.entrant).add(f.engine).add(f.settings).add(f.dt).add(f.windows);
         row.add(f.failed).add(text_of(f.failures)).add(f.median).add(f.p95).add(f.max);
-        row.add(f.typical_median).add(f.typical_p95).add(f.impacts).add(f.missed).add(f.spurious);
+        row.add(f.typical_median)
+            .add(f.typical_p95)
+            .add(f.exact)
+            .add(f.impacts)
+            .add(f.missed)
+            .add(f.spurious);
         row.add(f.timed).add(f.cpu_min).add(f.cpu_median).write(whole.out());
     }
     whole.finish();

@@ -8,6 +8,9 @@
 
 namespace flipside::lab::sweep {
 
+/// Up to here, radii, an engine in double precision is as good as exact.
+inline constexpr double exact_radii = 1e-9;
+
 struct Figures {
     std::string variant, entrant;
     std::string engine, settings;                 ///< of the entrant
@@ -20,6 +23,7 @@ struct Figures {
     /// The same of the windows' typical errors (radii, median of the balls that were hit): with one ball it
     /// is the same; with hundreds the worst ball tells of one grazing hit, this of the engine.
     double typical_median = 0, typical_p95 = 0;
+    std::size_t exact = 0;                              ///< windows with an error of exact_radii at most
     std::size_t impacts = 0, missed = 0, spurious = 0;  ///< sums over all windows
     std::size_t timed = 0;                              ///< windows that were timed
     /// CPU seconds per simulated second: sums over the timed windows of the least and of the median time.

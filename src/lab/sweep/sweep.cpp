@@ -54,8 +54,8 @@ double work_of(const Plan& plan, const Variant& variant) {
     const double seconds = 0.5 * window_unit * (variant.shortest + variant.longest);
     constexpr double overhead = 4;  // a step costs about as much as that many balls in it
     double work = 0;
-    for (const Entrant& entrant : entrants())
-        for (const double dt : steps_of(entrant, plan))
+    for (const Entrant* entrant : plan.entrants)
+        for (const double dt : steps_of(*entrant, plan))
             work += std::min((overhead + balls) * seconds / dt, plan.most_work);
     return work;
 }
@@ -82,11 +82,11 @@ std::string to_json(const Plan& plan) {
                             {"until", variant.until},
                             {"shortest", variant.shortest},
                             {"longest", variant.longest}});
-    for (const Entrant& entrant : entrants())
-        all.push_back({{"name", entrant.name},
-                       {"engine", entrant.engine},
-                       {"settings", entrant.settings},
-                       {"about", entrant.about}});
+    for (const Entrant* entrant : plan.entrants)
+        all.push_back({{"name", entrant->name},
+                       {"engine", entrant->engine},
+                       {"settings", entrant->settings},
+                       {"about", entrant->about}});
     const nlohmann::ordered_json json{{"format", "flipside-sweep/1"},
                                       {"seed", plan.seed},
                                       {"blocks", plan.blocks},

@@ -20,6 +20,7 @@ namespace flipside::lab::sweep {
 
 struct Plan {
     std::vector<Variant> variants{};
+    std::vector<const Entrant*> entrants = all_entrants();
     std::uint64_t seed = 1;
     std::uint32_t blocks = 20;    ///< per variant
     std::size_t block_size = 25;  ///< windows

@@ -65,9 +65,9 @@ std::vector<Run> measure_unit(const Plan& plan, const Unit& unit, const Block& b
                               const std::function<void(double)>& watch) {
     std::vector<std::unique_ptr<World>> worlds;
     std::vector<Lane> lanes;
-    for (const Entrant& entrant : entrants()) {
-        worlds.push_back(engine_named(entrant.engine).make(scene, settings_of(entrant, *scene)));
-        for (const double dt : steps_of(entrant, plan)) lanes.push_back({&entrant, worlds.back().get(), dt});
+    for (const Entrant* entrant : plan.entrants) {
+        worlds.push_back(engine_named(entrant->engine).make(scene, settings_of(*entrant, *scene)));
+        for (const double dt : steps_of(*entrant, plan)) lanes.push_back({entrant, worlds.back().get(), dt});
     }
     std::vector<Task> tasks = tasks_of(plan, unit, block, lanes);
     const auto rounds = static_cast<double>(plan.repetitions);

@@ -142,6 +142,57 @@ TEST(ContinuousSolver, RidesAMovingPart) {
     EXPECT_LT(ends[0].x, 0.5);  // it slides down the raised side
 }
 
+// A ball slides round the inside of an arc onto the line that goes on from it, and never leaves them: its
+// speed is that of its fall, whatever the step.
+TEST(ContinuousSolver, SlidesOverASmoothJoint) {
+    const double pi = std::numbers::pi, slope = 28 * pi / 180, radius = 0.034, r = 0.0135;
+    const Vec2 center{0.45, 0.15}, down = {-std::cos(slope), -std::sin(slope)};
+    const Vec2 joint = center - radius * perp(-down), far = joint + 0.2 * down;
+    Scene scene = empty_scene({0, -1.11});
+    const shape::Arc arc{center, radius, 1.5 * pi + slope, 2 * pi};
+    add_part(scene, {shape::Compound{{{arc}, segment(far, joint)}}}, {"", 0.5, 0, 0});
+    const Vec2 out = from_angle(-0.1);
+    add_ball(scene, center + (radius - r) * out, 0.5 * -perp(out), r);
+    const double start = scene.balls[0].position.y;
+    for (const int rate : {30, 60, 1000, 7680}) {
+        const auto world = continuous(scene);
+        std::uint64_t impacts = 0;
+        while (world->balls()[0].position.x > far.x + 0.05) {
+            world->step(1.0 / rate);
+            const Ball& ball = world->balls()[0];
+            impacts += world->statistics().impacts;
+            ASSERT_EQ(world->statistics().handed_over, 0U);
+            EXPECT_NEAR(length_squared(ball.velocity), 0.25 + 2 * 1.11 * (start - ball.position.y), 1e-12);
+            if (dot(ball.position - joint, down) < 0) continue;
+            EXPECT_NEAR(dot(ball.position - joint, perp(-down)), r, 1e-15);
+        }
+        EXPECT_EQ(impacts, 0U) << rate;
+    }
+}
+
+// A ball that slides off the end of a face leaves it along its tangent: the corner is no obstacle. Where the
+// surface goes on smoothly it is held up to 2e-10 radii longer (Reach).
+TEST(ContinuousSolver, SlidesOffAnEndWithoutAHit) {
+    const double v = 1.7, r = 0.0135, edge = 0.3, weight = 1.11;
+    const Shape shapes[] = {
+        segment({0.1, 0.2}, {edge, 0.2}),
+        {shape::Polygon{{{0.1, 0.15}, {edge, 0.15}, {edge, 0.2}, {0.1, 0.2}}}},
+        {shape::Capsule{{0.1, 0.19}, {edge, 0.19}, 0.01}},
+    };
+    for (const Shape& shape : shapes)
+        for (const int rate : {30, 60, 1000}) {
+            Scene scene = empty_scene({0, -weight});
+            add_part(scene, shape, {"", 0.5, 0, 0});
+            add_ball(scene, {0.15, 0.2 + r}, {v, 0}, r);
+            const auto world = continuous(scene);
+            run(*world, 0.3, 1.0 / rate);
+            const Ball& ball = world->balls()[0];
+            const double falls = world->time() - (edge - 0.15) / v;
+            EXPECT_NEAR(ball.position.x, 0.15 + v * world->time(), 1e-13);
+            EXPECT_NEAR(ball.position.y, 0.2 + r - weight * falls * falls / 2, 1e-12);
+        }
+}
+
 // A ball that hops down on a pin slides off it once its hops are lower than rounding: they end.
 TEST(ContinuousSolver, HopsOnABendEnd) {
     for (const double e : {0.4, 0.9}) {
