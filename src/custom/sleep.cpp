@@ -8,40 +8,79 @@ namespace {
 
 /// Balls that overlap anything by more than this, in radii, are on their way out of it.
 constexpr double most_overlap = 0.005;
+/// In an island of several balls: speeds and gains of speed that are rest, in units of what gravity gives
+/// in a step.
+constexpr double island_speed = 0.05;
+constexpr double island_gain = 0.02;
 
 }  // namespace
 
-void Sleep::watch(std::span<const Ball> balls) {
-    before_.clear();
-    for (const Ball& ball : balls)
-        before_.push_back({ball.number, ball.position, ball.velocity, ball.radius, false});
+void Sleep::reserve(std::size_t balls) {
+    make_room(before_, balls);
+    make_room(members_, balls);
 }
 
-void Sleep::squeeze(BallNumber number, double overlap) {
-    const auto at = std::ranges::lower_bound(before_, number, {}, &Before::number);
-    if (at != before_.end() && at->number == number && overlap > most_overlap * at->radius)
-        at->squeezed = true;
+void Sleep::watch(std::span<const Ball> balls) {
+    before_.clear();
+    for (const Ball& ball : balls) before_.push_back({ball.number, ball.position, ball.velocity});
 }
 
 void Sleep::settle(std::span<Ball> balls, std::span<const Contact> contacts, double dt) {
-    for (const Contact& contact : contacts) {
-        squeeze(contact.ball, -contact.separation);
-        if (contact.other.is_ball) squeeze(contact.other.index, -contact.separation);
-    }
-    const double gain = 1e-3 * gravity_ * dt + 1e-2 * speed_;
+    if (std::ranges::all_of(balls, &Ball::asleep)) return;
+    members_.clear();
+    for (std::size_t i = 0; i < balls.size(); ++i) members_.push_back({i, false, false});
+    for (const Contact& contact : contacts) join(balls, contact);
     auto before = before_.begin();
-    for (Ball& ball : balls) {
-        while (before != before_.end() && before->number < ball.number) ++before;
-        if (before == before_.end()) return;
-        if (before->number != ball.number) continue;
-        const bool slow = length(ball.velocity) < speed_ && length(before->velocity) < speed_ &&
-                          std::abs(ball.spin) * ball.radius < speed_ &&
-                          length(ball.position - before->position) < speed_ * dt;
-        if (!slow || before->squeezed || length(ball.velocity - before->velocity) > gain) continue;
-        ball.asleep = true;
-        ball.velocity = {};
-        ball.spin = 0;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        while (before != before_.end() && before->number < balls[i].number) ++before;
+        const bool joined = before == before_.end() || before->number != balls[i].number;
+        if (joined || moved(*before, balls[i], members_[i].in_company, dt)) members_[i].moves = true;
+        if (members_[i].moves && !balls[i].asleep) members_[island_of(i)].moves = true;
     }
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        if (balls[i].asleep || members_[island_of(i)].moves) continue;
+        balls[i].asleep = true;
+        balls[i].velocity = {};
+        balls[i].spin = 0;
+    }
+}
+
+/// The ball that stands for an island, by place: sets joined under the lower place, paths halved on the way
+/// (Tarjan 1975, "Efficiency of a good but not linear set union algorithm").
+std::size_t Sleep::island_of(std::size_t i) {
+    while (members_[i].island != i) i = members_[i].island = members_[members_[i].island].island;
+    return i;
+}
+
+/// Awake balls in touch belong to one island.
+void Sleep::join(std::span<const Ball> balls, const Contact& contact) {
+    const auto place = [&](BallNumber number) {
+        return static_cast<std::size_t>(std::ranges::lower_bound(balls, number, {}, &Ball::number) -
+                                        balls.begin());
+    };
+    const auto squeeze = [&](std::size_t i) {
+        if (-contact.separation > most_overlap * balls[i].radius) members_[i].moves = true;
+    };
+    const std::size_t a = place(contact.ball);
+    squeeze(a);
+    if (!contact.other.is_ball) return;
+    const std::size_t b = place(contact.other.index);
+    squeeze(b);
+    members_[a].in_company = members_[b].in_company = true;
+    if (balls[a].asleep || balls[b].asleep) return;
+    const std::size_t first = island_of(a), second = island_of(b);
+    members_[std::max(first, second)].island = std::min(first, second);
+}
+
+/// Whether a ball did over the step what rest does not allow.
+bool Sleep::moved(const Before& before, const Ball& ball, bool in_company, double dt) const {
+    const double pull = gravity_ * dt;
+    const double slow = in_company ? std::max(speed_, island_speed * pull) : speed_;
+    const double steady = in_company ? island_gain * pull : 1e-3 * pull + 1e-2 * speed_;
+    return length(ball.velocity) >= slow || length(before.velocity) >= slow ||
+           std::abs(ball.spin) * ball.radius >= slow ||
+           length(ball.position - before.position) >= slow * dt ||
+           length(ball.velocity - before.velocity) > steady;
 }
 
 }  // namespace flipside::custom

@@ -1,6 +1,13 @@
 #pragma once
-/// Falling asleep. A ball sleeps from the end of a step over which it was slow and nothing drove it: what
-/// it did in that one step decides, so there is no timer that a saved state would have to hold.
+/// Falling asleep. Balls that touch sleep together or not at all, from the end of a step over which they
+/// were slow and nothing drove them: what they did in that one step decides, so there is no timer that a
+/// saved state would have to hold.
+///
+/// Its approximation, *early rest*: a ball alone is stopped when slower than sleep_speed, balls in touch when
+/// slower than a twentieth of what gravity gives in a step: so much motion the solver of piles leaves where
+/// the true forces balance. What is driven by more than a thousandth of gravity (in company a fiftieth, for
+/// balance is found no better there) is not at rest, however slow: a ball that turns back on a slope, a
+/// pile that begins to slide.
 
 #include <span>
 #include <vector>
@@ -17,26 +24,32 @@ class Sleep {
     Sleep(double speed, double gravity) : speed_(speed), gravity_(gravity) {}
 
     /// Makes room for so many balls.
-    void reserve(std::size_t balls) { make_room(before_, balls); }
+    void reserve(std::size_t balls);
     /// Before a step: remembers the balls.
     void watch(std::span<const Ball> balls);
-    /// After it: puts those to sleep, with all velocity gone, that were slower than `speed` throughout and
-    /// did not gain more than a thousandth of what gravity gives in free fall (a ball that turns back on
-    /// a slope does). Balls that joined in between, and those that a contact squeezes by more than half a
-    /// hundredth of their radius, are left alone.
+    /// After it: puts islands to sleep, with all velocity gone, none of whose balls moved, was driven,
+    /// joined in between, or is squeezed by a contact by more than half a hundredth of its radius. An
+    /// island is a ball or awake balls that touch. `contacts` are those of `balls`.
+    /// Cost: O((balls + contacts) · log balls), nothing when all sleep.
     void settle(std::span<Ball> balls, std::span<const Contact> contacts, double dt);
 
   private:
     struct Before {
         BallNumber number = 0;
         Vec2 position, velocity;
-        double radius = 0;  ///< m
-        bool squeezed = false;
     };
-    void squeeze(BallNumber number, double overlap);
+    struct Member {
+        std::size_t island = 0;   ///< place of a ball of the same island, its own if it stands for it
+        bool moves = false;       ///< or is squeezed; of the ball that stands for an island: any in it
+        bool in_company = false;  ///< touches a ball
+    };
+    void join(std::span<const Ball> balls, const Contact& contact);
+    [[nodiscard]] std::size_t island_of(std::size_t i);
+    [[nodiscard]] bool moved(const Before& before, const Ball& ball, bool in_company, double dt) const;
 
     double speed_, gravity_;
     std::vector<Before> before_;
+    std::vector<Member> members_;  ///< of the balls after the step
 };
 
 }  // namespace flipside::custom

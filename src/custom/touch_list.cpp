@@ -151,6 +151,18 @@ void TouchList::report_touches(double time, std::vector<Event>& events) const {
     each_missing(before_, now_, key, ended);
 }
 
+void TouchList::wake_unsupported(std::span<Ball> balls, Vec2 gravity) const {
+    const auto wake = [&](BallNumber number) {
+        const auto ball = std::ranges::lower_bound(balls, number, {}, &Ball::number);
+        if (ball != balls.end() && ball->number == number) ball->asleep = false;
+    };
+    each_missing(before_, now_, key, [&](const Contact& ended) {
+        const double pull = dot(ended.normal, gravity);
+        if (pull < 0) wake(ended.ball);
+        if (pull > 0 && ended.other.is_ball) wake(ended.other.index);
+    });
+}
+
 void TouchList::report_sensors(double time, std::vector<Sensed>& crossed, std::vector<Event>& events) const {
     // What was crossed within the step began in it, and ended in it unless the ball is still there.
     const auto sensor_event = [&](EventKind kind) {

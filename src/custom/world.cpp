@@ -40,6 +40,7 @@ void CustomWorld::make_room() {
     if (steps_continuously()) continuous_.reserve(balls_.size());
     touches_.reserve(layout_.size(), balls_.size());
     sleep_.reserve(balls_.size());
+    custom::make_room(table_.pressings(), balls_.size(), contacts_per_ball);
     custom::make_room(record_.events, balls_.size(), touches_per_ball);
     custom::make_room(record_.crossed, balls_.size(), touches_per_ball);
 }
@@ -66,6 +67,7 @@ void CustomWorld::step(double dt) {
         report_continuous();
     else
         report_discrete();
+    touches_.wake_unsupported(balls_, scene_->gravity);
     if (settings_.sleep) sleep_.settle(balls_, contacts(), dt);
     fill_statistics(box_tests() - tests_before);
 }

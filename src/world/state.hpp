@@ -18,11 +18,22 @@ struct PartState {
     friend bool operator==(const PartState&, const PartState&) = default;
 };
 
+/// What two balls of a pile exert on each other. An engine that finds these forces step by step begins each
+/// step with those of the last; others have none.
+struct Pressing {
+    BallNumber a = 0, b = 0;  ///< a < b
+    double normal = 0;        ///< N, above 0
+    double tangent = 0;       ///< N, by friction, on a along perp of the normal from b to a
+
+    friend bool operator==(const Pressing&, const Pressing&) = default;
+};
+
 struct State {
     Clock clock;
     BallNumber next_number = 0;
     std::vector<Ball> balls;          ///< by rising number
     std::vector<PartState> parts;     ///< one per part of the scene
+    std::vector<Pressing> pressings;  ///< by b, then a
     bool raised[2] = {false, false};  ///< flipper buttons by Side
     bool rotating = false;
     std::vector<control::Launch> launches;  ///< waiting for a free place, first come first served

@@ -106,6 +106,25 @@ std::vector<PartState> read_parts(const Node& root, const Scene& scene) {
     return states;
 }
 
+std::vector<Pressing> read_pressings(const Node& root, const std::vector<Ball>& balls) {
+    std::vector<Pressing> pressings;
+    for (const Node& node : root.each("pressings")) {
+        const Pressing pressing{static_cast<BallNumber>(node.integer("a")),
+                                static_cast<BallNumber>(node.integer("b")), node.real("normal"),
+                                node.real("tangent", 0)};
+        for (const char* key : {"a", "b"})
+            if (!std::ranges::binary_search(balls, static_cast<BallNumber>(node.integer(key)), {},
+                                            &Ball::number))
+                node.fail(key, "no ball has this number; allowed are balls of this state");
+        const auto rank = [](const Pressing& p) { return std::pair(p.b, p.a); };
+        if (pressing.a >= pressing.b) node.fail("b", "is not above a; allowed are rising numbers");
+        if (!pressings.empty() && rank(pressing) <= rank(pressings.back()))
+            node.fail("is not above the pair before it; allowed are pairs by rising b, then a");
+        pressings.push_back(pressing);
+    }
+    return pressings;
+}
+
 }  // namespace
 
 std::string to_json(const State& state, const Scene& scene) {
@@ -130,6 +149,8 @@ std::string to_json(const State& state, const Scene& scene) {
     for (const control::Launch& launch : state.launches)
         json["launches"].push_back(
             {{"strength", launch.strength}, {"count", launch.count}, {"size", launch.size}});
+    for (const Pressing& p : state.pressings)
+        json["pressings"].push_back({{"a", p.a}, {"b", p.b}, {"normal", p.normal}, {"tangent", p.tangent}});
     return json.dump() + "\n";
 }
 
@@ -144,6 +165,7 @@ State parse_state(std::string_view text, const std::string& file, const Scene& s
     state.clock = {root.real("time"), root.real("time_remainder", 0)};
     state.next_number = static_cast<BallNumber>(root.integer("next_number"));
     state.balls = read_balls(root, scene);
+    state.pressings = read_pressings(root, state.balls);
     state.parts = read_parts(root, scene);
     for (const Node& side : root.each("raised")) state.raised[side.json() == side_names[0] ? 0 : 1] = true;
     state.rotating = root.toggle("rotating");

@@ -122,6 +122,10 @@ std::optional<Table::Launched> Table::launch(std::span<const Ball> balls) {
 State Table::save(std::span<const Ball> balls) const {
     State state = state_;
     state.balls.assign(balls.begin(), balls.end());
+    const auto gone = [&](BallNumber number) {
+        return !std::ranges::binary_search(balls, number, {}, &Ball::number);
+    };
+    std::erase_if(state.pressings, [&](const Pressing& p) { return gone(p.a) || gone(p.b); });
     return state;
 }
 

@@ -51,6 +51,7 @@ class Table {
 
     BallNumber new_number() { return state_.next_number++; }
     [[nodiscard]] std::vector<BallNumber>& reported_lost() { return state_.reported_lost; }
+    [[nodiscard]] std::vector<Pressing>& pressings() { return state_.pressings; }
 
     /// The next launch if one is waiting and its place is free, given the balls in the world. Either a
     /// new ball to add (number not set yet) or, on a plunger, one that lies there already, with its new

@@ -42,6 +42,7 @@ State a_state(double number) {
     state.rotating = true;
     state.launches = {{1.0 / 3, 5, 2}, {0, 1, 1}};
     state.reported_lost = {4'294'967'294};
+    state.pressings = {{2, 4'294'967'294, 1 / (1 + std::abs(number)), -number}};
     return state;
 }
 
@@ -66,6 +67,7 @@ RC_GTEST_PROP(StateFile, ReadsBackToTheSameBits, ()) {
     RC_ASSERT(!after.raised[0] && after.raised[1] && after.rotating);
     RC_ASSERT(after.launches.size() == 2U && after.launches[0].strength == 1.0 / 3);
     RC_ASSERT(after.reported_lost == before.reported_lost);
+    RC_ASSERT(after.pressings == before.pressings);
     RC_ASSERT(to_json(after, scene) == text);
 }
 
@@ -104,6 +106,10 @@ TEST(StateFile, BadOnesAreRefusedWithTheirPlace) {
         {"/raised/0", "middle", "/raised/0", "left, right"},
         {"/launches/0/count", 0, "/launches/0/count", "from 1 to 1000"},
         {"/reported_lost/0", 7, "/reported_lost/0", "no ball has this number"},
+        {"/pressings/0/a", 7, "/pressings/0/a", "no ball has this number"},
+        {"/pressings/0/b", 2, "/pressings/0/b", "rising numbers"},
+        {"/pressings/0/normal", -1, "/pressings/0/normal", "is -1"},
+        {"/pressings/1", {{"a", 2}, {"b", 4294967294}, {"normal", 1}}, "/pressings/1", "by rising b, then a"},
     };
     const Scene scene = scene_with_everything();
     const Json good = Json::parse(to_json(a_state(0.25), scene));

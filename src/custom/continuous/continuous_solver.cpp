@@ -62,6 +62,7 @@ void ContinuousSolver::reserve(std::size_t balls) {
     }
     for (auto* list : {&at_start_, &handed_}) custom::make_room(*list, most);
     for (auto* list : {&inside_, &inside_at_start_}) custom::make_room(*list, most, touches_per_ball);
+    custom::make_room(pressings_at_start_, most, contacts_per_ball);
     custom::make_room(queue_, most, pairs_per_ball);
     custom::make_room(pairs_, most, pairs_per_ball);
     grips_.reserve(std::min(features_.size(), most_near));
@@ -112,6 +113,7 @@ void ContinuousSolver::begin() {
     if (!any_active_) return;
     at_start_ = balls;
     inside_at_start_ = inside_;
+    pressings_at_start_ = table_->pressings();
     reported_at_start_ = table_->reported_lost().size();
     parts_at_start_.assign(table_->parts().begin(), table_->parts().end());
 }
@@ -221,7 +223,7 @@ void ContinuousSolver::run_discrete(BroadPhase& broad) {
     std::vector<Ball>& balls = *balls_;
     for (Place i = 0; i < balls.size(); ++i)
         if (movers_[i].handed_over) handed_.push_back(balls[i]);
-    if (handed_.empty()) return;
+    if (handed_.empty()) return table_->pressings().clear();
     discrete_.step(*table_, handed_, dt_, broad, *record_);
     auto next = handed_.begin();
     for (Place i = 0; i < balls.size(); ++i) {
@@ -236,6 +238,7 @@ void ContinuousSolver::roll_back(std::size_t events) {
     *balls_ = at_start_;
     table_->reported_lost().resize(reported_at_start_);
     inside_ = inside_at_start_;
+    table_->pressings() = pressings_at_start_;
     record_->events.resize(events);
     record_->crossed.clear();
     record_->statistics.impacts = 0;

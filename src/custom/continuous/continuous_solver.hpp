@@ -173,6 +173,7 @@ class ContinuousSolver {
     std::size_t reported_at_start_ = 0;
     std::vector<Pair> pairs_;
     std::vector<Sensed> inside_at_start_;
+    std::vector<Pressing> pressings_at_start_;
 };
 
 }  // namespace flipside::custom

@@ -1,7 +1,6 @@
-// The rounds of response after a flight, and what keeps heaps up.
+// The rounds of response after a flight.
 
 #include <algorithm>
-#include <tuple>
 
 #include "custom/discrete/discrete_solver.hpp"
 #include "custom/geometry/sweep.hpp"
@@ -12,14 +11,6 @@ namespace {
 
 /// Overlaps up to this, in radii, are rounding and left alone.
 constexpr double slop = 1e-9;
-/// Balls nearer than this, in radii, lean on each other.
-constexpr double leaning = 1e-3;
-/// Passes over the supports of one ball.
-constexpr int support_passes = 8;
-/// In a heap, slip slower than this times what gravity gives in one flight is rest.
-constexpr double stick = 1.5;
-/// The same for what is rounding.
-constexpr double rest_noise = 1e-9;
 
 }  // namespace
 
@@ -33,11 +24,9 @@ void DiscreteSolver::report(const Ball& ball, Other other, const Impact& hit, Ve
 void DiscreteSolver::respond_to(Ball& ball, PieceIndex index, const Touch& touch, double at, double& flown) {
     const PartIndex part = layout_.piece(index).part;
     const double now = span_.begin + at;
-    const Pose pose = layout_.pose(*table_, index, now);
-    const Vec2 surface = cross(layout_.rate(*table_, index, now), touch.point - pose.pivot);
-    const Impact hit =
-        respond(ball, touch, surface, layout_.mixed(ball.material, scene_.parts[part].material),
-                {scene_.gravity, scene_.rest_speed, flown, span_.duration()});
+    const Impact hit = respond(ball, touch, surface_velocity(index, now, touch.point),
+                               layout_.mixed(ball.material, scene_.parts[part].material),
+                               {scene_.gravity, scene_.rest_speed, flown, span_.duration()});
     flown = hit.ago;
     if (!hit.happened) return push_out(ball, touch);
     report(ball, Other::part(part), hit, touch.point, now);
@@ -48,15 +37,21 @@ void DiscreteSolver::respond_to(Ball& ball, PieceIndex index, const Touch& touch
 }
 
 /// Round by round, until nothing overlaps. A ball is looked at again only when the round before or this
-/// one has moved it. Where the rounds do not suffice, in heaps, support comes from below.
+/// one has moved it. Under gravity, balls that merely press on each other are left to their pile, which
+/// comes last.
 void DiscreteSolver::collide() {
     changed_in_.assign(balls_->size(), 0);
+    in_pile_.assign(balls_->size(), 0);
+    const bool piles = pull_ > 0;
+    if (piles) find_piles(scene_.rest_speed + pull_ * span_.duration());
     for (round_ = 1; round_ <= settings_.collision_iterations; ++round_) {
         const bool parts = collide_parts();
         const bool between_balls = collide_balls();
-        if (!parts && !between_balls) return;
+        if (!parts && !between_balls) break;
     }
-    if (scene_.gravity != Vec2{}) support_from_below();
+    if (!piles) return;
+    find_piles(never);
+    solve_piles();
 }
 
 bool DiscreteSolver::changed(std::uint32_t place) const {
@@ -78,34 +73,51 @@ bool DiscreteSolver::collide_parts() {
     return any;
 }
 
+/// How a ball lies to a piece at the end of the flight; far away if that lets it through.
+Touch DiscreteSolver::touch_at_end(const Ball& ball, PieceIndex index) {
+    const Pose pose = layout_.pose(*table_, index, span_.end);
+    Touch found;
+    found.separation = never;
+    if (!layout_.stops(*table_, index, pose, ball)) return found;
+    ++record_->statistics.narrow_tests;
+    found = touch(ball.position, ball.radius, layout_.piece(index), pose);
+    if (found.past_end) found.separation = never;
+    return found;
+}
+
 /// The deepest touch first: a ball that lies on a face is then clear of the face's ends.
 bool DiscreteSolver::collide_ball_with_parts(std::uint32_t place, std::span<const Candidate> near) {
     Ball& ball = (*balls_)[place];
-    const auto touch_now = [&](PieceIndex index) {
-        const Piece& piece = layout_.piece(index);
-        const Pose pose = layout_.pose(*table_, index, span_.end);
-        Touch found;
-        found.separation = never;
-        if (!layout_.stops(*table_, index, pose, ball)) return found;
-        ++record_->statistics.narrow_tests;
-        if (!layout_.moves(index) && misses(ball.position, ball.radius, piece)) return found;
-        found = touch(ball.position, ball.radius, piece, pose);
-        if (found.past_end) found.separation = never;
-        return found;
-    };
     deep_.clear();
     for (const Candidate& candidate : near) {
-        const double separation = touch_now(candidate.piece).separation;
+        const PieceIndex piece = candidate.piece;
+        if (!layout_.moves(piece) && misses(ball.position, ball.radius, layout_.piece(piece))) continue;
+        const double separation = touch_at_end(ball, piece).separation;
         if (separation < -slop * ball.radius) deep_.push_back({separation, candidate.piece});
     }
     std::ranges::sort(deep_);
+    bool any = false;
     for (const Deep& deep : deep_) {
-        const Touch found = touch_now(deep.piece);
-        if (found.separation >= 0) continue;
+        const Touch found = touch_at_end(ball, deep.piece);
+        if (found.separation >= 0 || (in_pile_[place] && !strikes(ball, deep.piece, found))) continue;
         ++record_->statistics.contacts;
         respond_to(ball, deep.piece, found, span_.duration(), flown_[place]);
+        any = true;
     }
-    return !deep_.empty();
+    return any;
+}
+
+/// Whether the ball came faster than rest_speed, without what gravity added since the touch.
+bool DiscreteSolver::strikes(const Ball& ball, PieceIndex index, const Touch& touch) const {
+    const Vec2 surface = surface_velocity(index, span_.end, touch.point);
+    const double closing = -dot(ball.velocity - surface, touch.normal);
+    const double fallen = 2 * dot(scene_.gravity, touch.normal) * touch.separation;
+    return closing > 0 && closing * closing - fallen > scene_.rest_speed * scene_.rest_speed;
+}
+
+/// Of the surface of a piece at a point, `ahead` seconds into the step.
+Vec2 DiscreteSolver::surface_velocity(PieceIndex index, double ahead, Vec2 point) const {
+    return cross(layout_.rate(*table_, index, ahead), point - layout_.pose(*table_, index, ahead).pivot);
 }
 
 bool DiscreteSolver::collide_balls() {
@@ -123,9 +135,9 @@ bool DiscreteSolver::collide_balls() {
         const double reach = a.radius + b.radius;
         if (length_squared(between) >= (1 - slop) * reach * reach) continue;
         ++record_->statistics.contacts;
+        if (!collide(pair, unit(between))) continue;
         any = true;
         changed_in_[pair.a] = changed_in_[pair.b] = round_;
-        collide(pair, unit(between));
     }
     return any;
 }
@@ -149,12 +161,17 @@ bool DiscreteSolver::turn_back(BallPair pair) {
     return true;
 }
 
-void DiscreteSolver::collide(BallPair pair, Vec2 normal) {
+/// Answers the touch of two balls. False when it is left to a pile.
+bool DiscreteSolver::collide(BallPair pair, Vec2 normal) {
     Ball &a = (*balls_)[pair.a], &b = (*balls_)[pair.b];
     // A sleeper holds against what merely rests on it, and wakes when hit.
     const double approach = -dot(a.velocity - b.velocity, normal);
     const double weight = std::abs(dot(scene_.gravity, normal)) * span_.duration();
     if (approach > settings_.sleep_speed + weight) a.asleep = b.asleep = false;
+    if (pull_ > 0 && approach <= scene_.rest_speed + weight) {
+        in_pile_[pair.a] = in_pile_[pair.b] = true;
+        return false;
+    }
     const bool held_a = a.asleep;
     Ball &free = held_a ? b : a, &other = held_a ? a : b;
     const double flown = std::min(flown_[pair.a], flown_[pair.b]);
@@ -165,103 +182,7 @@ void DiscreteSolver::collide(BallPair pair, Vec2 normal) {
         if (held_a) hit.normal = -hit.normal;
         report(a, Other::ball(b.number), hit, b.position + b.radius * hit.normal, span_.end);
     }
-    push_out(free, other, other.asleep);
-}
-
-/// Lists what each awake ball of a heap can lean on: lower balls that it touches, and parts. By the height
-/// of the upper ball.
-void DiscreteSolver::find_supports() {
-    supports_.clear();
-    const auto height = [&](const Ball& ball) { return -dot(ball.position, scene_.gravity); };
-    in_heap_.assign(stirred_.begin(), stirred_.end());
-    for (const BallPair pair : ball_pairs_) {
-        const Ball &a = (*balls_)[pair.a], &b = (*balls_)[pair.b];
-        const double reach = a.radius + b.radius + leaning * std::min(a.radius, b.radius);
-        if (length_squared(a.position - b.position) >= reach * reach) continue;
-        in_heap_[pair.a] = in_heap_[pair.b] = true;
-        const bool a_above = std::tuple(height(a), pair.a) > std::tuple(height(b), pair.b);
-        const auto [upper, lower] = a_above ? std::pair(pair.a, pair.b) : std::pair(pair.b, pair.a);
-        const Ball& leans = (*balls_)[upper];
-        if (!leans.asleep) supports_.push_back({height(leans), upper, true, lower});
-    }
-    for (const Candidate& candidate : candidates_) {
-        const Ball& ball = (*balls_)[candidate.ball];
-        if (in_heap_[candidate.ball] && !ball.asleep)
-            supports_.push_back({height(ball), candidate.ball, false, candidate.piece});
-    }
-    std::ranges::sort(supports_);
-}
-
-/// Rounds carry a push one ball further each, so they cannot bear a heap. Where they are used up, every
-/// ball, from the lowest to the highest, is put on those below that are themselves borne by the table,
-/// which hold as if they had infinite mass (shock propagation: Guendelman, Bridson, Fedkiw 2003, "Nonconvex
-/// rigid bodies with stacking"). Only balls that the last round moved are touched, and those upon them.
-void DiscreteSolver::support_from_below() {
-    stirred_.resize(balls_->size());
-    std::ranges::transform(changed_in_, stirred_.begin(),
-                           [&](int round) { return round >= settings_.collision_iterations; });
-    find_supports();
-    borne_.assign(balls_->size(), false);
-    for (auto first = supports_.begin(); first != supports_.end();) {
-        const std::uint32_t place = first->ball;
-        const auto last =
-            std::find_if(first, supports_.end(), [&](const Support& s) { return s.ball != place; });
-        const std::span<const Support> below(first, last);
-        if (std::ranges::any_of(below, [&](const Support& s) { return s.is_ball && stirred_[s.on]; }))
-            stirred_[place] = true;
-        for (int pass = 0; pass < support_passes; ++pass) {
-            bool moved = false;
-            for (const Support& support : below) {
-                Vec2 surface;
-                const Touch on = touch_of(place, support, surface);
-                if (on.separation > leaning * (*balls_)[place].radius) continue;
-                borne_[place] = true;
-                if (stirred_[place] && lean((*balls_)[place], on, surface)) moved = true;
-            }
-            if (!moved) break;
-        }
-        first = last;
-    }
-}
-
-/// How a ball lies to a support, and how fast that moves there. Far away if it does not bear.
-Touch DiscreteSolver::touch_of(std::uint32_t place, const Support& support, Vec2& surface) {
-    const Ball& ball = (*balls_)[place];
-    Touch far;
-    far.separation = never;
-    if (support.is_ball) {
-        const Ball& lower = (*balls_)[support.on];
-        if (!borne_[support.on] && !lower.asleep) return far;
-        ++record_->statistics.narrow_tests;
-        surface = lower.velocity;
-        return touch(ball.position, ball.radius, lower.position, lower.radius);
-    }
-    const Piece& piece = layout_.piece(support.on);
-    const Pose pose = layout_.pose(*table_, support.on, span_.end);
-    if (!layout_.stops(*table_, support.on, pose, ball)) return far;
-    ++record_->statistics.narrow_tests;
-    const Touch on = touch(ball.position, ball.radius, piece, pose);
-    surface = cross(layout_.rate(*table_, support.on, span_.end), on.point - pose.pivot);
-    return on.past_end ? far : on;
-}
-
-/// Puts a ball on a support without a bounce: the rounds had those. A hop off it that gravity takes back
-/// during the next flight is none, and slip that is about as slow is taken for rest: the rounds
-/// leave that much behind where the true forces of a heap balance. False when nothing changed.
-bool DiscreteSolver::lean(Ball& ball, const Touch& on, Vec2 surface) {
-    const double gain = pull_ * span_.duration();
-    const double pressing = -dot(scene_.gravity, on.normal) * span_.duration();
-    const Vec2 relative = ball.velocity - surface;
-    const double closing = -dot(relative, on.normal);
-    const bool closes = closing > rest_noise * gain || (closing < -rest_noise * gain && closing > -pressing);
-    const Vec2 slip = relative + closing * on.normal;
-    const bool sticks = pressing > 0 && length(slip) < stick * gain;
-    const bool overlaps = on.separation < -slop * ball.radius;
-    if (!closes && !overlaps && !(sticks && length(slip) > rest_noise * gain)) return false;
-    ++record_->statistics.contacts;
-    if (closes) ball.velocity += closing * on.normal;
-    if (sticks) ball.velocity -= slip, ball.spin = 0;
-    push_out(ball, on);
+    if (!in_pile_[pair.a] && !in_pile_[pair.b]) push_out(free, other, other.asleep);
     return true;
 }
 

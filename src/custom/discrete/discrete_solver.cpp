@@ -47,14 +47,15 @@ void DiscreteSolver::reserve(std::size_t balls) {
     make_room(waiting_, balls);
     make_room(candidates_, balls, contacts_per_ball);
     make_room(ball_pairs_, balls, contacts_per_ball);
-    make_room(supports_, balls, contacts_per_ball);
     make_room(around_, layout_.size());
     make_room(found_, layout_.size() + balls);
     near_.reserve(layout_.size() + balls, balls);
     make_room(deep_, layout_.size());
     make_room(changed_in_, balls);
     make_room(flown_, balls);
-    for (auto* marks : {&stirred_, &in_heap_, &borne_}) make_room(*marks, balls);
+    make_room(in_pile_, balls);
+    make_room(pressed_, balls, contacts_per_ball);
+    pile_.reserve(balls);
 }
 
 void DiscreteSolver::step(Table& table, std::vector<Ball>& balls, double dt, BroadPhase& broad,

@@ -10,6 +10,7 @@
 /// that passed through each other in one flight are turned back to where they touched.
 
 #include "custom/broad_phase/near_list.hpp"
+#include "custom/discrete/pile.hpp"
 #include "custom/layout.hpp"
 #include "custom/response.hpp"
 #include "custom/settings.hpp"
@@ -82,20 +83,19 @@ class DiscreteSolver {
     bool collide_balls();
     void respond_to(Ball& ball, PieceIndex index, const Touch& touch, double at, double& flown);
     bool turn_back(BallPair pair);
-    void collide(BallPair pair, Vec2 normal);
+    bool collide(BallPair pair, Vec2 normal);
     void report(const Ball& ball, Other other, const Impact& hit, Vec2 point, double time);
-    /// What a ball may lean on: a piece, or a lower ball.
-    struct Support {
-        double height;  ///< of the ball, in units of 1/|gravity|
-        std::uint32_t ball;
-        bool is_ball;
-        std::uint32_t on;  ///< a piece or a ball by place
-        friend auto operator<=>(const Support&, const Support&) = default;
-    };
-    void support_from_below();
-    void find_supports();
-    [[nodiscard]] Touch touch_of(std::uint32_t place, const Support& support, Vec2& surface);
-    bool lean(Ball& ball, const Touch& on, Vec2 surface);
+    [[nodiscard]] Touch touch_at_end(const Ball& ball, PieceIndex index);
+    [[nodiscard]] Vec2 surface_velocity(PieceIndex index, double ahead, Vec2 point) const;
+    [[nodiscard]] bool strikes(const Ball& ball, PieceIndex index, const Touch& touch) const;
+    // Piles (discrete_piles.cpp).
+    [[nodiscard]] bool lean(BallPair pair) const;
+    void find_piles(double fastest);
+    void solve_piles();
+    void pile_balls_on_balls();
+    void pile_balls_on_parts();
+    void pile_on_parts(std::uint32_t place, std::span<const Candidate> near);
+    void keep_pressings();
     void watch_gates();
     void watch_sensors();
 
@@ -134,10 +134,9 @@ class DiscreteSolver {
     int round_ = 0;
     std::vector<int> changed_in_;  ///< per ball, the last round that moved it
     std::vector<double> flown_;    ///< per ball, s of free flight up to the end of the iteration
-    std::vector<Support> supports_;
-    std::vector<char> stirred_;  ///< per ball: the last round moved it, or what it leans on
-    std::vector<char> in_heap_;  ///< per ball: stirred, or touches a ball
-    std::vector<char> borne_;    ///< per ball: by the table, over others or at once
+    std::vector<char> in_pile_;    ///< per ball
+    Pile pile_;
+    std::vector<Pressing> pressed_;  ///< of the pairs of balls in pile_
 };
 
 }  // namespace flipside::custom

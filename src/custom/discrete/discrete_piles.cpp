@@ -1,0 +1,124 @@
+// Which balls make up piles, and what they touch. The rest is the pile's own business (pile.hpp).
+
+#include <algorithm>
+#include <tuple>
+
+#include "custom/discrete/discrete_solver.hpp"
+
+namespace flipside::custom {
+
+namespace {
+
+/// Surfaces nearer than this, in radii, can press on each other.
+constexpr double leaning = 1e-3;
+/// Where the pressings of two balls stand in their list.
+auto rank(BallNumber a, BallNumber b) {
+    return std::pair(b, a);
+}
+
+}  // namespace
+
+bool DiscreteSolver::lean(BallPair pair) const {
+    const Ball &a = (*balls_)[pair.a], &b = (*balls_)[pair.b];
+    const double reach = a.radius + b.radius + leaning * std::min(a.radius, b.radius);
+    return length_squared(a.position - b.position) < reach * reach && !(a.asleep && b.asleep);
+}
+
+/// Marks balls that touch and do not meet faster than `fastest` m/s.
+void DiscreteSolver::find_piles(double fastest) {
+    for (const BallPair pair : ball_pairs_) {
+        if (!lean(pair)) continue;
+        const Ball &a = (*balls_)[pair.a], &b = (*balls_)[pair.b];
+        if (dot(b.velocity - a.velocity, unit(a.position - b.position)) <= fastest)
+            in_pile_[pair.a] = in_pile_[pair.b] = true;
+    }
+}
+
+void DiscreteSolver::solve_piles() {
+    pile_.start(*balls_, scene_.gravity, span_.duration());
+    pressed_.clear();
+    if (std::ranges::any_of(in_pile_, [](char in) { return in != 0; })) {
+        for (std::uint32_t i = 0; i < balls_->size(); ++i)
+            if (in_pile_[i]) pile_.join(i);
+        pile_balls_on_balls();
+        pile_balls_on_parts();
+        pile_.solve();
+    }
+    keep_pressings();
+}
+
+void DiscreteSolver::pile_balls_on_balls() {
+    const std::vector<Pressing>& known = table_->pressings();
+    auto next = known.begin();
+    for (const BallPair pair : ball_pairs_) {
+        if (!in_pile_[pair.a] || !in_pile_[pair.b] || !lean(pair)) continue;
+        ++record_->statistics.narrow_tests;
+        ++record_->statistics.contacts;
+        const Ball &a = (*balls_)[pair.a], &b = (*balls_)[pair.b];
+        const auto here = rank(a.number, b.number);
+        while (next != known.end() && rank(next->a, next->b) < here) ++next;
+        Pressing pressing{a.number, b.number, 0, 0};
+        if (next != known.end() && rank(next->a, next->b) == here) pressing = *next;
+        pressed_.push_back(pressing);
+        pile_.add(pair.a, pair.b, layout_.mixed(a.material, b.material).friction,
+                  {pressing.normal * span_.duration(), pressing.tangent * span_.duration()});
+    }
+}
+
+void DiscreteSolver::pile_balls_on_parts() {
+    for (auto first = candidates_.begin(); first != candidates_.end();) {
+        const std::uint32_t place = first->ball;
+        const auto last =
+            std::find_if(first, candidates_.end(), [&](const Candidate& c) { return c.ball != place; });
+        if (in_pile_[place] && !(*balls_)[place].asleep) pile_on_parts(place, {first, last});
+        first = last;
+    }
+}
+
+/// The deepest touch first; what then only touches a corner is clear of it.
+void DiscreteSolver::pile_on_parts(std::uint32_t place, std::span<const Candidate> near) {
+    const Vec2 here = (*balls_)[place].position;
+    Ball ball = (*balls_)[place];
+    deep_.clear();
+    for (const Candidate& candidate : near) {
+        const double separation = touch_at_end(ball, candidate.piece).separation;
+        if (separation <= leaning * ball.radius) deep_.push_back({separation, candidate.piece});
+    }
+    std::ranges::sort(deep_);
+    for (const Deep& deep : deep_) {
+        const bool corner = std::holds_alternative<piece::Point>(layout_.piece(deep.piece).is);
+        Touch found = touch_at_end(ball, deep.piece);
+        if (found.separation > (corner ? 0 : leaning * ball.radius)) continue;
+        ++record_->statistics.contacts;
+        const Part& part = scene_.parts[layout_.piece(deep.piece).part];
+        const Vec2 pushed = ball.position - here;
+        push_out(ball, found);
+        found.separation -= dot(pushed, found.normal);
+        pile_.add(place, found, surface_velocity(deep.piece, span_.end, found.point),
+                  layout_.mixed(ball.material, part.material).friction);
+    }
+}
+
+/// Notes the forces between balls for the next flight. Sleepers keep theirs until they wake.
+void DiscreteSolver::keep_pressings() {
+    const auto before = [](const Pressing& x, const Pressing& y) { return rank(x.a, x.b) < rank(y.a, y.b); };
+    for (std::size_t i = 0; i < pressed_.size(); ++i) {
+        pressed_[i].normal = pile_.impulses()[i].normal / span_.duration();
+        pressed_[i].tangent = pile_.impulses()[i].tangent / span_.duration();
+    }
+    std::erase_if(pressed_, [](const Pressing& pressing) { return pressing.normal <= 0; });
+    std::vector<Pressing>& pressings = table_->pressings();
+    const auto sleeps = [&](BallNumber number) {
+        const auto ball = std::ranges::lower_bound(*balls_, number, {}, &Ball::number);
+        return ball != balls_->end() && ball->number == number && ball->asleep;
+    };
+    if (std::ranges::any_of(*balls_, &Ball::asleep))
+        std::erase_if(pressings, [&](const Pressing& p) { return !sleeps(p.a) || !sleeps(p.b); });
+    else
+        pressings.clear();
+    const auto kept = static_cast<std::ptrdiff_t>(pressings.size());
+    pressings.insert(pressings.end(), pressed_.begin(), pressed_.end());
+    if (kept > 0) std::sort(pressings.begin(), pressings.end(), before);
+}
+
+}  // namespace flipside::custom
