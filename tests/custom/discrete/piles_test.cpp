@@ -1,0 +1,166 @@
+// Piles: they come to rest where they should, only there, and gain nothing from overlap.
+
+#include <gtest/gtest.h>
+
+#include "custom/discrete/pile.hpp"
+#include "custom/scenes.hpp"
+
+namespace flipside::custom::test {
+namespace {
+
+constexpr double g = 9.81;
+
+double energy(const World& world) {
+    double sum = 0;
+    for (const Ball& ball : world.balls())
+        sum += ball.mass * (0.5 * length_squared(ball.velocity) + g * ball.position.y) +
+               0.5 * inertia(ball) * ball.spin * ball.spin;
+    return sum;
+}
+
+/// Two balls on a floor and one upon them, all of radius 0.1 m.
+Scene pyramid(double friction) {
+    Scene scene = empty_scene({0, -g});
+    scene.materials[0].friction = friction;
+    add_ball(scene, {-0.1, 0.1});
+    add_ball(scene, {0.1, 0.1});
+    add_ball(scene, {0, 0.1 + 0.2 * std::sqrt(0.75)});
+    add_part(scene, segment({-9, 0}, {9, 0}), {"", 0.5, friction, 0});
+    return scene;
+}
+
+TEST(Piles, SmoothPyramidSlidesApartAsItsEnergySays) {
+    // Line of centres at θ from the vertical, 30° at first: with x = 2r·sin θ and y = 2r·cos θ,
+    // θ'²·(2cos²θ + sin²θ) = (g/r)·(cos θ₀ − cos θ) for as long as the balls touch.
+    const auto world = make_world(pyramid(0));
+    run(*world, 0.15);
+    const std::span<const Ball> balls = world->balls();
+    const double cosine = (balls[2].position.y - balls[1].position.y) / 0.2;
+    const double turn = std::sqrt(g / 0.1 * (std::sqrt(0.75) - cosine) / (1 + cosine * cosine));
+    EXPECT_LT(cosine, 0.85);
+    EXPECT_NEAR(balls[1].velocity.x, 0.2 * cosine * turn, 0.03 * 0.2 * cosine * turn);
+    EXPECT_NEAR(balls[0].velocity.x, -balls[1].velocity.x, 0.01 * balls[1].velocity.x);
+    run(*world, 0.85);
+    EXPECT_LT(world->balls()[0].position.x, -0.2);
+    EXPECT_GT(world->balls()[1].position.x, 0.2);
+}
+
+TEST(Piles, RoughPyramidStandsFromFrictionOfTan15Degrees) {
+    for (const double friction : {0.2, 0.3}) {
+        const auto world = make_world(pyramid(friction));
+        run(*world, 1);
+        const double aside = world->balls()[1].position.x - 0.1;
+        if (friction < 2 - std::sqrt(3)) {
+            EXPECT_GT(aside, 0.1);
+        } else {
+            EXPECT_LT(aside, 1e-4);
+            EXPECT_EQ(world->statistics().asleep, 3U);
+        }
+    }
+}
+
+/// Balls of 50 to 100 mm in loose rows above a pit with vertical walls, flat or of two slopes.
+Scene pit(int balls, bool slopes, double friction, double restitution) {
+    Scene scene = empty_scene({0, -g});
+    scene.rest_speed = 0.1;
+    scene.materials[0] = {"ball", std::sqrt(restitution), friction, 0};
+    const double deep = slopes ? 1.5 : 0;
+    add_part(scene, {shape::Polyline{{{-1.5, 90}, {-1.5, deep}, {0, 0}, {1.5, deep}, {1.5, 90}}, false}},
+             {"", std::sqrt(restitution), friction, 0});
+    for (int i = 0; i < balls; ++i) {
+        const double radius = 0.05 + 0.05 * (i * 7 % 11) / 10;
+        add_ball(scene, {-1.38 + 0.21 * (i % 14) + 0.001 * (i % 7), deep + 0.3 + 0.205 * (i / 14)}, {},
+                 radius, 100 * radius * radius);
+    }
+    return scene;
+}
+
+/// Runs until all sleep, and then on; no step may add more than a thousandth of the energy that is lost in
+/// all, and nothing may move any more.
+void expect_rest(World& world, double seconds) {
+    const double first = energy(world);
+    double before = first, most = 0;
+    while (world.time() < seconds && world.statistics().asleep < world.balls().size()) {
+        world.step(1.0 / 60);
+        most = std::max(most, energy(world) - before);
+        before = energy(world);
+    }
+    EXPECT_EQ(world.statistics().asleep, world.balls().size()) << "at " << world.time() << " s";
+    EXPECT_LT(most, 1e-3 * (first - before));
+    const std::vector<Ball> rest(world.balls().begin(), world.balls().end());
+    run(world, 0.5);
+    double smallest = 1;
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+        EXPECT_EQ(world.balls()[i], rest[i]);
+        EXPECT_EQ(rest[i].velocity, Vec2{});
+        smallest = std::min(smallest, rest[i].radius);
+    }
+    EXPECT_LT(world.statistics().max_penetration, 0.01 * smallest);
+}
+
+TEST(Piles, HeapsOfMixedSizesFallAsleep) {
+    for (const double friction : {0.0, 0.5})
+        for (const double restitution : {0.0, 0.5, 0.8}) {
+            SCOPED_TRACE(testing::Message() << "friction " << friction << " restitution " << restitution);
+            expect_rest(*make_world(pit(120, false, friction, restitution)), 20);
+        }
+}
+
+TEST(Piles, FiftyInAVFallAsleepOnBothSolvers) {
+    for (const char* solver : {"discrete", "continuous"})
+        for (const double friction : {0.0, 0.5}) {
+            SCOPED_TRACE(testing::Message() << solver << " friction " << friction);
+            expect_rest(*make_world(pit(50, true, friction, 0.5), {{"solver", solver}}), 20);
+        }
+}
+
+TEST(Piles, ColumnsStandOnBothSolvers) {
+    for (const char* solver : {"discrete", "continuous"})
+        for (const int balls : {10, 50}) {
+            Scene scene = empty_scene({0, -g});
+            scene.rest_speed = 0.1;
+            for (int i = 0; i < balls; ++i) add_ball(scene, {0, 0.1 + 0.2 * i});
+            add_part(scene, segment({-1, 0}, {1, 0}), {"", 0.5, 0, 0});
+            const auto world = make_world(scene, {{"solver", solver}});
+            run(*world, 1);
+            EXPECT_EQ(world->statistics().asleep, static_cast<std::uint64_t>(balls)) << solver;
+            for (int i = 0; i < balls; ++i) {
+                const Vec2 p = world->balls()[static_cast<std::size_t>(i)].position;
+                EXPECT_EQ(p.x, 0);
+                EXPECT_NEAR(p.y, 0.1 + 0.2 * i, 1e-6) << solver << " ball " << i;
+            }
+        }
+}
+
+TEST(Piles, ASavedHeapContinuesWithTheSameBits) {
+    const Scene scene = pit(60, true, 0.5, 0.5);
+    const auto through = make_world(scene), other = make_world(scene);
+    run(*through, 1);
+    const State state = through->save();
+    EXPECT_FALSE(state.pressings.empty());
+    other->restore(state);
+    run(*through, 0.5);
+    run(*other, 0.5);
+    for (std::size_t i = 0; i < scene.balls.size(); ++i) EXPECT_EQ(through->balls()[i], other->balls()[i]);
+    EXPECT_EQ(through->save().pressings, other->save().pressings);
+}
+
+TEST(Piles, ASleeperWhoseSupportLeavesFalls) {
+    // A column of three; the lowest is shot away.
+    Scene scene = empty_scene({0, -g});
+    scene.rest_speed = 0.1;
+    for (int i = 0; i < 3; ++i) add_ball(scene, {0, 0.1 + 0.2 * i});
+    add_part(scene, segment({-9, 0}, {9, 0}), {"", 0.5, 0, 0});
+    const auto world = make_world(scene);
+    run(*world, 0.2);
+    ASSERT_EQ(world->statistics().asleep, 3U);
+    Ball shot = scene.balls[0];
+    shot.position = {-0.5, 0.1};
+    shot.velocity = {8, 0};
+    world->add(shot);
+    run(*world, 1);
+    EXPECT_LT(world->balls()[2].position.y, 0.35);
+}
+
+}  // namespace
+}  // namespace flipside::custom::test
