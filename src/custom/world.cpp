@@ -67,8 +67,8 @@ void CustomWorld::step(double dt) {
         report_continuous();
     else
         report_discrete();
-    touches_.wake_unsupported(balls_, scene_->gravity);
     if (settings_.sleep) sleep_.settle(balls_, contacts(), dt);
+    touches_.wake_unsupported(balls_, scene_->gravity);
     fill_statistics(box_tests() - tests_before);
 }
 

@@ -7,13 +7,6 @@
 
 namespace flipside::custom {
 
-namespace {
-
-/// Overlaps up to this, in radii, are rounding and left alone.
-constexpr double slop = 1e-9;
-
-}  // namespace
-
 void DiscreteSolver::report(const Ball& ball, Other other, const Impact& hit, Vec2 point, double time) {
     ++record_->statistics.impacts;
     record_->events.push_back({table_->time() + time - hit.ago, EventKind::impact, ball.number, other, point,
@@ -27,8 +20,8 @@ void DiscreteSolver::respond_to(Ball& ball, PieceIndex index, const Touch& touch
     const Impact hit = respond(ball, touch, surface_velocity(index, now, touch.point),
                                layout_.mixed(ball.material, scene_.parts[part].material),
                                {scene_.gravity, scene_.rest_speed, flown, span_.duration()});
-    flown = hit.ago;
     if (!hit.happened) return push_out(ball, touch);
+    flown = hit.ago;
     report(ball, Other::part(part), hit, touch.point, now);
     if (scene_.parts[part].target) {
         table_->set_down(part, true);
@@ -43,15 +36,13 @@ void DiscreteSolver::collide() {
     changed_in_.assign(balls_->size(), 0);
     in_pile_.assign(balls_->size(), 0);
     const bool piles = pull_ > 0;
-    if (piles) find_piles(scene_.rest_speed + pull_ * span_.duration());
+    if (piles) find_piles();
     for (round_ = 1; round_ <= settings_.collision_iterations; ++round_) {
         const bool parts = collide_parts();
         const bool between_balls = collide_balls();
         if (!parts && !between_balls) break;
     }
-    if (!piles) return;
-    find_piles(never);
-    solve_piles();
+    if (piles) solve_piles();
 }
 
 bool DiscreteSolver::changed(std::uint32_t place) const {
@@ -93,7 +84,7 @@ bool DiscreteSolver::collide_ball_with_parts(std::uint32_t place, std::span<cons
         const PieceIndex piece = candidate.piece;
         if (!layout_.moves(piece) && misses(ball.position, ball.radius, layout_.piece(piece))) continue;
         const double separation = touch_at_end(ball, piece).separation;
-        if (separation < -slop * ball.radius) deep_.push_back({separation, candidate.piece});
+        if (separation < -overlap_slop * ball.radius) deep_.push_back({separation, candidate.piece});
     }
     std::ranges::sort(deep_);
     bool any = false;
@@ -115,6 +106,11 @@ bool DiscreteSolver::strikes(const Ball& ball, PieceIndex index, const Touch& to
     return closing > 0 && closing * closing - fallen > scene_.rest_speed * scene_.rest_speed;
 }
 
+/// Balls that come together no faster than this press on each other: gravity drives them that fast in a flight.
+double DiscreteSolver::rest_approach(Vec2 normal) const {
+    return scene_.rest_speed + std::abs(dot(scene_.gravity, normal)) * span_.duration();
+}
+
 /// Of the surface of a piece at a point, `ahead` seconds into the step.
 Vec2 DiscreteSolver::surface_velocity(PieceIndex index, double ahead, Vec2 point) const {
     return cross(layout_.rate(*table_, index, ahead), point - layout_.pose(*table_, index, ahead).pivot);
@@ -133,7 +129,7 @@ bool DiscreteSolver::collide_balls() {
         }
         const Vec2 between = a.position - b.position;
         const double reach = a.radius + b.radius;
-        if (length_squared(between) >= (1 - slop) * reach * reach) continue;
+        if (length_squared(between) >= (1 - overlap_slop) * reach * reach) continue;
         ++record_->statistics.contacts;
         if (!collide(pair, unit(between))) continue;
         any = true;
@@ -166,10 +162,10 @@ bool DiscreteSolver::collide(BallPair pair, Vec2 normal) {
     Ball &a = (*balls_)[pair.a], &b = (*balls_)[pair.b];
     // A sleeper holds against what merely rests on it, and wakes when hit.
     const double approach = -dot(a.velocity - b.velocity, normal);
-    const double weight = std::abs(dot(scene_.gravity, normal)) * span_.duration();
-    if (approach > settings_.sleep_speed + weight) a.asleep = b.asleep = false;
-    if (pull_ > 0 && approach <= scene_.rest_speed + weight) {
-        in_pile_[pair.a] = in_pile_[pair.b] = true;
+    const double rest = rest_approach(normal);
+    if (approach > settings_.sleep_speed + rest - scene_.rest_speed) a.asleep = b.asleep = false;
+    if (pull_ > 0 && approach <= rest) {
+        put_in_pile(pair);
         return false;
     }
     const bool held_a = a.asleep;

@@ -18,26 +18,43 @@ auto rank(BallNumber a, BallNumber b) {
 
 }  // namespace
 
-bool DiscreteSolver::lean(BallPair pair) const {
+/// Whether two balls are in touch and come together no faster than at rest. What comes faster is an impact:
+/// not before it overlaps, and then of the rounds. Those `left_over` by them press too.
+bool DiscreteSolver::press(BallPair pair, bool left_over) const {
     const Ball &a = (*balls_)[pair.a], &b = (*balls_)[pair.b];
-    const double reach = a.radius + b.radius + leaning * std::min(a.radius, b.radius);
-    return length_squared(a.position - b.position) < reach * reach && !(a.asleep && b.asleep);
+    const Vec2 between = a.position - b.position;
+    const double reach = a.radius + b.radius, near = reach + leaning * std::min(a.radius, b.radius);
+    const double square = length_squared(between);
+    if (square >= near * near || (a.asleep && b.asleep)) return false;
+    if (left_over && square < (1 - overlap_slop) * reach * reach) return true;
+    const Vec2 normal = unit(between);
+    return -dot(a.velocity - b.velocity, normal) <= rest_approach(normal);
 }
 
-/// Marks balls that touch and do not meet faster than `fastest` m/s.
-void DiscreteSolver::find_piles(double fastest) {
-    for (const BallPair pair : ball_pairs_) {
-        if (!lean(pair)) continue;
-        const Ball &a = (*balls_)[pair.a], &b = (*balls_)[pair.b];
-        if (dot(b.velocity - a.velocity, unit(a.position - b.position)) <= fastest)
-            in_pile_[pair.a] = in_pile_[pair.b] = true;
-    }
+/// Marks the balls that press on each other after the flight.
+void DiscreteSolver::find_piles() {
+    any_pile_ = false;
+    for (const BallPair pair : ball_pairs_)
+        if (press(pair, false)) put_in_pile(pair);
 }
 
+void DiscreteSolver::put_in_pile(BallPair pair) {
+    in_pile_[pair.a] = in_pile_[pair.b] = true;
+    any_pile_ = true;
+}
+
+/// After the rounds: finds who presses now, and solves the piles.
 void DiscreteSolver::solve_piles() {
-    pile_.start(*balls_, scene_.gravity, span_.duration());
+    pressing_.clear();
     pressed_.clear();
-    if (std::ranges::any_of(in_pile_, [](char in) { return in != 0; })) {
+    for (const BallPair pair : ball_pairs_) {
+        const bool seen = in_pile_[pair.a] || in_pile_[pair.b] || changed_in_[pair.a] || changed_in_[pair.b];
+        if (!seen || !press(pair, true)) continue;
+        put_in_pile(pair);
+        pressing_.push_back(pair);
+    }
+    if (any_pile_) {
+        pile_.start(*balls_, scene_.gravity, span_.duration());
         for (std::uint32_t i = 0; i < balls_->size(); ++i)
             if (in_pile_[i]) pile_.join(i);
         pile_balls_on_balls();
@@ -50,8 +67,7 @@ void DiscreteSolver::solve_piles() {
 void DiscreteSolver::pile_balls_on_balls() {
     const std::vector<Pressing>& known = table_->pressings();
     auto next = known.begin();
-    for (const BallPair pair : ball_pairs_) {
-        if (!in_pile_[pair.a] || !in_pile_[pair.b] || !lean(pair)) continue;
+    for (const BallPair pair : pressing_) {
         ++record_->statistics.narrow_tests;
         ++record_->statistics.contacts;
         const Ball &a = (*balls_)[pair.a], &b = (*balls_)[pair.b];
@@ -89,6 +105,7 @@ void DiscreteSolver::pile_on_parts(std::uint32_t place, std::span<const Candidat
         const bool corner = std::holds_alternative<piece::Point>(layout_.piece(deep.piece).is);
         Touch found = touch_at_end(ball, deep.piece);
         if (found.separation > (corner ? 0 : leaning * ball.radius)) continue;
+        if (found.separation > -overlap_slop * ball.radius && strikes(ball, deep.piece, found)) continue;
         ++record_->statistics.contacts;
         const Part& part = scene_.parts[layout_.piece(deep.piece).part];
         const Vec2 pushed = ball.position - here;
@@ -101,13 +118,14 @@ void DiscreteSolver::pile_on_parts(std::uint32_t place, std::span<const Candidat
 
 /// Notes the forces between balls for the next flight. Sleepers keep theirs until they wake.
 void DiscreteSolver::keep_pressings() {
+    std::vector<Pressing>& pressings = table_->pressings();
+    if (pressings.empty() && pressed_.empty()) return;
     const auto before = [](const Pressing& x, const Pressing& y) { return rank(x.a, x.b) < rank(y.a, y.b); };
     for (std::size_t i = 0; i < pressed_.size(); ++i) {
         pressed_[i].normal = pile_.impulses()[i].normal / span_.duration();
         pressed_[i].tangent = pile_.impulses()[i].tangent / span_.duration();
     }
     std::erase_if(pressed_, [](const Pressing& pressing) { return pressing.normal <= 0; });
-    std::vector<Pressing>& pressings = table_->pressings();
     const auto sleeps = [&](BallNumber number) {
         const auto ball = std::ranges::lower_bound(*balls_, number, {}, &Ball::number);
         return ball != balls_->end() && ball->number == number && ball->asleep;

@@ -28,6 +28,9 @@ struct StepRecord {
     double broad_seconds = 0, flight_seconds = 0, contact_seconds = 0, report_seconds = 0;
 };
 
+/// Overlaps up to this, in radii, are rounding and left alone.
+inline constexpr double overlap_slop = 1e-9;
+
 class DiscreteSolver {
   public:
     /// Keeps references to scene and layout.
@@ -87,10 +90,12 @@ class DiscreteSolver {
     void report(const Ball& ball, Other other, const Impact& hit, Vec2 point, double time);
     [[nodiscard]] Touch touch_at_end(const Ball& ball, PieceIndex index);
     [[nodiscard]] Vec2 surface_velocity(PieceIndex index, double ahead, Vec2 point) const;
+    [[nodiscard]] double rest_approach(Vec2 normal) const;
     [[nodiscard]] bool strikes(const Ball& ball, PieceIndex index, const Touch& touch) const;
     // Piles (discrete_piles.cpp).
-    [[nodiscard]] bool lean(BallPair pair) const;
-    void find_piles(double fastest);
+    [[nodiscard]] bool press(BallPair pair, bool left_over) const;
+    void put_in_pile(BallPair pair);
+    void find_piles();
     void solve_piles();
     void pile_balls_on_balls();
     void pile_balls_on_parts();
@@ -135,6 +140,8 @@ class DiscreteSolver {
     std::vector<int> changed_in_;  ///< per ball, the last round that moved it
     std::vector<double> flown_;    ///< per ball, s of free flight up to the end of the iteration
     std::vector<char> in_pile_;    ///< per ball
+    bool any_pile_ = false;
+    std::vector<BallPair> pressing_;
     Pile pile_;
     std::vector<Pressing> pressed_;  ///< of the pairs of balls in pile_
 };
