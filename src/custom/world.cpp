@@ -41,7 +41,7 @@ void CustomWorld::make_room() {
     touches_.reserve(layout_.size(), balls_.size());
     sleep_.reserve(balls_.size());
     custom::make_room(table_.pressings(), balls_.size(), contacts_per_ball);
-    custom::make_room(record_.events, balls_.size(), touches_per_ball);
+    custom::make_room(record_.events, balls_.size(), events_per_ball);
     custom::make_room(record_.crossed, balls_.size(), touches_per_ball);
 }
 

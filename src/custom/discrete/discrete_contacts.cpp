@@ -106,7 +106,8 @@ bool DiscreteSolver::strikes(const Ball& ball, PieceIndex index, const Touch& to
     return closing > 0 && closing * closing - fallen > scene_.rest_speed * scene_.rest_speed;
 }
 
-/// Balls that come together no faster than this press on each other: gravity drives them that fast in a flight.
+/// Balls that come together no faster than this press on each other: gravity drives them that fast in a
+/// flight.
 double DiscreteSolver::rest_approach(Vec2 normal) const {
     return scene_.rest_speed + std::abs(dot(scene_.gravity, normal)) * span_.duration();
 }
