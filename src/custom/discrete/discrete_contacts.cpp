@@ -183,4 +183,52 @@ bool DiscreteSolver::collide(BallPair pair, Vec2 normal) {
     return true;
 }
 
+/// Balls push each other without regard for what lies behind. A ball whose centre got through a still part
+/// by that is put back to where it crossed, on the side where its flight began, and stops closing in.
+void DiscreteSolver::keep_sides() {
+    for (std::uint32_t i = 0; i < balls_->size(); ++i)
+        if (changed_in_[i] != 0 || in_pile_[i]) keep_side(i);
+}
+
+void DiscreteSolver::keep_side(std::uint32_t place) {
+    Ball& ball = (*balls_)[place];
+    const Vec2 from = started_[place];
+    const auto [first, last] = std::ranges::equal_range(candidates_, place, {}, &Candidate::ball);
+    std::span<const Candidate> near(first, last);
+    // Candidates are all that the box of the flight overlaps.
+    if (!moving_[moving_pieces() + place].box.contains(ball.position))
+        near = look_around(ball, length(ball.position - from));
+    constexpr int most_crossed = 4;
+    for (int crossed = 0; crossed < most_crossed; ++crossed) {
+        double time = never;
+        const Candidate* const met = first_crossed(ball, from, near, time);
+        if (met == nullptr) return;
+        ball.position = from + time * (ball.position - from);
+        const Touch found = touch(ball.position, ball.radius, layout_.piece(met->piece));
+        push_out(ball, found);
+        ball.velocity += std::max(0.0, -dot(ball.velocity, found.normal)) * found.normal;
+    }
+    ball.position = from;
+}
+
+/// The first still part that the centre crosses on the straight way from `from`, and when, 0 … 1; null if
+/// none.
+const DiscreteSolver::Candidate* DiscreteSolver::first_crossed(const Ball& ball, Vec2 from,
+                                                               std::span<const Candidate> near,
+                                                               double& time) const {
+    const Vec2 way = ball.position - from;
+    const Candidate* met = nullptr;
+    for (const Candidate& candidate : near) {
+        const Piece& piece = layout_.piece(candidate.piece);
+        if (layout_.moves(candidate.piece) || std::holds_alternative<piece::Point>(piece.is)) continue;
+        Ball at_start = ball;
+        at_start.position = from;
+        if (!layout_.stops(*table_, candidate.piece, {}, at_start)) continue;
+        const auto distance = [&](double t) { return touch(from + t * way, 0, piece).separation; };
+        const double crosses = first_touch(distance, length(way), 1, overlap_slop * ball.radius);
+        if (crosses > 0 && crosses < time) time = crosses, met = &candidate;
+    }
+    return met;
+}
+
 }  // namespace flipside::custom

@@ -78,6 +78,7 @@ void DiscreteSolver::step(Table& table, std::vector<Ball>& balls, double dt, Bro
         watch.lap(record.flight_seconds);
         watch_gates();
         collide();
+        keep_sides();
         watch_sensors();
         watch.lap(record.contact_seconds);
         ++record.statistics.substeps;
@@ -101,10 +102,12 @@ void DiscreteSolver::start_flights(double duration) {
     const double fall = pull_ * duration * duration, sweep_from = settings_.sweep_from;
     flown_.assign(balls.size(), duration);
     waiting_.clear();
-    note_starts();
+    started_.resize(balls.size());
+    Vec2* start = started_.data();
     Proxy* proxy = moving_.data() + first;
     Ball* const balls_begin = balls.data();
     for (Ball* ball = balls_begin; ball != balls_begin + balls.size(); ++ball, ++proxy) {
+        *start++ = ball->position;
         if (!ball->asleep) {
             const double radius = ball->radius;
             const Vec2 here = ball->position, there = end_of_flight(*ball, gravity, stretch);
@@ -126,13 +129,6 @@ void DiscreteSolver::start_flights(double duration) {
         }
         near_.check(static_cast<std::uint32_t>(proxy - moving_.data()), *proxy);
     }
-}
-
-/// Where the balls are now, for those parts that care whence a ball came.
-void DiscreteSolver::note_starts() {
-    if (gates_.empty() && !any_sensor_) return;
-    started_.clear();
-    for (const Ball& ball : *balls_) started_.push_back(ball.position);
 }
 
 void DiscreteSolver::find_candidates() {

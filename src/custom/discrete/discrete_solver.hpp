@@ -67,7 +67,6 @@ class DiscreteSolver {
     [[nodiscard]] PieceIndex moving_pieces() const {
         return layout_.size() - static_cast<PieceIndex>(layout_.still_proxies().size());
     }
-    void note_starts();
     /// The farthest a ball can get.
     [[nodiscard]] double way(const Ball& ball, double duration) const {
         return (length(ball.velocity) + pull_ * duration) * duration;
@@ -87,6 +86,10 @@ class DiscreteSolver {
     void respond_to(Ball& ball, PieceIndex index, const Touch& touch, double at, double& flown);
     bool turn_back(BallPair pair);
     bool collide(BallPair pair, Vec2 normal);
+    void keep_sides();
+    void keep_side(std::uint32_t place);
+    [[nodiscard]] const Candidate* first_crossed(const Ball& ball, Vec2 from, std::span<const Candidate> near,
+                                                 double& time) const;
     void report(const Ball& ball, Other other, const Impact& hit, Vec2 point, double time);
     [[nodiscard]] Touch touch_at_end(const Ball& ball, PieceIndex index);
     [[nodiscard]] Vec2 surface_velocity(PieceIndex index, double ahead, Vec2 point) const;
