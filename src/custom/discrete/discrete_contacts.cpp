@@ -35,6 +35,7 @@ void DiscreteSolver::respond_to(Ball& ball, PieceIndex index, const Touch& touch
 void DiscreteSolver::collide() {
     changed_in_.assign(balls_->size(), 0);
     in_pile_.assign(balls_->size(), 0);
+    pushed_.assign(balls_->size(), 0);
     const bool piles = pull_ > 0;
     if (piles) find_piles();
     for (round_ = 1; round_ <= settings_.collision_iterations; ++round_) {
@@ -94,6 +95,7 @@ bool DiscreteSolver::collide_ball_with_parts(std::uint32_t place, std::span<cons
         ++record_->statistics.contacts;
         respond_to(ball, deep.piece, found, span_.duration(), flown_[place]);
         any = true;
+        if (deep_.size() > 1 || layout_.moves(deep.piece)) pushed_[place] = true;
     }
     return any;
 }
@@ -126,6 +128,7 @@ bool DiscreteSolver::collide_balls() {
         ++record_->statistics.narrow_tests;
         if (round_ == 1 && !a.asleep && !b.asleep && turn_back(pair)) {
             any = true;
+            pushed_[pair.a] = pushed_[pair.b] = true;
             continue;
         }
         const Vec2 between = a.position - b.position;
@@ -135,6 +138,7 @@ bool DiscreteSolver::collide_balls() {
         if (!collide(pair, unit(between))) continue;
         any = true;
         changed_in_[pair.a] = changed_in_[pair.b] = round_;
+        pushed_[pair.a] = pushed_[pair.b] = true;
     }
     return any;
 }
@@ -187,13 +191,15 @@ bool DiscreteSolver::collide(BallPair pair, Vec2 normal) {
 /// by that is put back to where it crossed, on the side where its flight began, and stops closing in.
 void DiscreteSolver::keep_sides() {
     for (std::uint32_t i = 0; i < balls_->size(); ++i)
-        if (changed_in_[i] != 0 || in_pile_[i]) keep_side(i);
+        if (pushed_[i]) keep_side(i);
 }
 
 void DiscreteSolver::keep_side(std::uint32_t place) {
     Ball& ball = (*balls_)[place];
     const Vec2 from = started_[place];
-    const auto [first, last] = std::ranges::equal_range(candidates_, place, {}, &Candidate::ball);
+    const auto first = std::ranges::lower_bound(candidates_, place, {}, &Candidate::ball);
+    const auto last =
+        std::find_if(first, candidates_.end(), [&](const Candidate& c) { return c.ball != place; });
     std::span<const Candidate> near(first, last);
     // Candidates are all that the box of the flight overlaps.
     if (!moving_[moving_pieces() + place].box.contains(ball.position))

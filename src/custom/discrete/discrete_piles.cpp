@@ -56,7 +56,10 @@ void DiscreteSolver::solve_piles() {
     if (any_pile_) {
         pile_.start(*balls_, scene_.gravity, span_.duration());
         for (std::uint32_t i = 0; i < balls_->size(); ++i)
-            if (in_pile_[i]) pile_.join(i);
+            if (in_pile_[i]) {
+                pile_.join(i);
+                pushed_[i] = true;
+            }
         pile_balls_on_balls();
         pile_balls_on_parts();
         pile_.solve();

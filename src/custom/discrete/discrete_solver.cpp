@@ -53,7 +53,7 @@ void DiscreteSolver::reserve(std::size_t balls) {
     make_room(deep_, layout_.size());
     make_room(changed_in_, balls);
     make_room(flown_, balls);
-    make_room(in_pile_, balls);
+    for (auto* marks : {&in_pile_, &pushed_}) make_room(*marks, balls);
     make_room(pressing_, balls, contacts_per_ball);
     make_room(pressed_, balls, contacts_per_ball);
     pile_.reserve(balls);

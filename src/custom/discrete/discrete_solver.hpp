@@ -144,6 +144,7 @@ class DiscreteSolver {
     std::vector<double> flown_;    ///< per ball, s of free flight up to the end of the iteration
     std::vector<char> in_pile_;    ///< per ball
     bool any_pile_ = false;
+    std::vector<char> pushed_;  ///< per ball: by what may not have heeded what lies behind it
     std::vector<BallPair> pressing_;
     Pile pile_;
     std::vector<Pressing> pressed_;  ///< of the pairs of balls in pile_

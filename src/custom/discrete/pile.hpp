@@ -68,12 +68,12 @@ class Pile {
         double per_mass = 0, per_inertia = 0;  ///< 0 for parts and sleepers
     };
     struct Contact {
-        Index upper, lower;  ///< bodies
-        Index number;        ///< in the order of adding
-        Vec2 normal;         ///< from lower to upper
-        double allowed;      ///< m/s, speed of approach that only closes the gap until the next flight ends
-        double friction;
-        double mass, rim_mass;  ///< kg, against impulses along the normal and the tangent
+        Index upper = 0, lower = 0;  ///< bodies
+        Index number = 0;            ///< in the order of adding
+        Vec2 normal;                 ///< from lower to upper
+        double allowed = 0;  ///< m/s, speed of approach that only closes the gap until the next flight ends
+        double friction = 0;
+        double mass = 0, rim_mass = 0;  ///< kg, against impulses along the normal and the tangent
         Impulse total;
     };
     /// Of a contact in the conjugate gradient method.
@@ -83,7 +83,7 @@ class Pile {
     /// Where a ball was on a part, and how far off; of bodies that are parts.
     struct Ground {
         Vec2 position;
-        double gap;
+        double gap = 0;
     };
 
     void order();
