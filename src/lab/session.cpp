@@ -1,9 +1,11 @@
 #include "lab/session.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "lab/allocations.hpp"
 #include "lab/cpu_clock.hpp"
+#include "world/refusal.hpp"
 
 namespace flipside::lab {
 
@@ -47,28 +49,43 @@ void Session::step(double dt) {
 }
 
 void Session::step(double dt, const Script& script, std::size_t& next) {
-    events_.clear();
-    const double start = world_->time();
-    double done = 0;
+    static_cast<void>(step_within(dt, script, next, std::numeric_limits<double>::infinity()));
+}
+
+bool Session::step_within(double dt, const Script& script, std::size_t& next, double seconds) {
+    if (!under_way_) {
+        events_.clear();
+        under_way_ = Progress{world_->time(), 0};
+    }
+    auto& [start, done] = *under_way_;
     for (; next < script.size(); ++next) {
         const double ahead = script[next].time - start;
         if (ahead >= dt * (1 - same_moment)) break;
         if (ahead > done + dt * same_moment) {
-            advance(ahead - done);
+            if (!advance(ahead - done, seconds)) return false;
             done = ahead;
         }
         record(script[next].time, script[next].control);
     }
-    advance(dt - done);
+    if (!advance(dt - done, seconds)) return false;
     ++totals_.steps;
+    under_way_.reset();
+    return true;
 }
 
-void Session::advance(double dt) {
+bool Session::advance(double dt, double seconds) {
     const std::uint64_t allocated = allocations();
     const CpuStopwatch watch;
-    world_->step(dt);
+    bool done = false;
+    try {
+        done = world_->step_within(dt, seconds);
+    } catch (const Refusal&) {
+        under_way_.reset();
+        throw;
+    }
     totals_.step_seconds += watch.seconds();
     if (totals_.steps >= warm_up_steps) totals_.allocations += allocations() - allocated;
+    if (!done) return false;
 
     const Statistics& statistics = world_->statistics();
     totals_.pair_tests += statistics.pair_tests;
@@ -82,6 +99,7 @@ void Session::advance(double dt) {
     const auto answer = game_.observe(world_->events(), world_->time(), world_->balls().size());
     totals_.launched += static_cast<std::uint64_t>(game_.launched() - launched);
     for (const Control& control : answer) world_->apply(control);
+    return true;
 }
 
 void Session::count(const Event& event) {
@@ -102,6 +120,7 @@ void Session::change(std::shared_ptr<const Scene> scene, const Engine& engine, S
     std::unique_ptr<World> next = engine.make(scene, settings);
     next->restore(state);
     world_ = std::move(next);
+    under_way_.reset();
     scene_ = std::move(scene);
     engine_ = &engine;
     settings_ = std::move(settings);
@@ -109,6 +128,7 @@ void Session::change(std::shared_ptr<const Scene> scene, const Engine& engine, S
 
 void Session::restore(const State& state) {
     world_->restore(state);
+    under_way_.reset();
     game_.resume(state.balls.size(), state.clock.time);
 }
 

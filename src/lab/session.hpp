@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -42,6 +43,8 @@ class Session {
     /// time; one within 1e-9·dt of either end counts as at that end. `next` is the index of the script's
     /// next control and is moved on. Events of all parts of the step are in events().
     void step(double dt, const Script& script, std::size_t& next);
+    /// The same in portions, as World::step_within has it. Until it is true, controls must wait.
+    [[nodiscard]] bool step_within(double dt, const Script& script, std::size_t& next, double seconds);
     /// Continues on another engine, with other settings, or on a changed scene (same parts) from the
     /// state as it is. The game goes on.
     void change(std::shared_ptr<const Scene> scene, const Engine& engine, Settings settings);
@@ -68,10 +71,12 @@ class Session {
     /// Everything that happened during the last step(dt), over all its parts.
     [[nodiscard]] std::span<const Event> events() const { return events_; }
     [[nodiscard]] const Totals& totals() const { return totals_; }
+    /// Whether a step has begun and not ended.
+    [[nodiscard]] bool under_way() const { return under_way_.has_value(); }
 
   private:
-    /// One World::step and the rules' answer, appended to events_ and totals_.
-    void advance(double dt);
+    /// One World::step_within and, once that is done, the rules' answer, appended to events_ and totals_.
+    bool advance(double dt, double seconds);
     void count(const Event& event);
     void record(double time, const Control& control);
 
@@ -83,6 +88,11 @@ class Session {
     Script recording_;
     std::vector<Event> events_;
     Totals totals_;
+    struct Progress {
+        double start = 0;  ///< time of the world, s
+        double done = 0;   ///< of the step, s
+    };
+    std::optional<Progress> under_way_;
 };
 
 /// The script's first control at `time` or later (to 1e-9 s): where a run that starts then takes it up.

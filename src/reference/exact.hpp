@@ -1,6 +1,7 @@
 #pragma once
 /// The exact simulation, whatever numbers it computes with.
 
+#include <chrono>
 #include <memory>
 #include <span>
 #include <vector>
@@ -37,8 +38,11 @@ class Exact {
     virtual void add(const Ball& ball) = 0;
     virtual void remove(BallNumber number) = 0;
     virtual void set_velocity(BallNumber number, Vec2 velocity) = 0;
+    /// Sets the end of the next run, that many seconds from now.
+    virtual void begin(double seconds) = 0;
+    /// Handles events until the run has ended (true), or, after one at least, until the deadline has passed.
     /// Throws Refusal; what is left then is good for nothing but load().
-    virtual void run(double seconds) = 0;
+    [[nodiscard]] virtual bool go_on(std::chrono::steady_clock::time_point deadline) = 0;
 
     /// By rising number.
     virtual void read(std::vector<Ball>& balls) const = 0;

@@ -30,10 +30,9 @@ void Simulation<R>::read(std::vector<Ball>& balls) const {
 
 template <class R>
 double Simulation<R>::distance(BallNumber number, Vec2 place) const {
-    for (const Mover& mover : movers_)
-        if (mover.ball.number == number && !mover.gone)
-            return static_cast<double>(length(mover.path.at(now_).position - V<R>(place)));
-    return std::numeric_limits<double>::infinity();
+    const auto i = find(number);
+    return i ? static_cast<double>(length(movers_[*i].path.at(now_).position - V<R>(place)))
+             : std::numeric_limits<double>::infinity();
 }
 
 template <class R>

@@ -52,6 +52,7 @@ void Simulation<R>::load(const State& state) {
     queue_.clear();
     events_.clear();
     now_ = R(0);
+    length_ = 0;
     time_ = state.clock.time;
     reported_lost_ = state.reported_lost;
     raised_[0] = state.raised[0], raised_[1] = state.raised[1];
@@ -259,23 +260,24 @@ void Simulation<R>::add(const Ball& ball) {
 }
 
 template <class R>
-auto Simulation<R>::find(BallNumber number) -> Mover* {
-    const auto at = std::ranges::find_if(
-        movers_, [&](const Mover& mover) { return mover.ball.number == number && !mover.gone; });
-    return at == movers_.end() ? nullptr : &*at;
+auto Simulation<R>::find(BallNumber number) const -> std::optional<Place> {
+    const auto number_of = [](const Mover& mover) { return mover.ball.number; };
+    const auto at = std::ranges::lower_bound(movers_, number, {}, number_of);
+    if (at == movers_.end() || at->ball.number != number || at->gone) return {};
+    return static_cast<Place>(at - movers_.begin());
 }
 
 template <class R>
 void Simulation<R>::remove(BallNumber number) {
-    Mover* mover = find(number);
-    if (mover == nullptr) return;
-    const auto i = static_cast<Place>(mover - movers_.data());
-    cells_.unlink(i, mover->cell);
-    mover->gone = true;
-    ++mover->changes;
-    ++mover->predictions;
+    const auto i = find(number);
+    if (!i) return;
+    Mover& mover = movers_[*i];
+    cells_.unlink(*i, mover.cell);
+    mover.gone = true;
+    ++mover.changes;
+    ++mover.predictions;
     std::erase(reported_lost_, number);
-    for (const PartIndex part : mover->inside)
+    for (const PartIndex part : mover.inside)
         if (!scene_->parts[part].sensor && std::ranges::none_of(movers_, [&](const Mover& other) {
                 return !other.gone && std::ranges::find(other.inside, part) != other.inside.end();
             }))
@@ -284,43 +286,52 @@ void Simulation<R>::remove(BallNumber number) {
 
 template <class R>
 void Simulation<R>::set_velocity(BallNumber number, Vec2 velocity) {
-    Mover* mover = find(number);
-    if (mover == nullptr) return;
-    advance(*mover);
-    mover->body.velocity = V<R>(velocity);
-    const auto i = static_cast<Place>(mover - movers_.data());
-    set_out(i);
-    predict(i);
+    const auto i = find(number);
+    if (!i) return;
+    Mover& mover = movers_[*i];
+    advance(mover);
+    mover.body.velocity = V<R>(velocity);
+    set_out(*i);
+    predict(*i);
 }
 
 template <class R>
-void Simulation<R>::run(double seconds) {
+void Simulation<R>::begin(double seconds) {
     events_.clear();
     counts_ = {};
     run_start_ = now_;
-    const R end = now_ + R(seconds);
+    run_end_ = now_ + R(seconds);
+    length_ = seconds;
+}
+
+template <class R>
+bool Simulation<R>::go_on(std::chrono::steady_clock::time_point deadline) {
+    if (length_ == 0) return true;
     for (;;) {
         while (!queue_.empty() && queue_.front().prediction != movers_[queue_.front().mover].predictions) {
             std::pop_heap(queue_.begin(), queue_.end());
             queue_.pop_back();
         }
         const R event = queue_.empty() ? infinity<R>() : queue_.front().time, stop = next_stop();
-        if (std::min(event, stop) > end) break;
+        if (std::min(event, stop) > run_end_) break;
         if (stop <= event) {
             now_ = stop;
             handle_stops();
-            continue;
+        } else {
+            now_ = std::max(now_, event);
+            const Place mover = queue_.front().mover;
+            std::pop_heap(queue_.begin(), queue_.end());
+            queue_.pop_back();
+            ++counts_.events;
+            handle(mover);
         }
-        now_ = std::max(now_, event);
-        const Place mover = queue_.front().mover;
-        std::pop_heap(queue_.begin(), queue_.end());
-        queue_.pop_back();
-        ++counts_.events;
-        handle(mover);
+        if (std::chrono::steady_clock::now() > deadline) return false;
     }
-    now_ = end;
-    time_ += seconds;
+    now_ = run_end_;
+    time_ += length_;
+    length_ = 0;
     if (now_ >= 1) set_clock_back();
+    return true;
 }
 
 /// Times are counted from not long ago, so that they keep their digits.

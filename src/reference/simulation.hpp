@@ -13,6 +13,7 @@
 /// parts of which one moves, or squeezed without end.
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "reference/cells.hpp"
@@ -33,7 +34,8 @@ class Simulation final : public Exact {
     void add(const Ball& ball) override;
     void remove(BallNumber number) override;
     void set_velocity(BallNumber number, Vec2 velocity) override;
-    void run(double seconds) override;
+    void begin(double seconds) override;
+    [[nodiscard]] bool go_on(std::chrono::steady_clock::time_point deadline) override;
 
     void read(std::vector<Ball>& balls) const override;
     [[nodiscard]] std::span<const Event> events() const override { return events_; }
@@ -110,7 +112,7 @@ class Simulation final : public Exact {
     [[nodiscard]] R next_stop() const;
     void handle_stops();
     void set_clock_back();
-    [[nodiscard]] Mover* find(BallNumber number);
+    [[nodiscard]] std::optional<Place> find(BallNumber number) const;
     [[nodiscard]] const Feature<R>& shape(FeatureIndex f) const {
         return parts_[features_[f].part].turning.rate != 0 ? features_[f] : posed_[f];
     }
@@ -171,8 +173,9 @@ class Simulation final : public Exact {
     std::vector<Mover> movers_;  ///< by rising number; those gone stay as such
     std::vector<BallNumber> reported_lost_;
     bool raised_[2] = {false, false}, rotating_ = false;
-    R now_{}, run_start_{};
-    double time_ = 0;  ///< of the table when the run began
+    R now_{}, run_start_{}, run_end_{};
+    double time_ = 0;    ///< of the table when the run began
+    double length_ = 0;  ///< of the run that is under way, s; 0 when there is none
     std::vector<Entry> queue_;
     std::vector<Touching> touching_;
     std::vector<Event> events_;

@@ -67,6 +67,7 @@ void ReferenceWorld::drop_twin() {
 /// Simulations anew from the table and the balls as they are.
 void ReferenceWorld::load() {
     refusal_.reset();
+    under_way_ = false;
     unclaimed_.clear();
     const State state = table_.save(balls_);
     try {
@@ -145,23 +146,40 @@ void ReferenceWorld::launch() {
 }
 
 void ReferenceWorld::step(double dt) {
+    static_cast<void>(step_within(dt, std::numeric_limits<double>::infinity()));
+}
+
+bool ReferenceWorld::step_within(double dt, double seconds) {
+    using Clock = std::chrono::steady_clock;
     if (refusal_) throw Refusal(*refusal_);
-    balls_before_ = balls_;
-    table_before_ = table_.save({});
-    const auto start = std::chrono::steady_clock::now();
-    launch();
-    on_both([&](Exact& exact) { exact.run(dt); });
+    const auto start = Clock::now();
+    if (!under_way_) {
+        under_way_ = true;
+        worked_ = 0;
+        balls_before_ = balls_;
+        table_before_ = table_.save({});
+        launch();
+        on_both([&](Exact& exact) { exact.begin(dt); });
+    }
+    constexpr double long_enough = 1e6;  // s
+    const auto deadline = start + std::chrono::duration_cast<Clock::duration>(
+                                      std::chrono::duration<double>(std::min(seconds, long_enough)));
+    bool done = true;
+    on_both([&](Exact& exact) { done &= exact.go_on(deadline); });
+    worked_ += std::chrono::duration<double>(Clock::now() - start).count();
+    if (!done && !refusal_) return false;
+    under_way_ = false;
     if (refusal_) {
         balls_ = balls_before_;
         table_.restore(table_before_);
         events_.clear();
         throw Refusal(*refusal_);
     }
-    const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     read_out(table_.time());
     table_.advance(dt);
     report_touches();
-    statistics_.stages[0] = {"events", took};
+    statistics_.stages[0] = {"events", worked_};
+    return true;
 }
 
 /// Takes over what the simulation found. `started` is when the step did.

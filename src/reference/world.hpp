@@ -18,6 +18,7 @@ class ReferenceWorld final : public World {
     ReferenceWorld(std::shared_ptr<const Scene> scene, const Settings& settings);
 
     void step(double dt) override;
+    bool step_within(double dt, double seconds) override;
     void apply(const Control& control) override;
     BallNumber add(const Ball& ball) override;
     bool remove(BallNumber number) override;
@@ -57,6 +58,8 @@ class ReferenceWorld final : public World {
     std::vector<BallNumber> unclaimed_;  ///< balls that once were further apart than a radius
     Statistics statistics_;
     std::optional<std::string> refusal_;
+    bool under_way_ = false;  ///< a step has begun and not ended
+    double worked_ = 0;       ///< on it so far, s
     std::vector<Ball> balls_before_;
     State table_before_;
 };

@@ -138,6 +138,25 @@ TEST_F(ReferenceWindow, ABallAmongBumpersPassesItsHorizon) {
                  [](const Json& s) { return pane_of(s, "reference")["horizon"].is_null(); });
 }
 
+TEST_F(ReferenceWindow, WhileItsStepsTakeLongTheWindowGoesOn) {
+    open(scene_of(R"({"format": "flipside-scene/1", "name": "rain", "about": "800 balls in long steps.",
+            "gravity": [0, -9.8], "recommend": {"run": {"dt": 0.1}, "reference": {"precision": "113"}},
+            "generate": [{"type": "field", "seed": 1, "balls": 800, "density": 1.6,
+                          "ball": {"radius": 0.1, "mass": 1}}]})"));
+    show_reference();
+    Json begun;
+    const Json later = window->wait("frames during a step", [&](const Json& s) {
+        if (s["under_way"] == false || begun.is_null() || begun["time"] != s["time"]) begun = s;
+        return s["under_way"] == true && s["frame"].get<int>() >= begun["frame"].get<int>() + 3;
+    });
+    for (const Json& pane : later["panes"]) EXPECT_EQ(pane["time"], later["time"]);
+    const Json paused = pause();
+    window->key("period");
+    window->wait("one step", [&](const Json& s) { return s["time"] > paused["time"]; });
+    window->key("e");
+    window->wait("two panes", [](const Json& s) { return s["panes"].size() == 2; });
+}
+
 TEST_F(ReferenceWindow, WhereItRefusesTheOthersGoOnAndItSaysWhy) {
     open(scene_of(R"({"format": "flipside-scene/1", "name": "pile", "about": "One on the other.",
             "bounds": {"min": [-1, -1], "max": [1, 1]}, "gravity": [0, -9.81],

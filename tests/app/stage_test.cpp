@@ -9,7 +9,7 @@ namespace {
 
 std::vector<std::string> engines_of(const Stage& stage) {
     std::vector<std::string> names;
-    for (const Run& run : stage.runs()) names.emplace_back(run.engine().name);
+    for (const auto& run : stage.runs()) names.emplace_back(run.engine().name);
     return names;
 }
 
@@ -97,6 +97,40 @@ TEST(Stage, TakingUpAgainStartsTheReferenceFromTheFirstOfTheOthers) {
     EXPECT_EQ(stage.runs()[2].session().world().balls()[0].position, other);
     EXPECT_TRUE(between(stage, "box2d", "reference").history().empty());
     EXPECT_FALSE(between(stage, "box2d", "custom").history().empty());
+}
+
+TEST(Stage, WaitsForTheReferenceWithAllItsRunsAndWithWhatIsPressed) {
+    Stage stage("box", "custom", View::split, {}, {});
+    stage.show_reference(true);
+    const auto time_of = [&](std::size_t run) { return stage.runs()[run].session().world().time(); };
+    int portions = 0;
+    // A step without events is done in one portion.
+    while (portions == 0) {
+        ASSERT_LT(stage.time(), 1);
+        const double before = stage.time();
+        for (; !stage.step_within(0); ++portions) {
+            EXPECT_TRUE(stage.under_way());
+            for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(time_of(i), before);
+            if (portions == 0) stage.press(control::Nudge{{3, 0}});
+            for (const auto& run : stage.runs()) EXPECT_TRUE(run.session().recording().empty());
+        }
+    }
+    EXPECT_FALSE(stage.under_way());
+    for (const auto& run : stage.runs()) {
+        ASSERT_EQ(run.session().recording().size(), 1U);
+        EXPECT_EQ(run.session().recording()[0].time, stage.time());
+    }
+}
+
+TEST(Stage, HidesTheReferenceInTheMiddleOfItsStep) {
+    Stage stage("box", "custom", View::split, {}, {});
+    stage.show_reference(true);
+    while (stage.step_within(0)) ASSERT_LT(stage.time(), 1);
+    stage.press(control::Nudge{{3, 0}});
+    stage.show_reference(false);
+    EXPECT_FALSE(stage.under_way());
+    stage.step();
+    for (const auto& run : stage.runs()) EXPECT_EQ(run.session().recording().size(), 1U);
 }
 
 class RefusedStage : public testing::Test {

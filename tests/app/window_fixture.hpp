@@ -22,9 +22,10 @@ class WindowTest : public testing::Test {
     static void TearDownTestSuite() { display.reset(); }
 
     void open(const std::string& scene = "pinball", const std::string& view = "split",
-              const std::string& engine = "custom") {
-        window =
-            std::make_unique<RealWindow>(std::vector<std::string>{scene, "--view", view, "--engine", engine});
+              const std::string& engine = "custom", const std::vector<std::string>& more = {}) {
+        std::vector<std::string> arguments{scene, "--view", view, "--engine", engine};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        window = std::make_unique<RealWindow>(arguments);
     }
     void TearDown() override {
         if (!window) return;

@@ -42,6 +42,22 @@ TEST(Session, FlightOnTheCustomEngineIsTheParabola) {
     EXPECT_EQ(session.totals().steps, 60U);
 }
 
+TEST(Session, AStepInPortionsTakesItsControlsAtTheirTimes) {
+    const Script script{{0.25, control::Nudge{{1, 0}}}, {0.5, control::Nudge{{0, 1}}}};
+    Session whole = session_on("reference", flight("[0, -9.81]")),
+            portions = session_on("reference", flight("[0, -9.81]"));
+    std::size_t next = 0, next_portion = 0;
+    whole.step(1, script, next);
+    EXPECT_FALSE(portions.under_way());
+    while (!portions.step_within(1, script, next_portion, 0)) EXPECT_TRUE(portions.under_way());
+    EXPECT_FALSE(portions.under_way());
+    EXPECT_EQ(next_portion, 2U);
+    EXPECT_EQ(portions.totals().steps, 1U);
+    EXPECT_EQ(portions.world().time(), 1);
+    EXPECT_EQ(portions.world().balls()[0].position, whole.world().balls()[0].position);
+    EXPECT_NEAR(portions.world().balls()[0].position.x, 1.75, 1e-12);
+}
+
 TEST(Session, AnotherGravityWakesSleepers) {
     const auto table = [](const std::string& gravity) {
         return scene_of(R"({"format": "flipside-scene/1", "name": "table", "about": "A ball on a floor.",

@@ -33,6 +33,37 @@ TEST(ReferenceWorld, TheStepChangesNothingButRounding) {
         EXPECT_LT(length(coarse->balls()[i].position - fine->balls()[i].position), 1e-10);
 }
 
+TEST(ReferenceWorld, AStepInPortionsIsTheSameStepAndShowsNothingBeforeItsEnd) {
+    const auto whole = make_world(gas(), {{"twin", "on"}}), portions = make_world(gas(), {{"twin", "on"}});
+    int calls = 0;
+    for (int step = 0; step < 4; ++step) {
+        whole->step(1.0 / 2);
+        const Vec2 shown = portions->balls()[0].position;
+        for (; !portions->step_within(1.0 / 2, 0); ++calls) {
+            EXPECT_EQ(portions->time(), step / 2.0);
+            EXPECT_EQ(portions->balls()[0].position, shown);
+        }
+        ASSERT_EQ(whole->time(), portions->time());
+        ASSERT_EQ(whole->events().size(), portions->events().size());
+        for (std::size_t i = 0; i < whole->balls().size(); ++i) {
+            EXPECT_EQ(whole->balls()[i].position, portions->balls()[i].position);
+            EXPECT_EQ(whole->uncertainty()[i], portions->uncertainty()[i]);
+        }
+    }
+    EXPECT_GT(calls, 10);
+}
+
+TEST(ReferenceWorld, AStepUnderWayCanBeGivenUp) {
+    const auto given_up = make_world(gas()), fresh = make_world(gas());
+    const State start = given_up->save();
+    ASSERT_FALSE(given_up->step_within(2, 0));
+    given_up->restore(start);
+    run(*given_up, 1);
+    run(*fresh, 1);
+    for (std::size_t i = 0; i < fresh->balls().size(); ++i)
+        EXPECT_EQ(given_up->balls()[i].position, fresh->balls()[i].position);
+}
+
 TEST(ReferenceWorld, ElasticBallsKeepTheirEnergyAmongStillWalls) {
     Scene scene = gas();
     scene.parts.pop_back();

@@ -14,11 +14,11 @@ namespace flipside::app {
 
 namespace {
 
-constexpr double charge_seconds = 1.2;  ///< from nothing to a full launch
-constexpr double slow_motion = 0.1;     ///< simulated seconds per second
-constexpr double most_catch_up = 0.1;   ///< simulated seconds per frame
-constexpr double most_stepping = 0.02;  ///< seconds of work per frame
-constexpr double nudge_speed = 0.25;    ///< m/s
+constexpr double charge_seconds = 1.2;   ///< from nothing to a full launch
+constexpr double slow_motion = 0.1;      ///< simulated seconds per second
+constexpr double most_catch_up = 0.1;    ///< simulated seconds per frame
+constexpr double most_stepping = 0.012;  ///< seconds of work per frame
+constexpr double nudge_speed = 0.25;     ///< m/s
 
 /// Lettering grows with the display: 1 up to 1200 lines, then in quarters.
 double display_scale() {
@@ -133,7 +133,7 @@ void App::act(Action action) {
             break;
         case Action::step_once:
             controls_.paused = true;
-            stage_.step();
+            ++controls_.single_steps;
             break;
         case Action::slow_motion:
             controls_.speed = controls_.speed < 1 ? 1 : slow_motion;
@@ -179,17 +179,21 @@ void App::act(Action action) {
 }
 
 void App::advance(double seconds) {
-    if (controls_.paused) return;
     if (accumulator_.dt() != stage_.dt()) accumulator_ = Accumulator(stage_.dt(), most_catch_up);
-    const double simulated = seconds * controls_.speed;
+    const double simulated = controls_.paused ? 0 : seconds * controls_.speed;
     if (held(Action::launch)) state_.charge = std::min(1.0, state_.charge + simulated / charge_seconds);
+    if (!controls_.paused) controls_.single_steps = 0;
     const sf::Clock stepping;
     // All engines in step: where one is too slow the table runs slower for all, and the window goes on.
+    bool under_way = stage_.under_way();
     const int due = accumulator_.advance(simulated);
-    for (int steps = due; steps > 0; --steps) {
-        stage_.step();
+    for (int steps = due + controls_.single_steps + (under_way ? 1 : 0); steps > 0; --steps) {
+        const double left = most_stepping - stepping.getElapsedTime().asSeconds();
+        if (left < 0) break;
+        if (controls_.paused && !under_way) --controls_.single_steps;
+        under_way = false;
+        if (!stage_.step_within(left)) break;
         measured_.simulated += stage_.dt();
-        if (stepping.getElapsedTime().asSeconds() > most_stepping) break;
     }
     measured_.asked += due * stage_.dt();
     measured_.physics += stepping.getElapsedTime().asSeconds();

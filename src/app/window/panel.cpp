@@ -98,7 +98,7 @@ struct PanelParts {
         ImGui::SameLine();
         if (button("Step", "Pause and take one step (.)", 0.5)) {
             controls.paused = true;
-            stage.step();
+            ++controls.single_steps;
         }
         ImGui::SameLine();
         if (button("Restart", "R")) stage.restart();

@@ -31,20 +31,21 @@ Run::Run(lab::Session session, const Script& script)
     measure_energy(true);
 }
 
-void Run::step(double dt, const Script& script) {
-    if (halt_) return;
-    const double spent = session_.totals().step_seconds;
+bool Run::step_within(double dt, const Script& script, double seconds) {
+    if (halt_) return true;
     try {
-        session_.step(dt, script, next_control_);
+        if (!session_.step_within(dt, script, next_control_, seconds)) return false;
     } catch (const Refusal& refusal) {
         halt_ = Halt{session_.world().time(), refusal.what()};
-        return;
+        return true;
     }
-    const double cost = session_.totals().step_seconds - spent;
+    const double cost = session_.totals().step_seconds - spent_;
+    spent_ += cost;
     step_cost_ = step_cost_ == 0 ? cost : step_cost_ + 0.05 * (cost - step_cost_);
     traces_.observe(session_.events(), session_.world().balls(), session_.world().time());
     measure_energy(false);
     measure_uncertainty();
+    return true;
 }
 
 void Run::measure_uncertainty() {
@@ -74,6 +75,7 @@ void Run::change(std::shared_ptr<const Scene> scene, const Engine& engine, Setti
     uncertainty_.clear();
     passed_horizon_.reset();
     step_cost_ = 0;
+    spent_ = session_.totals().step_seconds;
     measure_energy(true);
 }
 

@@ -29,8 +29,11 @@ class Run {
     /// The script is taken up at the session's time.
     Run(lab::Session session, const Script& script);
 
-    /// Does nothing once the run has halted.
-    void step(double dt, const Script& script);
+    /// In portions, as World::step_within has it: true once the step is done. Does nothing, and is done, once
+    /// the run has halted.
+    [[nodiscard]] bool step_within(double dt, const Script& script, double seconds);
+    /// A step has begun and not ended.
+    [[nodiscard]] bool under_way() const { return session_.under_way(); }
     /// What the player does, as far as the rules permit it; false if they do not.
     bool press(const Control& control) { return !halt_ && session_.press(control); }
     /// Continues on another engine, with other settings or on a changed scene, from the state as it is.
@@ -70,6 +73,7 @@ class Run {
     double energy_ = 0, energy_before_ = 0;
     std::size_t balls_ = 0;
     double step_cost_ = 0;
+    double spent_ = 0;  ///< CPU time on all steps that are done, s
     std::deque<Sample> history_;
     std::optional<Halt> halt_;
     std::deque<Sample> uncertainty_;

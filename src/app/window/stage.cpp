@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lab/assets.hpp"
 #include "world/scene_file.hpp"
@@ -57,6 +58,7 @@ void Stage::start() {
         if (view_ == View::single) break;
     }
     divergences_.clear();
+    pressed_.clear();
     pair_up();
 }
 
@@ -179,21 +181,34 @@ void Stage::pair_up() {
 void Stage::run_until(double end, double dt) {
     // Not by adding up dt: the number of whole steps must not depend on rounding.
     const auto whole = static_cast<std::uint64_t>(std::floor(end / dt + 1e-9));
-    for (std::uint64_t i = 0; i < whole; ++i) step(dt);
+    constexpr double for_ever = std::numeric_limits<double>::infinity();
+    for (std::uint64_t i = 0; i < whole; ++i) static_cast<void>(step_within(dt, for_ever));
     const double rest = end - static_cast<double>(whole) * dt;
-    if (rest > 1e-9 * dt) step(rest);
+    if (rest > 1e-9 * dt) static_cast<void>(step_within(rest, for_ever));
 }
 
-void Stage::step(double dt) {
-    for (Run& run : runs_) run.step(dt, script_);
+bool Stage::step_within(double dt, double seconds) {
+    // The exact engine may need long for a step. It goes first, and the others wait for it: so all that is on
+    // show is at one time.
+    for (Run& run : runs_)
+        if (is_reference(run.engine()) && !run.step_within(dt, script_, seconds)) return false;
+    for (Run& run : runs_)
+        if (!is_reference(run.engine())) static_cast<void>(run.step_within(dt, script_, seconds));
     for (Divergence& divergence : divergences_)
         divergence.observe(*run_on(divergence.first()), *run_on(divergence.second()), dt);
+    for (const Control& control : std::exchange(pressed_, {})) press(control);
+    return true;
 }
 
-bool Stage::press(const Control& control) {
-    bool any = false;
-    for (Run& run : runs_) any |= run.press(control);
-    return any;
+bool Stage::under_way() const {
+    return std::ranges::any_of(runs_, &Run::under_way);
+}
+
+void Stage::press(const Control& control) {
+    if (under_way())
+        pressed_.push_back(control);
+    else
+        for (Run& run : runs_) run.press(control);
 }
 
 void Stage::clear() {

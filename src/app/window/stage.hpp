@@ -2,6 +2,7 @@
 /// What is on show: a scene, one or more runs of it under the same script and controls and the same step,
 /// each on another engine, and how far these are apart. Knows no screen.
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,11 +32,15 @@ class Stage {
     void take_up();
     /// Where take_up goes on from: the first run that has not halted and is not the reference, if any.
     [[nodiscard]] const Run* guide() const;
-    void step() { step(dt_); }
+    void step() { static_cast<void>(step_within(dt_, std::numeric_limits<double>::infinity())); }
+    /// A step in portions: works for about `seconds` of wall time, and is true once all runs have taken it.
+    /// Until then all of them show what was before.
+    [[nodiscard]] bool step_within(double seconds) { return step_within(dt_, seconds); }
+    [[nodiscard]] bool under_way() const;
     /// In steps of dt and one shorter one, so that it ends there exactly.
     void run_until(double end, double dt);
-    /// What the player does, as far as each run's rules permit it. True if any did.
-    bool press(const Control& control);
+    /// What the player does, as far as each run's rules permit it; after the step that is under way.
+    void press(const Control& control);
     void clear();
     void set_gravity(bool on);
     /// Rebuilds the run's world from its state at once. Throws InputError, and changes nothing, where the
@@ -74,7 +79,7 @@ class Stage {
     /// Every two of the runs on show are compared, and no others.
     void pair_up();
     [[nodiscard]] const Settings& settings_of(const Engine& engine);
-    void step(double dt);
+    [[nodiscard]] bool step_within(double dt, double seconds);
 
     std::string name_;
     std::shared_ptr<const Scene> original_;  ///< as in the file
@@ -89,6 +94,7 @@ class Stage {
     bool gravity_ = true;
     bool reference_ = false;
     std::vector<Divergence> divergences_;
+    std::vector<Control> pressed_;  ///< during the step that is under way
 };
 
 [[nodiscard]] bool is_reference(const Engine& engine);

@@ -118,6 +118,7 @@ void WindowReport::write(double now, const Stage& stage, const WindowState& wind
     written_ = now;
     j["frame"] = window.frame;
     j["time"] = stage.time();
+    j["under_way"] = stage.under_way();
     j["charge"] = window.charge;
     j["scale"] = camera.scale;
     j["center"] = {camera.center.x, camera.center.y};
