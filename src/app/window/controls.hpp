@@ -13,7 +13,7 @@ struct WindowControls {
     Look look;
     bool paused = false;
     int single_steps = 0;  ///< to take while paused
-    double speed = 1;  ///< simulated seconds per second
+    double speed = 1;      ///< simulated seconds per second
     bool panel_open = true;
     bool help_open = false;
     int launch_count = 1;
