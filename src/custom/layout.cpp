@@ -1,6 +1,7 @@
 #include "custom/layout.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace flipside::custom {
 
@@ -13,6 +14,9 @@ Layout::Layout(const Scene& scene)
         const Part& part = scene.parts[pieces_[i].part];
         still_proxies_.push_back({bounds_of(pieces_[i]), part.layer, part.collides_with, false, false});
     }
+    constexpr double far = std::numeric_limits<double>::infinity();
+    for (PieceIndex i = 0; i < size(); ++i)
+        capsules_.push_back(moves(i) ? Capsule{{}, {}, 0, far} : capsule_around(pieces_[i]));
     for (const Piece& piece : pieces_) {
         const Part& part = scene.parts[piece.part];
         always_stops_.push_back(!part.sensor && !part.target && gate_of(part) == nullptr);

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "custom/broad_phase/broad_phase.hpp"
+#include "custom/geometry/capsule.hpp"
 #include "custom/geometry/narrow_phase.hpp"
 
 namespace flipside::custom {
@@ -34,6 +35,10 @@ class Layout {
     [[nodiscard]] bool stops(const Table& table, PieceIndex i, const Pose& pose, const Ball& ball) const {
         return always_stops_[i] || custom::stops(table, pieces_[i], pose, ball);
     }
+    /// Whether a disc may overlap a piece: false only where it does not. Always true of what moves.
+    [[nodiscard]] bool may_touch(PieceIndex i, Vec2 center, double radius) const {
+        return overlap(capsules_[i], center, radius);
+    }
     /// Of the still pieces, by index.
     [[nodiscard]] const std::vector<Proxy>& still_proxies() const { return still_proxies_; }
 
@@ -62,6 +67,7 @@ class Layout {
     std::vector<Piece> pieces_;
     PieceIndex still_ = 0;
     std::vector<Proxy> still_proxies_;
+    std::vector<Capsule> capsules_;   ///< per piece; without end around what moves
     std::vector<char> always_stops_;  ///< per piece: of no sensor, target or gate
     std::size_t materials_;
     std::vector<Mixed> mixed_;

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "custom/broad_phase/room.hpp"
+#include "custom/sift.hpp"
 
 namespace flipside::custom {
 
@@ -49,7 +50,7 @@ void each_missing(const std::vector<T>& these, const std::vector<T>& those, auto
 void TouchList::reserve(std::size_t pieces, std::size_t balls) {
     make_room(moving_, pieces + balls);
     for (auto* list : {&before_, &now_}) make_room(*list, balls, touches_per_ball);
-    make_room(pairs_, balls, contacts_per_ball);
+    for (auto* list : {&pairs_, &sorted_, &near_}) make_room(*list, balls, contacts_per_ball);
     for (auto* list : {&sensed_before_, &sensed_}) make_room(*list, balls, touches_per_ball);
 }
 
@@ -66,13 +67,17 @@ void TouchList::look(const Layout& layout, const Table& table, const Ball& ball,
     const Pose pose = layout.pose(table, index, 0);
     const bool sensor = table.scene().parts[piece.part].sensor;
     if (!sensor && !layout.stops(table, index, pose, ball)) return;
-    ++narrow_tests_;
-    if (!layout.moves(index) && misses(ball.position, ball.radius * (1 + 2 * touch_distance), piece)) return;
     const Touch found = touch(ball.position, ball.radius, piece, pose);
     if (found.past_end) return;
     if (sensor && found.separation <= 0) sensed_.push_back({ball.number, piece.part});
     if (!sensor && found.separation <= touch_distance * ball.radius)
         now_.push_back({ball.number, Other::part(piece.part), found.point, found.normal, found.separation});
+}
+
+void TouchList::look(const Ball& lower, const Ball& ball) {
+    const Touch found = touch(lower.position, lower.radius, ball.position, ball.radius);
+    if (found.separation <= touch_distance * std::min(lower.radius, ball.radius))
+        now_.push_back({lower.number, Other::ball(ball.number), found.point, found.normal, found.separation});
 }
 
 void TouchList::begin() {
@@ -100,10 +105,8 @@ void TouchList::refresh(const Layout& layout, const Table& table, std::span<cons
         return bounds_of(ball.position, ball.radius * (1 + touch_distance));
     };
     layout.place(table, balls, 0, 0, everything, box_of, moving_);
-    pairs_.clear();
-    near.find_pairs(
-        moving_, broad, [&](std::size_t i) { return moving_[i].box; },
-        [&](Pair pair) { pairs_.push_back(pair); });
+    const auto found = near.find_pairs(moving_, broad, [&](std::size_t i) { return moving_[i].box; });
+    pairs_.assign(found.begin(), found.end());
     look_at(layout, table, balls, pairs_);
 }
 
@@ -117,21 +120,24 @@ void TouchList::refresh(const Layout& layout, const Table& table, std::span<cons
 
 void TouchList::look_at(const Layout& layout, const Table& table, std::span<const Ball> balls,
                         std::span<const Pair> candidates) {
-    for (const Pair pair : candidates) {
-        const Ball& ball = balls[pair.b - layout.size()];
-        if (pair.a < layout.size()) {
-            look(layout, table, ball, pair.a);
-            continue;
-        }
-        const Ball& lower = balls[pair.a - layout.size()];
-        ++narrow_tests_;
-        const double reach = (lower.radius + ball.radius) * (1 + 2 * touch_distance);
-        if (length_squared(lower.position - ball.position) > reach * reach) continue;
-        const Touch found = touch(lower.position, lower.radius, ball.position, ball.radius);
-        if (found.separation <= touch_distance * std::min(lower.radius, ball.radius))
-            now_.push_back(
-                {lower.number, Other::ball(ball.number), found.point, found.normal, found.separation});
-    }
+    // Most candidates are not even near: they go first.
+    constexpr double room = 1 + 2 * touch_distance;
+    const Handle first_ball = layout.size();
+    narrow_tests_ = candidates.size();
+    const auto with_parts = sift(candidates, sorted_, [&](Pair pair) { return pair.a < first_ball; });
+    const auto near_parts = sift(with_parts, near_, [&](Pair pair) {
+        const Ball& ball = balls[pair.b - first_ball];
+        return layout.may_touch(pair.a, ball.position, room * ball.radius);
+    });
+    for (const Pair pair : near_parts) look(layout, table, balls[pair.b - first_ball], pair.a);
+
+    const auto of_balls = sift(candidates, sorted_, [&](Pair pair) { return pair.a >= first_ball; });
+    const auto near_balls = sift(of_balls, near_, [&](Pair pair) {
+        const Ball &a = balls[pair.a - first_ball], &b = balls[pair.b - first_ball];
+        const double reach = (a.radius + b.radius) * room;
+        return length_squared(a.position - b.position) <= reach * reach;
+    });
+    for (const Pair pair : near_balls) look(balls[pair.a - first_ball], balls[pair.b - first_ball]);
     std::ranges::sort(now_, [](const Contact& a, const Contact& b) {
         return std::tie(a.ball, a.other, a.separation, a.normal.x, a.normal.y) <
                std::tie(b.ball, b.other, b.separation, b.normal.x, b.normal.y);

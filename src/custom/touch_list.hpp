@@ -52,11 +52,13 @@ class TouchList {
                  std::span<const Pair> candidates);
     void keep_sleepers(std::span<const Ball> balls);
     void look(const Layout& layout, const Table& table, const Ball& ball, PieceIndex index);
+    void look(const Ball& lower, const Ball& ball);
 
     std::vector<Contact> before_, now_;
     std::vector<Sensed> sensed_before_, sensed_;
     std::vector<Proxy> moving_;
     std::vector<Pair> pairs_;
+    std::vector<Pair> sorted_, near_;  ///< scratch
     std::uint64_t narrow_tests_ = 0;
 };
 

@@ -10,7 +10,7 @@ namespace flipside::custom {
 void NearList::reserve(std::size_t moving, std::size_t balls) {
     make_room(rooms_, moving);
     for (auto* list : {&leavers_, &strays_}) make_room(*list, moving, 1);
-    for (auto* list : {&listed_, &found_}) make_room(*list, balls, pairs_per_ball);
+    for (auto* list : {&listed_, &found_, &hits_}) make_room(*list, balls, pairs_per_ball);
     make_room(around_, still_.size() + moving);
 }
 

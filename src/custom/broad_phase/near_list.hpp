@@ -8,6 +8,7 @@
 
 #include "custom/broad_phase/broad_phase.hpp"
 #include "custom/broad_phase/room.hpp"
+#include "custom/sift.hpp"
 
 namespace flipside::custom {
 
@@ -16,16 +17,16 @@ class NearList {
     /// Keeps a reference to the still proxies.
     explicit NearList(const std::vector<Proxy>& still) : still_(still) {}
 
-    /// Calls `found` with every pair whose boxes overlap now and that may meet, those that
-    /// BroadPhase::find_pairs() finds and in its order. A proxy i that has left the room that it had, or is
+    /// Every pair whose boxes overlap now and that may meet, those that BroadPhase::find_pairs() finds and in
+    /// its order; good until the next search. A proxy i that has left the room that it had, or is
     /// active and was not then, gets the room `roomy(i)`, which must hold its box of now, and its partners
     /// are sought; where many did, all are.
     /// Cost: one box test per listed pair, and the searches.
-    void find_pairs(std::span<const Proxy> moving, BroadPhase& broad, auto&& roomy, auto&& found) {
+    std::span<const Pair> find_pairs(std::span<const Proxy> moving, BroadPhase& broad, auto&& roomy) {
         recognise(moving);
         begin();
         for (std::uint32_t i = 0; i < moving.size(); ++i) check(i, moving[i]);
-        find_pairs_of_checked(moving, broad, roomy, found);
+        return find_pairs_of_checked(moving, broad, roomy);
     }
 
     /// The same in parts, for those who have each proxy at hand anyway: recognise when they may be others
@@ -39,7 +40,8 @@ class NearList {
                            (room.active >= now.active);
         if (!holds) leavers_.push_back(i);
     }
-    void find_pairs_of_checked(std::span<const Proxy> moving, BroadPhase& broad, auto&& roomy, auto&& found) {
+    std::span<const Pair> find_pairs_of_checked(std::span<const Proxy> moving, BroadPhase& broad,
+                                                auto&& roomy) {
         const std::size_t strays = strays_.size() + leavers_.size();
         if (!leavers_.empty() && (!can_mend_ || strays > most_strays(moving.size()))) {
             for (std::uint32_t i = 0; i < moving.size(); ++i) give_room(i, moving[i], roomy(i));
@@ -48,7 +50,7 @@ class NearList {
             for (const std::uint32_t i : leavers_) give_room(i, moving[i], roomy(i));
             mend(broad);
         }
-        sift(moving, found);
+        return sift(moving);
     }
 
     /// Makes room for so many moving proxies, of which so many are balls.
@@ -67,28 +69,22 @@ class NearList {
     void search(BroadPhase& broad);
     void mend(BroadPhase& broad);
 
-    /// Without a branch per pair: nothing would foretell what a is and which boxes overlap.
-    void sift(std::span<const Proxy> moving, auto&& found) {
+    [[nodiscard]] std::span<const Pair> sift(std::span<const Proxy> moving) {
         const auto first = static_cast<Handle>(still_.size());
         const Proxy* const kinds[] = {still_.data(), moving.data()};
         const Handle begins[] = {0, first};
-        make_room(found_, listed_.size());
-        found_.resize(listed_.size());
-        Pair* const hits = found_.data();
-        std::size_t count = 0;
         std::uint64_t tests = 0;
-        for (const Pair pair : listed_) {
+        const auto overlapping = [&](Pair pair) {
             const auto kind = static_cast<std::size_t>(pair.a >= first);
             const Proxy &a = kinds[kind][pair.a - begins[kind]], &b = moving[pair.b - first];
             const bool may = a.active | b.active;
-            const bool overlapping = (a.box.min.x <= b.box.max.x) & (b.box.min.x <= a.box.max.x) &
-                                     (a.box.min.y <= b.box.max.y) & (b.box.min.y <= a.box.max.y);
-            hits[count] = pair;
-            count += static_cast<std::size_t>(may & overlapping);
             tests += static_cast<std::uint64_t>(may);
-        }
+            return may & (a.box.min.x <= b.box.max.x) & (b.box.min.x <= a.box.max.x) &
+                   (a.box.min.y <= b.box.max.y) & (b.box.min.y <= a.box.max.y);
+        };
+        const std::span<const Pair> hits = custom::sift(listed_, hits_, overlapping);
         tests_ += tests;
-        for (std::size_t i = 0; i < count; ++i) found(hits[i]);
+        return hits;
     }
 
     const std::vector<Proxy>& still_;
@@ -98,6 +94,7 @@ class NearList {
     std::vector<std::uint32_t> strays_;  ///< all that left since the search
     std::vector<Handle> around_;         ///< scratch
     std::vector<Pair> found_;            ///< scratch
+    std::vector<Pair> hits_;             ///< scratch
     bool can_mend_ = false;
     std::uint64_t tests_ = 0;
 };

@@ -4,6 +4,7 @@
 
 #include "custom/discrete/discrete_solver.hpp"
 #include "custom/geometry/sweep.hpp"
+#include "custom/sift.hpp"
 
 namespace flipside::custom {
 
@@ -52,11 +53,16 @@ bool DiscreteSolver::changed(std::uint32_t place) const {
 
 bool DiscreteSolver::collide_parts() {
     bool any = false;
-    for (auto first = candidates_.begin(); first != candidates_.end();) {
+    record_->statistics.narrow_tests += candidates_.size();
+    const std::span<const Candidate> touching = sift(candidates_, touching_room_, [&](const Candidate& c) {
+        const Ball& ball = (*balls_)[c.ball];
+        return changed(c.ball) && (!ball.asleep & layout_.may_touch(c.piece, ball.position, ball.radius));
+    });
+    for (auto first = touching.begin(); first != touching.end();) {
         const std::uint32_t place = first->ball;
         const auto last =
-            std::find_if(first, candidates_.end(), [&](const Candidate& c) { return c.ball != place; });
-        if (!(*balls_)[place].asleep && changed(place) && collide_ball_with_parts(place, {first, last})) {
+            std::find_if(first, touching.end(), [&](const Candidate& c) { return c.ball != place; });
+        if (collide_ball_with_parts(place, {first, last})) {
             changed_in_[place] = round_;
             any = true;
         }
@@ -82,9 +88,7 @@ bool DiscreteSolver::collide_ball_with_parts(std::uint32_t place, std::span<cons
     Ball& ball = (*balls_)[place];
     deep_.clear();
     for (const Candidate& candidate : near) {
-        const PieceIndex piece = candidate.piece;
-        if (!layout_.moves(piece) && misses(ball.position, ball.radius, layout_.piece(piece))) continue;
-        const double separation = touch_at_end(ball, piece).separation;
+        const double separation = touch_at_end(ball, candidate.piece).separation;
         if (separation < -overlap_slop * ball.radius) deep_.push_back({separation, candidate.piece});
     }
     std::ranges::sort(deep_);

@@ -7,6 +7,7 @@
 #include "custom/broad_phase/room.hpp"
 #include "custom/flight.hpp"
 #include "custom/geometry/sweep.hpp"
+#include "custom/sift.hpp"
 
 namespace flipside::custom {
 
@@ -45,8 +46,8 @@ void DiscreteSolver::reserve(std::size_t balls) {
     make_room(moving_, layout_.size() + balls);
     make_room(started_, balls);
     make_room(waiting_, balls);
-    make_room(candidates_, balls, contacts_per_ball);
-    make_room(ball_pairs_, balls, contacts_per_ball);
+    for (auto* room : {&candidate_room_, &touching_room_}) make_room(*room, balls, contacts_per_ball);
+    make_room(ball_pair_room_, balls, contacts_per_ball);
     make_room(around_, layout_.size());
     make_room(found_, layout_.size() + balls);
     near_.reserve(layout_.size() + balls, balls);
@@ -133,21 +134,25 @@ void DiscreteSolver::start_flights(double duration) {
 
 void DiscreteSolver::find_candidates() {
     std::vector<Ball>& balls = *balls_;
-    candidates_.clear();
-    ball_pairs_.clear();
     const PieceIndex first = moving_pieces();
     const auto roomy = [&](std::uint32_t i) { return i < first ? room_of_part(i) : room_of_ball(i - first); };
-    near_.find_pairs_of_checked(moving_, *broad_, roomy, [&](Pair pair) {
-        const std::uint32_t b = pair.b - layout_.size();
-        if (pair.a >= layout_.size()) {
-            ball_pairs_.push_back({pair.a - layout_.size(), b});
-            return;
-        }
-        candidates_.push_back({b, pair.a});
-        if (!balls[b].asleep) return;
+    const std::span<const Pair> pairs = near_.find_pairs_of_checked(moving_, *broad_, roomy);
+    const Handle first_ball = layout_.size();
+    candidates_ = sift(
+        pairs, candidate_room_, [&](Pair pair) { return pair.a < first_ball; },
+        [&](Pair pair) {
+            return Candidate{pair.b - first_ball, pair.a};
+        });
+    ball_pairs_ = sift(
+        pairs, ball_pair_room_, [&](Pair pair) { return pair.a >= first_ball; },
+        [&](Pair pair) {
+            return BallPair{pair.a - first_ball, pair.b - first_ball};
+        });
+    for (const auto [b, piece] : candidates_) {
+        if (!balls[b].asleep) continue;
         balls[b].asleep = false;  // only a part in motion is paired with a sleeper
         waiting_.push_back(b);
-    });
+    }
 }
 
 /// Flies those that wait.

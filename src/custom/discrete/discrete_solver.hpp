@@ -126,9 +126,11 @@ class DiscreteSolver {
 
     // Scratch, kept to save allocations; nothing in it outlives a motion iteration.
     std::vector<Proxy> moving_;
-    std::vector<std::uint32_t> waiting_;  ///< balls whose flight a part may stop
-    std::vector<Candidate> candidates_;   ///< by ball
-    std::vector<BallPair> ball_pairs_;
+    std::vector<std::uint32_t> waiting_;     ///< balls whose flight a part may stop
+    std::span<const Candidate> candidates_;  ///< by ball
+    std::span<const BallPair> ball_pairs_;
+    std::vector<Candidate> candidate_room_, touching_room_;
+    std::vector<BallPair> ball_pair_room_;
     std::vector<Candidate> around_;  ///< what look_around() found
     std::vector<Handle> found_;      ///< what the broad phase found for it
     std::vector<Vec2> started_;      ///< where each ball was before it flew

@@ -109,21 +109,6 @@ Touch touch(Vec2 center, double radius, const piece::Taper& piece) {
     return {center - above * normal, normal, above - radius, 0, false};
 }
 
-// Without roots and quotients. Rounding errs by a few units in the last place of the distance.
-bool misses(Vec2 center, double radius, const Piece& piece) {
-    const auto farther = [&](Vec2 at, double reach) { return length_squared(center - at) >= reach * reach; };
-    if (const auto* segment = std::get_if<piece::Segment>(&piece.is)) {
-        const Vec2 along = segment->b - segment->a, from_a = center - segment->a;
-        const double position = dot(from_a, along), whole = length_squared(along);
-        const double height = cross(along, from_a);
-        return position < 0 || position > whole || height * height >= radius * radius * whole;
-    }
-    if (const auto* point = std::get_if<piece::Point>(&piece.is)) return farther(point->at, radius);
-    if (const auto* circle = std::get_if<piece::Circle>(&piece.is))
-        return farther(circle->center, radius + circle->radius);
-    return false;
-}
-
 Touch touch(Vec2 center, double radius, const Piece& piece, const Pose& pose) {
     const Vec2 local = pose.undo(center);
     Touch found = std::visit([&](const auto& kind) { return touch(local, radius, kind); }, piece.is);

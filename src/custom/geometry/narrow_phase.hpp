@@ -34,11 +34,6 @@ struct Touch {
 /// With a piece of any kind, turned into a pose.
 [[nodiscard]] Touch touch(Vec2 center, double radius, const Piece& piece, const Pose& pose = {});
 
-/// Quick and safe: true only where touch() would report a separation that is not negative, or past_end.
-/// For points, circles and segments in their own pose it says so whenever that is the case but for rounding;
-/// of other pieces it knows nothing.
-[[nodiscard]] bool misses(Vec2 center, double radius, const Piece& piece);
-
 /// Of disc a with disc b; point and normal as seen from b.
 [[nodiscard]] Touch touch(Vec2 center_a, double radius_a, Vec2 center_b, double radius_b);
 

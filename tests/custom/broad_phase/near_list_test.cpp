@@ -17,11 +17,9 @@ Proxy any_proxy(bool ball) {
 
 std::vector<Pair> near_pairs(NearList& near, const std::vector<Proxy>& moving, BroadPhase& broad,
                              double room) {
-    std::vector<Pair> found;
-    near.find_pairs(
-        moving, broad, [&](std::size_t i) { return grown(moving[i].box, room); },
-        [&](Pair pair) { found.push_back(pair); });
-    return found;
+    const auto found =
+        near.find_pairs(moving, broad, [&](std::size_t i) { return grown(moving[i].box, room); });
+    return {found.begin(), found.end()};
 }
 
 RC_GTEST_PROP(NearList, AnswersAsTheBroadPhase, ()) {

@@ -226,24 +226,5 @@ TEST(NarrowPhase, CurvatureIsThatOfTheSeparation) {
     }
 }
 
-// A miss is one in exact arithmetic but for rounding, so what the quick test says must follow from touch().
-RC_GTEST_PROP(NarrowPhase, MissesAgreeWithTouches, ()) {
-    const auto number = [] { return *rc::gen::inRange(-40, 41) * 0.05; };
-    const Vec2 a{number(), number()}, center{number(), number()};
-    const double radius = *rc::gen::inRange(1, 20) * 0.05;
-    Vec2 b{number(), number()};
-    if (b == a) b.x += 1;
-    const Piece pieces[] = {{piece::Point{a}}, {piece::Segment{a, b}}, {piece::Circle{a, length(b - a)}}};
-    for (const Piece& piece : pieces) {
-        const Touch found = touch(center, radius, piece);
-        constexpr double rounding = 1e-14;
-        if (misses(center, radius, piece))
-            RC_ASSERT(found.past_end || found.separation > -rounding);
-        else
-            RC_ASSERT(!found.past_end && found.separation < rounding);
-    }
-    RC_ASSERT(!misses(center, radius, {piece::Arc{a, 1, 0, 1}}));
-}
-
 }  // namespace
 }  // namespace flipside::custom
