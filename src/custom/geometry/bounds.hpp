@@ -15,7 +15,7 @@ namespace flipside::custom {
 
 /// Closed boxes: those that only share a border overlap.
 [[nodiscard]] constexpr bool overlap(const Box& a, const Box& b) {
-    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
+    return (a.min.x <= b.max.x) & (b.min.x <= a.max.x) & (a.min.y <= b.max.y) & (b.min.y <= a.max.y);
 }
 /// A closed disc and a closed box: nearer than its bounds' overlap at the box's corners.
 [[nodiscard]] constexpr bool overlap(const Box& box, Vec2 center, double radius) {
