@@ -80,8 +80,7 @@ class Runner {
         return used.make(scene, lab::settings_for(used, *scene, lab::parse_changes(changes, one)));
     }
     void note() {
-        for (std::size_t i = 0; i < stages_.size(); ++i)
-            stages_[i] += world_->statistics().stages[i].seconds;
+        for (std::size_t i = 0; i < stages_.size(); ++i) stages_[i] += world_->statistics().stages[i].seconds;
         const double radius = world_->balls().empty() ? 1 : world_->balls().front().radius;
         for (const Contact& contact : world_->contacts())
             overlaps_.push_back(std::max(0.0, -contact.separation / radius));
@@ -138,9 +137,7 @@ void rain(benchmark::State& state, const char* bullets) {
     const double seconds = balls > 10'000 ? 0.1 : 2;
     const Race race(
         state, [&](auto& ours) { ours.emplace(scene, "custom"); },
-        [&](auto& theirs) {
-            theirs.emplace(scene, "box2d", std::vector{std::string("bullets=") + bullets});
-        },
+        [&](auto& theirs) { theirs.emplace(scene, "box2d", std::vector{std::string("bullets=") + bullets}); },
         seconds, balls > 1000 ? 1 : 5);
     tell_stages(state, race.ours->stages());
 
