@@ -87,7 +87,8 @@ class Taker {
         for (const double side : {1.0, -1.0}) {
             const Vec2 normal = (c * axis + side * s * perp(axis)) / l;
             Line line = face(t.a + t.radius_a * normal, t.b + t.radius_b * normal);
-            line.before = line.past = {true, 0, 0};
+            line.before = {true, 0, 0, rounding_at(line.start)};
+            line.past = {true, 0, 0, rounding_at(t.b)};
             add(line);
         }
     }
@@ -101,8 +102,10 @@ class Taker {
 
     static Line face(Vec2 a, Vec2 b) { return {a, unit(b - a), length(b - a), {}, {}}; }
 
+    static double rounding_at(Vec2 p) { return 64 * 0x1p-53 * (std::abs(p.x) + std::abs(p.y)); }
+
     [[nodiscard]] Reach reach(const End& end) const {
-        Reach reach{true, 0, 0};
+        Reach reach{true, 0, 0, rounding_at(end.at)};
         each_at(points_, end.at, [&](const piece::Point&) { reach.joined = false; });
         if (!reach.joined) return {};
         double least = 3;
@@ -110,7 +113,7 @@ class Taker {
             const double kink = length(end.outward + other.outward);
             if (kink < least) {
                 least = kink;
-                reach = {true, length(end.at - other.at), kink};
+                reach = {true, length(end.at - other.at), kink, rounding_at(end.at)};
             }
         });
         return reach;

@@ -16,15 +16,20 @@
 namespace flipside::custom {
 
 /// How far a curve reaches past its end. Nothing past an end where a round stands; at a smooth joint or
-/// a tangent point just past the joint's own gap and kink, so that nothing slips through. What it holds it
-/// keeps a little further, so that it does not touch again what it let go of there.
+/// a tangent point past the joint's own gap and kink, and the rounding of positions there, so that nothing
+/// slips through. What it holds it keeps a little further, so that it does not touch again what it let go of
+/// there. (No further than that: on a curve the ball turns meanwhile.)
 struct Reach {
     bool joined = false;
-    double gap = 0;   ///< m
-    double kink = 0;  ///< rad
+    double gap = 0;       ///< m
+    double kink = 0;      ///< rad
+    double rounding = 0;  ///< m
 
-    [[nodiscard]] double of(double radius) const { return joined ? gap + (kink + 1e-10) * radius : 0; }
-    [[nodiscard]] double holds(double radius) const { return joined ? gap + (kink + 2e-10) * radius : 0; }
+    [[nodiscard]] double of(double radius) const { return joined ? gap + kink * radius + margin(radius) : 0; }
+    [[nodiscard]] double holds(double radius) const { return joined ? of(radius) + margin(radius) : 0; }
+
+  private:
+    [[nodiscard]] double margin(double radius) const { return rounding + 64 * 0x1p-53 * radius; }
 };
 
 /// Two-sided straight face.
