@@ -139,15 +139,10 @@ void ContinuousSolver::hit_ball(Place i, double time) {
     }
     set_out(i, time);
     set_out(j, time);
-    if (!impact.happened) {
-        // A slow touch of balls that are driven together lasts.
-        const Vec2 n = unit(a.position - b.position);
-        const double pressed =
-            dot(movers_[low].way.path.acceleration(time) - movers_[high].way.path.acceleration(time), n);
-        if (pressed < -1e-9 * length(scene_.gravity)) {
-            hand_over(i);
-            return hand_over(j);
-        }
+    // A slow touch of balls that are driven together lasts.
+    if (!impact.happened && pressing(low, high, time) > 1e-9 * length(scene_.gravity)) {
+        hand_over(i);
+        return hand_over(j);
     }
     predict(i, time);
     predict(j, time);

@@ -185,7 +185,7 @@ void ContinuousSolver::come_out(Place i) {
     }
 }
 
-/// Balls that touch, do not move apart, and are pressed together.
+/// Balls that touch, are pressed together, and neither bounce nor hop out of touch.
 void ContinuousSolver::find_piles() {
     const std::vector<Ball>& balls = *balls_;
     const double weight = length(scene_.gravity);
@@ -201,14 +201,22 @@ void ContinuousSolver::find_piles() {
                 continue;
             }
             const Vec2 between = a.position - b.position;
-            const double reach = a.radius + b.radius + touch_distance * std::min(a.radius, b.radius);
+            const double near = touch_distance * std::min(a.radius, b.radius);
+            const double reach = a.radius + b.radius + near;
             if (length_squared(between) > reach * reach) continue;
-            const Vec2 n = unit(between);
-            const double apart = dot(a.velocity - b.velocity, n);
-            const double pressed = dot(first.way.path.acceleration(0) - second.way.path.acceleration(0), n);
-            if (std::abs(apart) <= scene_.rest_speed + weight * dt_ && pressed < -1e-9 * weight)
-                hand_over(i), hand_over(j);
+            const double apart = dot(a.velocity - b.velocity, unit(between));
+            const double pressed = pressing(i, j, 0);
+            if (pressed <= 1e-9 * weight || apart < -scene_.rest_speed) continue;
+            if (apart <= 0 || apart * apart <= 2 * pressed * near) hand_over(i), hand_over(j);
         }
+}
+
+/// With what acceleration two balls that touch would come closer, were there no contact, m/s².
+double ContinuousSolver::pressing(Place i, Place j, double time) const {
+    const Path &a = movers_[i].way.path, &b = movers_[j].way.path;
+    const Vec2 between = a.position(time) - b.position(time), n = unit(between);
+    const double across = cross(n, a.velocity(time) - b.velocity(time));
+    return -dot(a.acceleration(time) - b.acceleration(time), n) - across * across / length(between);
 }
 
 void ContinuousSolver::hand_over(Place i) {

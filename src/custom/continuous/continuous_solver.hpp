@@ -93,6 +93,7 @@ class ContinuousSolver {
     void finish();
     void drop_lost();
     void find_pairs();
+    [[nodiscard]] double pressing(Place i, Place j, double time) const;
     void hand_over(Place i);
 
     // Balls that need no search (continuous_free.cpp).
