@@ -8,9 +8,6 @@
 
 namespace flipside::lab::sweep {
 
-/// Up to here, radii, an engine in double precision is as good as exact.
-inline constexpr double exact_radii = 1e-9;
-
 struct Figures {
     std::string variant, entrant;
     std::string engine, settings;                 ///< of the entrant

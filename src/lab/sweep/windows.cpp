@@ -50,10 +50,17 @@ void note_ends(Window& window, const World& exact, const World& in_double) {
 /// Runs the reference over the window that starts from `start`.
 Found look(const State& start, double seconds, World& exact, World& in_double) {
     Found found{{start, seconds, {}, {}}, ""};
+    const auto hits = [](const World& world) {
+        return std::ranges::any_of(world.events(),
+                                   [](const Event& event) { return event.kind == EventKind::impact; });
+    };
     try {
         for (World* world : {&in_double, &exact}) {
             world->restore(start);
             world->step(seconds);
+            if (hits(*world)) continue;
+            found.skipped = "no hit";
+            return found;
         }
     } catch (const Refusal&) {
         found.skipped = "refused";
@@ -67,7 +74,7 @@ Found look(const State& start, double seconds, World& exact, World& in_double) {
     }
     note_ends(found.window, exact, in_double);
     const bool known = std::ranges::any_of(found.window.ends, &Window::End::hit);
-    if (!known) found.skipped = found.window.impacts.empty() ? "no hit" : "past the horizon";
+    if (!known) found.skipped = "past the horizon";
     return found;
 }
 

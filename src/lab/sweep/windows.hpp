@@ -21,7 +21,10 @@
 
 namespace flipside::lab::sweep {
 
-inline constexpr double claim_radii = 1e-13, horizon_radii = 1e-10;
+inline constexpr double claim_radii = 1e-13, horizon_radii = 1e-11;
+/// Up to here, radii, an engine in double precision is as good as exact: a hundred times what its rounding
+/// may come to, since each engine rounds in its own way and at every step.
+inline constexpr double exact_radii = 100 * horizon_radii;
 
 struct Window {
     /// A ball whose end is known.
