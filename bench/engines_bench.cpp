@@ -181,7 +181,8 @@ void pinball(benchmark::State& state, const char* solver) {
     for (int i = 0; i < balls; ++i) {
         Ball ball = scene.launcher->ball;
         ball.number = static_cast<BallNumber>(i);
-        ball.position = middle + Vec2{0.031 * (i % 4) - 0.05, 0.1 + 0.031 * (i / 4)};
+        const int column = i % 4, row = i / 4;
+        ball.position = middle + Vec2{0.031 * column - 0.05, 0.1 + 0.031 * row};
         ball.velocity = 1.5 * from_angle(1 + i);
         scene.balls.push_back(ball);
     }

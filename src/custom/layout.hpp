@@ -39,6 +39,8 @@ class Layout {
     [[nodiscard]] bool may_touch(PieceIndex i, Vec2 center, double radius) const {
         return overlap(capsules_[i], center, radius);
     }
+    /// What may_touch() will read of a piece.
+    [[nodiscard]] const Capsule& capsule(PieceIndex i) const { return capsules_[i]; }
     /// Of the still pieces, by index.
     [[nodiscard]] const std::vector<Proxy>& still_proxies() const { return still_proxies_; }
 

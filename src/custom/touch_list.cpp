@@ -125,18 +125,27 @@ void TouchList::look_at(const Layout& layout, const Table& table, std::span<cons
     const Handle first_ball = layout.size();
     narrow_tests_ = candidates.size();
     const auto with_parts = sift(candidates, sorted_, [&](Pair pair) { return pair.a < first_ball; });
-    const auto near_parts = sift(with_parts, near_, [&](Pair pair) {
-        const Ball& ball = balls[pair.b - first_ball];
-        return layout.may_touch(pair.a, ball.position, room * ball.radius);
-    });
+    const auto near_parts = sift(
+        with_parts, near_,
+        [&](Pair pair) {
+            const Ball& ball = balls[pair.b - first_ball];
+            return layout.may_touch(pair.a, ball.position, room * ball.radius);
+        },
+        [&](Pair pair) {
+            fetch(layout.capsule(pair.a));
+            fetch(balls[pair.b - first_ball]);
+        });
     for (const Pair pair : near_parts) look(layout, table, balls[pair.b - first_ball], pair.a);
 
     const auto of_balls = sift(candidates, sorted_, [&](Pair pair) { return pair.a >= first_ball; });
-    const auto near_balls = sift(of_balls, near_, [&](Pair pair) {
-        const Ball &a = balls[pair.a - first_ball], &b = balls[pair.b - first_ball];
-        const double reach = (a.radius + b.radius) * room;
-        return length_squared(a.position - b.position) <= reach * reach;
-    });
+    const auto near_balls = sift(
+        of_balls, near_,
+        [&](Pair pair) {
+            const Ball &a = balls[pair.a - first_ball], &b = balls[pair.b - first_ball];
+            const double reach = (a.radius + b.radius) * room;
+            return length_squared(a.position - b.position) <= reach * reach;
+        },
+        [&](Pair pair) { fetch(balls[pair.a - first_ball]); });
     for (const Pair pair : near_balls) look(balls[pair.a - first_ball], balls[pair.b - first_ball]);
     std::ranges::sort(now_, [](const Contact& a, const Contact& b) {
         return std::tie(a.ball, a.other, a.separation, a.normal.x, a.normal.y) <

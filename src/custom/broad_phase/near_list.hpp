@@ -74,15 +74,19 @@ class NearList {
         const Proxy* const kinds[] = {still_.data(), moving.data()};
         const Handle begins[] = {0, first};
         std::uint64_t tests = 0;
-        const auto overlapping = [&](Pair pair) {
+        const auto first_of = [&](Pair pair) -> const Proxy& {
             const auto kind = static_cast<std::size_t>(pair.a >= first);
-            const Proxy &a = kinds[kind][pair.a - begins[kind]], &b = moving[pair.b - first];
+            return kinds[kind][pair.a - begins[kind]];
+        };
+        const auto overlapping = [&](Pair pair) {
+            const Proxy &a = first_of(pair), &b = moving[pair.b - first];
             const bool may = a.active | b.active;
             tests += static_cast<std::uint64_t>(may);
             return may & (a.box.min.x <= b.box.max.x) & (b.box.min.x <= a.box.max.x) &
                    (a.box.min.y <= b.box.max.y) & (b.box.min.y <= a.box.max.y);
         };
-        const std::span<const Pair> hits = custom::sift(listed_, hits_, overlapping);
+        const std::span<const Pair> hits =
+            custom::sift(listed_, hits_, overlapping, [&](Pair pair) { fetch(first_of(pair)); });
         tests_ += tests;
         return hits;
     }

@@ -54,10 +54,17 @@ bool DiscreteSolver::changed(std::uint32_t place) const {
 bool DiscreteSolver::collide_parts() {
     bool any = false;
     record_->statistics.narrow_tests += candidates_.size();
-    const std::span<const Candidate> touching = sift(candidates_, touching_room_, [&](const Candidate& c) {
-        const Ball& ball = (*balls_)[c.ball];
-        return changed(c.ball) && (!ball.asleep & layout_.may_touch(c.piece, ball.position, ball.radius));
-    });
+    const std::span<const Candidate> touching = sift(
+        candidates_, touching_room_,
+        [&](const Candidate& c) {
+            const Ball& ball = (*balls_)[c.ball];
+            return changed(c.ball) && (!ball.asleep & layout_.may_touch(c.piece, ball.position, ball.radius));
+        },
+        [&](const Candidate& c) {
+            if (!changed(c.ball)) return;
+            fetch((*balls_)[c.ball]);
+            fetch(layout_.capsule(c.piece));
+        });
     for (auto first = touching.begin(); first != touching.end();) {
         const std::uint32_t place = first->ball;
         const auto last =

@@ -139,12 +139,12 @@ void DiscreteSolver::find_candidates() {
     const std::span<const Pair> pairs = near_.find_pairs_of_checked(moving_, *broad_, roomy);
     const Handle first_ball = layout_.size();
     candidates_ = sift(
-        pairs, candidate_room_, [&](Pair pair) { return pair.a < first_ball; },
+        pairs, candidate_room_, [&](Pair pair) { return pair.a < first_ball; }, Nothing{},
         [&](Pair pair) {
             return Candidate{pair.b - first_ball, pair.a};
         });
     ball_pairs_ = sift(
-        pairs, ball_pair_room_, [&](Pair pair) { return pair.a >= first_ball; },
+        pairs, ball_pair_room_, [&](Pair pair) { return pair.a >= first_ball; }, Nothing{},
         [&](Pair pair) {
             return BallPair{pair.a - first_ball, pair.b - first_ball};
         });
