@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Remakes the pictures of README.md in docs/ from the Release build, four by `flipside render` and one by the
-# window itself. Needs no display.
+# Remakes the pictures of README.md in docs/ from the Release build, four by `flipside render`, one by the window
+# itself and one by `flipside report`. Needs no display.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 if [[ -z ${IN_XVFB:-} ]]; then
@@ -27,4 +27,7 @@ sleep 1
 xdotool key Escape
 wait
 mv "$folder"/*.png docs/panel.png
-rmdir "$folder"
+
+"$flipside" report --quick --out "$folder" >/dev/null
+cp "$folder/figures/work-pinball-1.png" docs/report.png
+rm -r "$folder"

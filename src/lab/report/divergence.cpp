@@ -26,9 +26,11 @@ struct Duel {
     Contender first, second;
 };
 
-/// All against the reference, and one another.
+/// All against the reference, and one another. The reference says how far it is to be trusted.
 std::vector<Duel> duels() {
-    const auto all = contenders();
+    auto all = contenders();
+    for (Contender& contender : all)
+        if (contender.engine == "reference") contender.setting = "twin=on";
     std::vector<Duel> pairs;
     for (auto first = all.rbegin(); first != all.rend(); ++first)
         for (auto second = std::next(first); second != all.rend(); ++second)

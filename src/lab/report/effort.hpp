@@ -16,6 +16,7 @@ struct Effort {
     std::vector<std::string> cases;  ///< by name; all where none is named
     bool quick_cases;                ///< as `flipside cases --quick`
     double case_seconds;             ///< CPU time they take on one engine, about
+    std::vector<double> case_steps;  ///< s, at which some cases are repeated
     double energy_seconds;
     int gas_balls;
     double divergence_seconds;
@@ -36,6 +37,7 @@ struct Effort {
             .cases = {},
             .quick_cases = false,
             .case_seconds = 30,
+            .case_steps = {1. / 30, 1. / 60, 1. / 120, 1. / 240, 1. / 480, 1. / 960, 1. / 1920},
             .energy_seconds = 6,
             .gas_balls = 200,
             .divergence_seconds = 10,
@@ -55,6 +57,7 @@ struct Effort {
             .cases = {},
             .quick_cases = true,
             .case_seconds = 2,
+            .case_steps = {1. / 30, 1. / 120, 1. / 480},
             .energy_seconds = 3,
             .gas_balls = 100,
             .divergence_seconds = 5,

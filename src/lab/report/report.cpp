@@ -1,11 +1,9 @@
 #include "lab/report/report.hpp"
 
-#include <algorithm>
 #include <system_error>
 
 #include <nlohmann/json.hpp>
 
-#include "lab/engines.hpp"
 #include "lab/failure.hpp"
 #include "lab/report/facts.hpp"
 #include "lab/report/gnuplot.hpp"
@@ -78,13 +76,15 @@ Page empty_page(const ReportInput& input, const std::string& gnuplot) {
 }  // namespace
 
 std::vector<Chapter> chapters(const Effort& effort, const std::vector<fs::path>& from) {
-    std::vector<Chapter> all{hard_case_chapter(effort),  energy_chapter(effort),
-                             divergence_chapter(effort), penetration_chapter(effort),
-                             growth_chapter(effort),     broad_phase_chapter(effort)};
-    // Windows are the reference's.
-    if (!from.empty() || std::ranges::find(engines(), "reference", &Engine::name) != engines().end())
-        all.insert(all.begin(), work_precision_chapter(effort, from));
-    return all;
+    return {work_precision_chapter(effort, from),
+            hard_case_chapter(effort),
+            case_work_chapter(effort),
+            stability_chapter(),
+            energy_chapter(effort),
+            divergence_chapter(effort),
+            penetration_chapter(effort),
+            growth_chapter(effort),
+            broad_phase_chapter(effort)};
 }
 
 void make_report(const ReportInput& input, const Watch& watch) {

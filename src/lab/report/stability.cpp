@@ -1,0 +1,104 @@
+#include <map>
+
+#include "lab/cases/stability_map.hpp"
+#include "lab/csv_table.hpp"
+#include "lab/report/chapter.hpp"
+#include "lab/report/contender.hpp"
+#include "lab/whole_file.hpp"
+
+namespace flipside::lab::report {
+
+namespace {
+
+std::string file_of(const Contender& contender) {
+    return "stability-" + contender.file + ".csv";
+}
+
+Measurement measurement_of(const Contender& contender) {
+    const auto take = [contender](const std::filesystem::path& path, const Watch& watch) {
+        const Entrant entrant{&engine_named(contender.engine), settings_of(contender, Scene{})};
+        const auto points = stability_map(entrant, watch);
+        WholeFile file(path);
+        write_stability(file.out(), entrant, points);
+        file.finish();
+    };
+    return {file_of(contender), 1, take};
+}
+
+/// One mass ratio and speed, at all steps.
+struct Cell {
+    std::size_t steps = 0, stable = 0;
+    std::string failures;  ///< a line each
+};
+
+std::map<std::pair<double, double>, Cell> cells_of(const CsvTable& table) {
+    std::map<std::pair<double, double>, Cell> cells;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        Cell& cell = cells[{table.number(row, "mass_ratio"), table.number(row, "speed_radii_per_s")}];
+        ++cell.steps;
+        if (table.count(row, "stable") == 1)
+            ++cell.stable;
+        else
+            cell.failures += "\n" + step_text(table.number(row, "dt")) + ": " + table.text(row, "failure");
+    }
+    return cells;
+}
+
+/// The more of the steps hold, the larger the square; where none does, a cross.
+Series series_for(const Contender& contender, std::size_t stable, std::size_t steps) {
+    if (stable == 0) return {"holds at no step", std::string(colour::warning), 1, 2, 1.2, false, {}};
+    const std::string name = stable == steps
+                                 ? "holds at every step"
+                                 : "at " + std::to_string(stable) + " of " + std::to_string(steps) + " steps";
+    const double size = 0.4 + 1.8 * static_cast<double>(stable) / static_cast<double>(steps);
+    return {name, contender.colour, 1, stable == steps ? 5 : 4, size, false, {}};
+}
+
+Figure figure_of(const Contender& contender, const std::filesystem::path& data) {
+    Figure figure{"stability-" + contender.file,
+                  "Stability: " + contender.name,
+                  {"mass ratio", "mass_ratio", true},
+                  {"speed of the heavy ball, radii/s", "speed_radii_per_s", true},
+                  {},
+                  {},
+                  "Each mark stands for runs at six steps from 1/30 to 1/960 s: the larger the square, the "
+                  "more of them hold, "
+                  "and a full one means all. Pointing at a mark tells at which steps it breaks and how: "
+                  "energy gained, a ball "
+                  "out of the box, or balls left in each other."};
+    const auto cells = cells_of(CsvTable(data / file_of(contender)));
+    const std::size_t steps = cells.begin()->second.steps;
+    for (std::size_t stable = steps + 1; stable-- > 0;) {
+        Series series = series_for(contender, stable, steps);
+        for (const auto& [place, cell] : cells)
+            if (cell.stable == stable)
+                series.points.push_back(
+                    {place.first, place.second, cell.failures.empty() ? "" : "breaks at" + cell.failures});
+        if (!series.points.empty()) figure.series.push_back(series);
+    }
+    return figure;
+}
+
+Content show(const std::filesystem::path& data) {
+    Content content;
+    for (const Contender& contender : contenders()) content.figures.push_back(figure_of(contender, data));
+    return content;
+}
+
+}  // namespace
+
+Chapter stability_chapter() {
+    Chapter chapter{"stability",
+                    "Stability",
+                    "A ball lies in a box and a heavier one is thrown down at it, a little off centre, for "
+                    "two seconds. A run "
+                    "holds when nothing leaves the box, no energy is gained beyond 1 %, and at the end "
+                    "nothing overlaps by "
+                    "more than a tenth of a radius.",
+                    {},
+                    show};
+    for (const Contender& contender : contenders()) chapter.measurements.push_back(measurement_of(contender));
+    return chapter;
+}
+
+}  // namespace flipside::lab::report
