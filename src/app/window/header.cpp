@@ -12,12 +12,8 @@ namespace flipside::app {
 
 namespace {
 
-constexpr double led_height = 21;  ///< px on an ordinary display
+constexpr double led_height = 21, small_led_height = 14;  ///< px on an ordinary display
 constexpr int led_digits = 6;
-
-double score_width(const Canvas& canvas) {
-    return led_width(led_digits, canvas.scaled(led_height));
-}
 
 std::string energy_in_words(double drift) {
     // A ten-billionth of a joule is rounding.
@@ -51,12 +47,12 @@ std::string facts(const Canvas& canvas, const Run& run, std::optional<double> pa
     return line;
 }
 
-/// The score and, where there is room from `left` on, the balls left: flush right on the line with its middle
-/// at `y`. Returns where they begin, px.
-double draw_score(Canvas& canvas, double left, double right, double y, const lab::Game& game, long score) {
-    const double begin = right - score_width(canvas);
-    draw_led(canvas, {begin, y - 0.5 * canvas.scaled(led_height)}, canvas.scaled(led_height), led_digits,
-             score, colour::lit);
+/// The score in figures of that height and, where there is room from `left` on, the balls left: flush right
+/// on the line with its middle at `y`. Returns where they begin, px.
+double draw_score(Canvas& canvas, double left, double right, double y, double height, const lab::Game& game,
+                  long score) {
+    const double begin = right - led_width(led_digits, height);
+    draw_led(canvas, {begin, y - 0.5 * height}, height, led_digits, score, colour::lit);
     const int balls = std::min(game.balls_left(), 5);
     const double room = canvas.scaled(14 * balls + 8);
     if (begin - room < left) return begin;
@@ -82,10 +78,12 @@ void draw_header(Canvas& canvas, const Rect& place, const Run& run, long score, 
     // The score is beside the name, or below it in a narrow pane, whatever the name.
     double free = right, free_below = right;
     if (session.scene().rules && place.width > canvas.scaled(240))
-        free = draw_score(canvas, after, right, place.y + canvas.scaled(19.5), session.game(), score);
+        free = draw_score(canvas, after, right, place.y + canvas.scaled(19.5), canvas.scaled(led_height),
+                          session.game(), score);
     else if (session.scene().rules)
-        free_below =
-            draw_score(canvas, right, right, place.y + canvas.scaled(45), session.game(), score) - margin;
+        free_below = draw_score(canvas, right, right, place.y + canvas.scaled(45),
+                                canvas.scaled(small_led_height), session.game(), score) -
+                     margin;
     const std::string solver(session.world().statistics().solver);
     if (after + canvas.lettering().width(solver, Type::small) < free)
         canvas.text({after, place.y + canvas.scaled(13)}, solver, Type::small, colour::quiet);

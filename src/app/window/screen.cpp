@@ -82,9 +82,12 @@ void Screen::draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect&
     draw_links_of(runs, camera);
     for (const Run& run : runs)
         if (seen(run)) draw_marks(canvas_, camera, run, look);
-    if (look.charge == 0)
-        canvas_.text({0.5 * place.width, 0.57 * place.height}, advice(front.session()), Type::large,
+    if (look.charge == 0) {
+        const std::string words = advice(front.session());
+        const bool wide = lettering_.width(words, Type::large) > 0.8 * place.width;
+        canvas_.text({0.5 * place.width, 0.57 * place.height}, words, wide ? Type::small : Type::large,
                      colour::text, Align::center);
+    }
     for (const Run& run : runs)
         if (run.halt()) draw_halt(stage, place, run, alone);
     canvas_.flush(target);
@@ -100,8 +103,7 @@ void Screen::draw_links_of(std::span<const Run> runs, const Camera& camera) {
                        exact == runs.end() ? colour::text : engine_colour(run.engine().name));
 }
 
-/// Why the run has halted, and what can be done: in the middle of its own pane, or in the corner of one where
-/// others go on.
+/// Why the run has halted, and what can be done, at the foot of the pane, where it hides least.
 void Screen::draw_halt(const Stage& stage, const Rect& place, const Run& run, bool alone) {
     const double pad = canvas_.scaled(12), line = lettering_.line_height(Type::small);
     const double room = std::min(place.width - 4 * pad, canvas_.scaled(alone ? 320 : 230));
@@ -109,17 +111,15 @@ void Screen::draw_halt(const Stage& stage, const Rect& place, const Run& run, bo
     // Reasons begin with the engine's name, for the command line.
     std::string reason = run.halt()->reason;
     if (reason.starts_with(name + ": ")) reason.erase(0, name.size() + 2);
-    const std::string words =
-        sentence(name) + " stopped at " + with_unit(run.halt()->time, 2, "s") + ": " + reason;
+    const std::string words = sentence(name) + " stopped: " + reason;
     const std::vector<std::string> why = lettering_.lines(words, Type::small, room);
     const std::vector<std::string> then =
         lettering_.lines(stage.guide() ? "T takes it up again from the state on show"
                                        : "R to restart, Tab for the next engine",
                          Type::small, room);
     const double height = line * static_cast<double>(why.size() + then.size()) + 2.5 * pad;
-    const Vec2 corner =
-        alone ? Vec2{std::round(0.5 * (place.width - room) - pad), std::round(0.5 * (place.height - height))}
-              : Vec2{pad, place.height - pad - height};
+    const Vec2 corner{alone ? std::round(0.5 * (place.width - room) - pad) : pad,
+                      place.height - pad - height};
     canvas_.rectangle(corner, corner + Vec2{room + 2 * pad, height}, with_alpha(colour::raised, 0.94));
     canvas_.rectangle(corner, corner + Vec2{canvas_.scaled(3), height}, colour::warning);
     Vec2 at = corner + Vec2{pad, pad};
