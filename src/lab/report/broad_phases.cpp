@@ -43,8 +43,8 @@ Series series_named(const std::string& broad_phase) {
         {"brute force", {colour::grey, 1, 4}},
         {"quadtree", {colour::blue, 1, 7}},
         {"adaptive quadtree", {colour::violet, 2, 9}},
-        {"grid", {colour::reference, 1, 5}},
-        {"sweep and prune", {colour::warning, 4, 13}}};
+        {"grid", {colour::olive, 1, 5}},
+        {"sweep and prune", {colour::wine, 4, 13}}};
     const auto& [line, dash, marker] = looks.at(broad_phase);
     return {broad_phase, std::string(line), dash, marker, 0.7, true, {}};
 }
@@ -76,7 +76,7 @@ Series fit_of(const Series& measured) {
     Series fit{measured.name + ": " + short_number(line.slope) + " n", measured.colour, 3, 7, 0.3, true, {}};
     const double begin = std::max(x.front(), -line.intercept / line.slope);  // there are no tests below 0
     for (const double at : {begin, x.back()})
-        fit.points.push_back({at, line.intercept + line.slope * at, says});
+        fit.points.push_back({at, std::max(0.0, line.intercept + line.slope * at), says});
     return fit;
 }
 

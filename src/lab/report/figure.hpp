@@ -7,10 +7,12 @@
 
 namespace flipside::lab::report {
 
-/// Colour-blind safe (M. Okabe and K. Ito, Color Universal Design, 2008); engines have theirs for good.
+/// Colour-blind safe (M. Okabe and K. Ito, Color Universal Design, 2008; P. Tol, Colour Schemes, 2021);
+/// engines have theirs for good.
 namespace colour {
 inline constexpr std::string_view custom = "#56b4e9", box2d = "#e69f00", reference = "#009e73",
-                                  warning = "#d55e00", violet = "#cc79a7", blue = "#0072b2", grey = "#808080";
+                                  warning = "#d55e00", violet = "#cc79a7", blue = "#0072b2", grey = "#808080",
+                                  olive = "#999933", wine = "#882255";
 }
 
 struct Point {

@@ -27,7 +27,7 @@ Measurement measurement_of(const Contender& contender) {
 
 /// One mass ratio and speed, at all steps.
 struct Cell {
-    std::size_t steps = 0, stable = 0;
+    std::size_t steps = 0, stable = 0, refused = 0;
     std::string failures;  ///< a line each
 };
 
@@ -36,10 +36,12 @@ std::map<std::pair<double, double>, Cell> cells_of(const CsvTable& table) {
     for (std::size_t row = 0; row < table.rows(); ++row) {
         Cell& cell = cells[{table.number(row, "mass_ratio"), table.number(row, "speed_radii_per_s")}];
         ++cell.steps;
+        const std::string& failure = table.text(row, "failure");
+        cell.refused += failure == "refused" ? 1 : 0;
         if (table.count(row, "stable") == 1)
             ++cell.stable;
         else
-            cell.failures += "\n" + step_text(table.number(row, "dt")) + ": " + table.text(row, "failure");
+            cell.failures += "\n" + step_text(table.number(row, "dt")) + ": " + failure;
     }
     return cells;
 }
@@ -50,7 +52,7 @@ Series series_for(const Contender& contender, std::size_t stable, std::size_t st
     const std::string name = stable == steps
                                  ? "holds at every step"
                                  : "at " + std::to_string(stable) + " of " + std::to_string(steps) + " steps";
-    const double size = 0.4 + 1.8 * static_cast<double>(stable) / static_cast<double>(steps);
+    const double size = 0.4 + 1.4 * static_cast<double>(stable) / static_cast<double>(steps);
     return {name, contender.colour, 1, stable == steps ? 5 : 4, size, false, {}};
 }
 
@@ -65,17 +67,22 @@ Figure figure_of(const Contender& contender, const std::filesystem::path& data) 
                   "more of them hold, "
                   "and a full one means all. Pointing at a mark tells at which steps it breaks and how: "
                   "energy gained, a ball "
-                  "out of the box, or balls left in each other."};
+                  "out of the box, or balls left in each other. A hollow ring is no failure: the engine "
+                  "refuses what it cannot do exactly, here a ball pressed between another and the floor."};
     const auto cells = cells_of(CsvTable(data / file_of(contender)));
     const std::size_t steps = cells.begin()->second.steps;
-    for (std::size_t stable = steps + 1; stable-- > 0;) {
-        Series series = series_for(contender, stable, steps);
+    const auto add = [&](Series series, auto belongs) {
         for (const auto& [place, cell] : cells)
-            if (cell.stable == stable)
-                series.points.push_back(
-                    {place.first, place.second, cell.failures.empty() ? "" : "breaks at" + cell.failures});
+            if (belongs(cell))
+                series.points.push_back({place.first, place.second,
+                                         cell.failures.empty() ? "" : "does not hold at" + cell.failures});
         if (!series.points.empty()) figure.series.push_back(series);
-    }
+    };
+    const auto refuses = [=](const Cell& cell) { return cell.refused == steps; };
+    for (std::size_t stable = steps + 1; stable-- > 0;)
+        add(series_for(contender, stable, steps),
+            [&](const Cell& cell) { return cell.stable == stable && !refuses(cell); });
+    add({"refused", std::string(colour::grey), 1, 6, 0.8, false, {}}, refuses);
     return figure;
 }
 

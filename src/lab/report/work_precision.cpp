@@ -125,7 +125,7 @@ Chapter work_precision_chapter(const Effort& effort, const std::vector<fs::path>
         "work-precision",
         "Work and precision",
         "Many states along trajectories of the exact reference are the starts of short windows, each with at "
-        "least one hit. Every engine runs every window at steps of 1/30 to 1/7680 s; its error is the "
+        "least one hit. Every engine runs every window at steps of 1/30 s and finer; its error is the "
         "distance "
         "between its worst ball and the exact place at the end. The cost is the least CPU time of several "
         "repetitions, all engines in turn.",
