@@ -157,8 +157,8 @@ void ContinuousSolver::prepare_movers() {
     }
 }
 
-/// Pushes a ball that begins deep in a solid or on a curve out of it, by position only. The deepest comes
-/// first; what then still overlaps is left for later steps.
+/// Pushes a ball that begins deep in a solid or on a curve out of it, by position only; one that begins in a
+/// gate is on its way through. The deepest comes first; what then still overlaps is left for later steps.
 void ContinuousSolver::come_out(Place i) {
     Ball& ball = (*balls_)[i];
     for (int round = 0; round < 4; ++round) {
@@ -169,7 +169,7 @@ void ContinuousSolver::come_out(Place i) {
         bool found = false;
         for (const FeatureIndex f : movers_[i].near.list()) {
             const Piece& piece = layout_.piece(features_[f].piece);
-            if (!overlap(here, ranges_[f]) || ignores(features_[f], ball)) continue;
+            if (!overlap(here, ranges_[f]) || features_[f].gate || ignores(features_[f], ball)) continue;
             const Pose pose = table_->pose(piece.part);
             if (std::holds_alternative<Bow>(features_[f].is) &&
                 look(features_[f], pose.undo(ball.position), ball.radius).distance > ball.radius)

@@ -213,6 +213,26 @@ TEST(ContinuousSolver, HopsOnABendEnd) {
     }
 }
 
+// A ball that passes over another one, too fast to lie on it, flies; one that hops on it hops. Neither is a
+// pile.
+TEST(ContinuousSolver, TouchingBallsThatPartAreNoPile) {
+    const auto first_step = [](Vec2 velocity) {
+        Scene scene = empty_scene({0, -g});
+        scene.rest_speed = 0.1;
+        add_part(scene, segment({-1, 0}, {1, 0}), {"", 0, 0, 0});
+        add_ball(scene, {0, 0.1});
+        add_ball(scene, {0, 0.3}, velocity);
+        auto world = continuous(scene);
+        world->step(1.0 / 120);
+        EXPECT_EQ(world->statistics().handed_over, 0U);
+        const double t = world->time();
+        const Vec2 expected = Vec2{0, 0.3} + t * velocity + t * t / 2 * Vec2{0, -g};
+        EXPECT_LE(length(world->balls()[1].position - expected), 1e-15);
+    };
+    first_step({1.5, 0});
+    first_step({0, 0.09});
+}
+
 // Balls that press on each other are the discrete solver's, and counted; nothing sinks in or is lost.
 TEST(ContinuousSolver, PilesAreHandedOver) {
     const auto settles = [](const Scene& scene, double deepest_allowed) {
