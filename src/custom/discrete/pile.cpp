@@ -10,7 +10,7 @@ namespace flipside::custom {
 namespace {
 
 /// Rounds over all contacts of a flight.
-constexpr int most_rounds = 20;
+constexpr int most_rounds = 40;
 /// Rounds end when none changes a speed by more than this part of what gravity gives in the flight.
 constexpr double close_enough = 1e-3;
 /// Passes that take out overlap, and the part of it that each takes: all of it at once and the balls of a
