@@ -12,6 +12,8 @@ constexpr double most_overlap = 0.005;
 /// in a step.
 constexpr double island_speed = 0.05;
 constexpr double island_gain = 0.02;
+/// A ball that gains more than this part of what gravity gives in a step is not held.
+constexpr double falling = 0.5;
 
 }  // namespace
 
@@ -28,7 +30,7 @@ void Sleep::watch(std::span<const Ball> balls) {
 void Sleep::settle(std::span<Ball> balls, std::span<const Contact> contacts, double dt) {
     if (std::ranges::all_of(balls, &Ball::asleep)) return;
     members_.clear();
-    for (std::size_t i = 0; i < balls.size(); ++i) members_.push_back({i, false, false});
+    for (std::size_t i = 0; i < balls.size(); ++i) members_.push_back({i});
     for (const Contact& contact : contacts) join(balls, contact);
     auto before = before_.begin();
     for (std::size_t i = 0; i < balls.size(); ++i) {
@@ -75,12 +77,13 @@ void Sleep::join(std::span<const Ball> balls, const Contact& contact) {
 /// Whether a ball did over the step what rest does not allow.
 bool Sleep::moved(const Before& before, const Ball& ball, bool in_company, double dt) const {
     const double pull = gravity_ * dt;
+    if (pull == 0) return ball.velocity != Vec2{} || before.velocity != Vec2{} || ball.spin != 0;
     const double slow = in_company ? std::max(speed_, island_speed * pull) : speed_;
     const double steady = in_company ? island_gain * pull : 1e-3 * pull + 1e-2 * speed_;
     return length(ball.velocity) >= slow || length(before.velocity) >= slow ||
            std::abs(ball.spin) * ball.radius >= slow ||
            length(ball.position - before.position) >= slow * dt ||
-           length(ball.velocity - before.velocity) > steady;
+           length(ball.velocity - before.velocity) > std::min(steady, falling * pull);
 }
 
 }  // namespace flipside::custom

@@ -7,7 +7,8 @@
 /// slower than a twentieth of what gravity gives in a step: so much motion the solver of piles leaves where
 /// the true forces balance. What is driven by more than a thousandth of gravity (in company a fiftieth, for
 /// balance is found no better there) is not at rest, however slow: a ball that turns back on a slope, a
-/// pile that begins to slide.
+/// pile that begins to slide. Nor is what nothing holds, with
+/// gravity or without: it sleeps only if it does not move at all.
 
 #include <span>
 #include <vector>

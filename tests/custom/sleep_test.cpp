@@ -29,6 +29,24 @@ TEST(Sleep, SlowAndUndrivenFallsAsleep) {
     EXPECT_FALSE(balls[2].asleep);
 }
 
+TEST(Sleep, WhatNothingHoldsSleepsOnlyIfItDoesNotMove) {
+    Sleep drifting(0.01, 0);
+    std::vector<Ball> balls{ball_of(0, {1e-9, 0}), ball_of(1, {}), ball_of(2, {})};
+    balls[2].spin = 1e-9;
+    drifting.watch(balls);
+    drifting.settle(balls, {}, 0.01);
+    EXPECT_FALSE(balls[0].asleep);
+    EXPECT_TRUE(balls[1].asleep);
+    EXPECT_FALSE(balls[2].asleep);
+
+    Sleep falling(0.01, 1e-4);
+    balls = {ball_of(0, {})};
+    falling.watch(balls);
+    balls[0].velocity = {0, -1e-6};
+    falling.settle(balls, {}, 0.01);
+    EXPECT_FALSE(balls[0].asleep);
+}
+
 TEST(Sleep, NewcomersAreLeftAlone) {
     Sleep sleep(0.01, 10);
     std::vector<Ball> balls{ball_of(3, {})};
@@ -101,6 +119,16 @@ TEST(Sleep, AHitWakesOnlyTheOneHit) {
     EXPECT_FALSE(world->balls()[0].asleep);
     EXPECT_GT(world->balls()[0].velocity.x, 1.9);
     EXPECT_TRUE(world->balls()[4].asleep);
+}
+
+TEST(Sleep, WithoutGravityASlowBallDriftsOn) {
+    Scene scene = empty_scene({});
+    add_ball(scene, {0, 0}, {1e-5, 0});
+    for (const char* solver : {"discrete", "continuous"}) {
+        const auto world = make_world(scene, {{"solver", solver}});
+        run(*world, 1);
+        EXPECT_NEAR(world->balls()[0].position.x, 1e-5, 1e-17) << solver;
+    }
 }
 
 TEST(Sleep, AMovingSupportWakes) {
