@@ -146,7 +146,8 @@ void ContinuousSolver::take_hold(Place i, double time) {
         });
         if (!enough) continue;
         mover.held = grip.hold.feature;
-        return hold(grip.hold, ball, time, dt_, drive_, mover.way);
+        if (!hold(grip.hold, ball, time, dt_, drive_, mover.way)) hand_over(i);
+        return;
     }
     const double slow = 1e-6 * std::sqrt(ball.radius * length(drive_.gravity));
     if (pressed < 2 || moving || length(ball.velocity) > slow) return;

@@ -11,8 +11,9 @@
 ///
 /// A slow contact (approach below rest_speed, or a hop too short to matter) holds: see holding.hpp. Balls
 /// that press on each other cannot be ordered by time. Such a cluster, or a ball for which events pile up
-/// without time passing, or all when `max_impacts` are exceeded, are given to the discrete solver for that
-/// one step: the step is begun again without them. Statistics count them as handed_over.
+/// without time passing or whose hold has no end that a search finds, or all when `max_impacts` are exceeded,
+/// are given to the discrete solver for that one step: the step is begun again without them. Statistics count
+/// them as handed_over.
 
 #include "custom/continuous/candidates.hpp"
 #include "custom/continuous/clearance.hpp"

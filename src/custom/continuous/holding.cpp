@@ -153,12 +153,24 @@ double good_for(const Series<Vec2>& series, double error) {
     return h;
 }
 
+/// Counts the steps of the searches for the end of a hold, which take about ten each.
+class Patience {
+  public:
+    /// False when it is at its end.
+    bool lasts() { return ++steps_ <= most_steps; }
+    [[nodiscard]] bool lasted() const { return steps_ <= most_steps; }
+
+  private:
+    static constexpr int most_steps = 4000;
+    int steps_ = 0;
+};
+
 /// First time in [0, h] at which the series falls below zero.
-double first_fall(const Series<double>& f, double h) {
+double first_fall(const Series<double>& f, double h, Patience& patience) {
     double k2 = 0, power = 1;
     for (int k = 2; k <= order; ++k, power *= h) k2 += k * (k - 1) * std::abs(f[at(k)]) * power;
     const double tolerance = 1e-15 * (std::abs(f[0]) + k2 * h * h + std::abs(f[1]) * h);
-    for (double t = 0; t < h;) {
+    for (double t = 0; t < h && patience.lasts();) {
         double value = 0, slope = 0;
         for (int k = order; k >= 0; --k) {
             slope = slope * t + value;
@@ -172,21 +184,23 @@ double first_fall(const Series<double>& f, double h) {
     return never_touch;
 }
 
-/// When the point of touch runs off the end of the feature: the search of time_of_impact for the ends.
+/// When the point of touch runs off the end of the feature: the search of time_of_impact for the ends. One
+/// nearer than rounding that it runs towards is reached.
 double end_of_face(const Feature& feature, const Turning& turning, const Path& path, double radius, double t0,
-                   double t1) {
+                   double t1, Patience& patience) {
     const double rate = turning.rate_at(t0);
     const double v = path.max_speed(t1), a = path.max_acceleration(t1), w = std::abs(rate);
-    const double smallest = 1e-15 * (t1 - t0);
-    for (double t = t0; t <= t1;) {
+    for (double t = t0; t <= t1 && patience.lasts();) {
         const Vec2 p = path.position(t);
         const Pose pose = turning.pose(t);
         const Vec2 arm = p - pose.pivot, q = pose.undo(p);
         const Vec2 u = rotated(path.velocity(t) - cross(rate, arm), -pose.angle);
         const double far = w == 0 ? 0 : length(arm) + v * (t1 - t);
         const double k = a + 2 * w * (v + w * far) + w * w * far;
+        const double rounding = 4 * 0x1p-53 * (std::abs(q.x) + std::abs(q.y) + radius);
         const auto free = [&](double inside, double slope) {
-            return inside >= 0 ? std::max(surely_free(inside, slope, k), smallest) : 0;
+            if (inside < 0 || (inside <= rounding && slope < 0)) return 0.0;
+            return surely_free(std::max(inside, rounding), slope, k);
         };
         double h = never_touch;
         if (const auto* line = std::get_if<Line>(&feature.is)) {
@@ -254,7 +268,7 @@ Rub rub_of(const Hold& hold, const Ball& ball, double along, double driven) {
 
 /// The path on a still line; what ends it is the end of the slip.
 void slide(const Hold& hold, const Ball& ball, const Rub& rub, double along, const Drive& drive,
-           HeldPath& held) {
+           HeldPath& held, Patience& patience) {
     Flight& flight = held.path.flight;
     const Vec2 tangent = perp(hold.normal);
     const double gravity = dot(drive.gravity, tangent), rubbed = rub.slide * hold.force;
@@ -267,7 +281,7 @@ void slide(const Hold& hold, const Ball& ball, const Rub& rub, double along, con
     const double sign = rub.slide > 0 ? 1 : -1, slip = sign * (along - ball.radius * ball.spin);
     if (!(slip > 0)) return;
     const double k = drive.drag * flight.max_acceleration(0);
-    for (double t = 0; t < 1e6;) {
+    for (double t = 0; t < 1e6 && patience.lasts();) {
         const double now =
             sign * (dot(flight.velocity_at(t), tangent) - ball.radius * ball.spin) - 2 * std::abs(rubbed) * t;
         const Vec2 pull = flight.acceleration - flight.drag * flight.velocity_at(t);
@@ -283,7 +297,7 @@ void slide(const Hold& hold, const Ball& ball, const Rub& rub, double along, con
 
 /// The path on anything that bends or turns.
 void swing(const Hold& hold, const Ball& ball, const Guide& guide, const Rub& rub, double along, double t1,
-           const Drive& drive, HeldPath& held) {
+           const Drive& drive, HeldPath& held, Patience& patience) {
     Path& path = held.path;
     const double time = path.start;
     const Vec2 velocity = path.flight.velocity;
@@ -299,7 +313,7 @@ void swing(const Hold& hold, const Ball& ball, const Guide& guide, const Rub& ru
         path.top_speed += k * length(path.taylor[at(k)]) * power;
         if (k < order) path.top_acceleration += (k + 1) * k * length(path.taylor[at(k + 1)]) * power;
     }
-    const double falls = time + first_fall(swing.force, h);
+    const double falls = time + first_fall(swing.force, h, patience);
     held.until = std::min({good, stop, falls});
     held.lets_go = held.until == falls;
     if (hold.friction <= 0) return;
@@ -318,8 +332,8 @@ void swing(const Hold& hold, const Ball& ball, const Guide& guide, const Rub& ru
         less[at(k)] = hold.friction * swing.force[at(k)] - swing.push[at(k)] / 2;
     }
     double switches = never_touch;
-    if (rub.rolls) switches = std::min(first_fall(more, h), first_fall(less, h));
-    if (!rub.rolls && more[0] > 0) switches = first_fall(more, h);
+    if (rub.rolls) switches = std::min(first_fall(more, h, patience), first_fall(less, h, patience));
+    if (!rub.rolls && more[0] > 0) switches = first_fall(more, h, patience);
     if (time + switches < held.until) {
         held.until = time + switches;
         held.lets_go = false;
@@ -328,7 +342,7 @@ void swing(const Hold& hold, const Ball& ball, const Guide& guide, const Rub& ru
 
 }  // namespace
 
-void hold(const Hold& hold, const Ball& ball, double time, double t1, const Drive& drive, HeldPath& held) {
+bool hold(const Hold& hold, const Ball& ball, double time, double t1, const Drive& drive, HeldPath& held) {
     const Vec2 n = hold.normal, tangent = perp(n);
     const Guide guide = guide_of(hold, ball, time);
     const double along = dot(ball.velocity - hold.surface_velocity, tangent);
@@ -342,19 +356,21 @@ void hold(const Hold& hold, const Ball& ball, double time, double t1, const Driv
     path.swings = !guide.straight || guide.rate != 0;
     path.flight = {{}, along * tangent + hold.surface_velocity, {}, drive.drag};
     const Rub rub = rub_of(hold, ball, along, hold.driven);
+    Patience patience;
     if (path.swings) {
-        swing(hold, ball, guide, rub, along, t1, drive, held);
+        swing(hold, ball, guide, rub, along, t1, drive, held, patience);
     } else {
         path.flight.position = guide.pivot + (guide.offset * n - guide.s * tangent);
-        slide(hold, ball, rub, along, drive, held);
+        slide(hold, ball, rub, along, drive, held, patience);
     }
     const double last = std::min(held.until, t1);
-    const double end = end_of_face(*hold.feature, *hold.turning, path, ball.radius, time, last);
+    const double end = end_of_face(*hold.feature, *hold.turning, path, ball.radius, time, last, patience);
     if (end <= last) {
         held.until = end;
         held.lets_go = true;
     }
     if (held.until > t1) held.until = never_touch;
+    return patience.lasted();
 }
 
 }  // namespace flipside::custom

@@ -55,7 +55,9 @@ struct HeldPath {
     bool lets_go = false;  ///< because the contact ends there
 };
 
-/// The path of a held ball from `time`; its normal speed against the surface is taken out.
-void hold(const Hold& hold, const Ball& ball, double time, double t1, const Drive& drive, HeldPath& held);
+/// The path of a held ball from `time`; its normal speed against the surface is taken out. False when the
+/// search for its end took too many steps; then the path is good for nothing.
+[[nodiscard]] bool hold(const Hold& hold, const Ball& ball, double time, double t1, const Drive& drive,
+                        HeldPath& held);
 
 }  // namespace flipside::custom
