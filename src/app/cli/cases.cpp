@@ -87,7 +87,7 @@ int map_stability(const Options& options) {
     std::vector<lab::StabilityPoint> points;
     {
         Progress progress(1);
-        points = lab::stability_map(input.entrant, [&](double done) {
+        points = lab::stability_map(input.entrant, lab::map_steps, [&](double done) {
             progress.at(done);
             stop_if_interrupted();
         });

@@ -146,8 +146,11 @@ void moment(Canvas& canvas, const Axes& axes, double time, const std::string& wo
     if (x < axes.place.x) return;
     const double gap = canvas.scaled(4), width = canvas.lettering().width(words, Type::small) + gap;
     canvas.line({x, axes.place.y}, {x, axes.place.y + axes.place.height}, canvas.scaled(1.2), color);
-    canvas.text({x + width < right ? x + gap : x - gap, axes.place.y + axes.place.height - canvas.scaled(18)},
-                words, Type::small, color, x + width < right ? Align::left : Align::right);
+    // Before the line where there is no room behind it; curves stay behind the words.
+    const double left = x + width < right ? x + gap : x - width;
+    const Vec2 corner{left, axes.place.y + axes.place.height - canvas.scaled(18)};
+    canvas.rectangle(corner, corner + Vec2{width - gap, canvas.scaled(17)}, with_alpha(colour::raised, 0.85));
+    canvas.text(corner, words, Type::small, color);
 }
 
 /// The other engines, each from the reference, and what the reference itself may be wrong by.

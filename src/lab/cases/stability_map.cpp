@@ -61,11 +61,12 @@ void run_point(const Entrant& entrant, StabilityPoint& point) {
 
 }  // namespace
 
-std::vector<StabilityPoint> stability_map(const Entrant& entrant, const std::function<void(double)>& watch) {
+std::vector<StabilityPoint> stability_map(const Entrant& entrant, std::span<const double> steps,
+                                          const std::function<void(double)>& watch) {
     std::vector<StabilityPoint> points;
     for (const double mass_ratio : map_mass_ratios)
         for (const double speed : map_speeds)
-            for (const double dt : map_steps) points.push_back({mass_ratio, speed, dt, "", -1, 0});
+            for (const double dt : steps) points.push_back({mass_ratio, speed, dt, "", -1, 0});
     for (std::size_t i = 0; i < points.size(); ++i) {
         try {
             run_point(entrant, points[i]);

@@ -30,9 +30,10 @@ inline constexpr double map_mass_ratios[] = {1, 10, 1e2, 1e3, 1e4, 1e6};
 inline constexpr double map_speeds[] = {1, 10, 1e2, 1e3, 1e4, 1e6};
 inline constexpr double map_steps[] = {1.0 / 30, 1.0 / 60, 1.0 / 120, 1.0 / 240, 1.0 / 480, 1.0 / 960};
 
-/// All combinations, mass ratio by mass ratio, speed by speed; about a second of CPU. `watch` is called after
-/// each with the part done, 0 … 1.
+/// All combinations, mass ratio by mass ratio, speed by speed, at these steps; some seconds of CPU at
+/// map_steps. `watch` is called after each with the part done, 0 … 1.
 [[nodiscard]] std::vector<StabilityPoint> stability_map(const Entrant& entrant,
+                                                        std::span<const double> steps = map_steps,
                                                         const std::function<void(double)>& watch = {});
 
 inline constexpr std::string_view stability_header =

@@ -27,7 +27,7 @@ struct Chapter {
 /// Speed against error in some of them.
 [[nodiscard]] Chapter case_work_chapter(const Effort& effort);
 /// Where engines break: mass ratio, speed and step.
-[[nodiscard]] Chapter stability_chapter();
+[[nodiscard]] Chapter stability_chapter(const Effort& effort);
 /// Energy where it must stay as it is.
 [[nodiscard]] Chapter energy_chapter(const Effort& effort);
 /// How fast the engines part on the pinball table.

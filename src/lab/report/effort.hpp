@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "lab/cases/stability_map.hpp"
 #include "lab/sweep/variants.hpp"
 
 namespace flipside::lab::report {
@@ -17,6 +18,7 @@ struct Effort {
     bool quick_cases;                ///< as `flipside cases --quick`
     double case_seconds;             ///< CPU time they take on one engine, about
     std::vector<double> case_steps;  ///< s, at which some cases are repeated
+    std::vector<double> map_steps;   ///< s, of the map of stability
     double energy_seconds;
     int gas_balls;
     double divergence_seconds;
@@ -38,6 +40,7 @@ struct Effort {
             .quick_cases = false,
             .case_seconds = 30,
             .case_steps = {1. / 30, 1. / 60, 1. / 120, 1. / 240, 1. / 480, 1. / 960, 1. / 1920},
+            .map_steps = {std::begin(lab::map_steps), std::end(lab::map_steps)},
             .energy_seconds = 6,
             .gas_balls = 200,
             .divergence_seconds = 10,
@@ -58,6 +61,7 @@ struct Effort {
             .quick_cases = true,
             .case_seconds = 2,
             .case_steps = {1. / 30, 1. / 120, 1. / 480},
+            .map_steps = {1. / 30, 1. / 120, 1. / 480},
             .energy_seconds = 3,
             .gas_balls = 100,
             .divergence_seconds = 5,

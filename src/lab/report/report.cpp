@@ -79,7 +79,7 @@ std::vector<Chapter> chapters(const Effort& effort, const std::vector<fs::path>&
     return {work_precision_chapter(effort, from),
             hard_case_chapter(effort),
             case_work_chapter(effort),
-            stability_chapter(),
+            stability_chapter(effort),
             energy_chapter(effort),
             divergence_chapter(effort),
             penetration_chapter(effort),

@@ -14,15 +14,16 @@ std::string file_of(const Contender& contender) {
     return "stability-" + contender.file + ".csv";
 }
 
-Measurement measurement_of(const Contender& contender) {
-    const auto take = [contender](const std::filesystem::path& path, const Watch& watch) {
+Measurement measurement_of(const Contender& contender, const Effort& effort) {
+    const auto take = [contender, steps = effort.map_steps](const std::filesystem::path& path,
+                                                            const Watch& watch) {
         const Entrant entrant{&engine_named(contender.engine), settings_of(contender, Scene{})};
-        const auto points = stability_map(entrant, watch);
+        const auto points = stability_map(entrant, steps, watch);
         WholeFile file(path);
         write_stability(file.out(), entrant, points);
         file.finish();
     };
-    return {file_of(contender), 1, take};
+    return {file_of(contender), 0.5 * static_cast<double>(effort.map_steps.size()), take};
 }
 
 /// One mass ratio and speed, at all steps.
@@ -57,18 +58,19 @@ Series series_for(const Contender& contender, std::size_t stable, std::size_t st
 }
 
 Figure figure_of(const Contender& contender, const std::filesystem::path& data) {
-    Figure figure{"stability-" + contender.file,
-                  "Stability: " + contender.name,
-                  {"mass ratio", "mass_ratio", true},
-                  {"speed of the heavy ball, radii/s", "speed_radii_per_s", true},
-                  {},
-                  {},
-                  "Each mark stands for runs at six steps from 1/30 to 1/960 s: the larger the square, the "
-                  "more of them hold, "
-                  "and a full one means all. Pointing at a mark tells at which steps it breaks and how: "
-                  "energy gained, a ball "
-                  "out of the box, or balls left in each other. A hollow ring is no failure: the engine "
-                  "refuses what it cannot do exactly, here a ball pressed between another and the floor."};
+    Figure figure{
+        "stability-" + contender.file,
+        "Stability: " + contender.name,
+        {"mass ratio", "mass_ratio", true},
+        {"speed of the heavy ball, radii/s", "speed_radii_per_s", true},
+        {},
+        {},
+        "Each mark stands for runs at several steps, from 1/30 s to finer ones: the larger the square, the "
+        "more of them hold, "
+        "and a full one means all. Pointing at a mark tells at which steps it breaks and how: "
+        "energy gained, a ball "
+        "out of the box, or balls left in each other. A hollow ring is no failure: the engine "
+        "refuses what it cannot do exactly, here a ball pressed between another and the floor."};
     const auto cells = cells_of(CsvTable(data / file_of(contender)));
     const std::size_t steps = cells.begin()->second.steps;
     const auto add = [&](Series series, auto belongs) {
@@ -94,7 +96,7 @@ Content show(const std::filesystem::path& data) {
 
 }  // namespace
 
-Chapter stability_chapter() {
+Chapter stability_chapter(const Effort& effort) {
     Chapter chapter{"stability",
                     "Stability",
                     "A ball lies in a box and a heavier one is thrown down at it, a little off centre, for "
@@ -104,7 +106,8 @@ Chapter stability_chapter() {
                     "more than a tenth of a radius.",
                     {},
                     show};
-    for (const Contender& contender : contenders()) chapter.measurements.push_back(measurement_of(contender));
+    for (const Contender& contender : contenders())
+        chapter.measurements.push_back(measurement_of(contender, effort));
     return chapter;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 std::vector<StabilityPoint> map_of(const Entrant& entrant) {
     double done = 0;
-    auto points = stability_map(entrant, [&](double share) { done = share; });
+    auto points = stability_map(entrant, map_steps, [&](double share) { done = share; });
     EXPECT_EQ(done, 1);
     EXPECT_EQ(points.size(), std::size(map_mass_ratios) * std::size(map_speeds) * std::size(map_steps));
     return points;
