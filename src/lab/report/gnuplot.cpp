@@ -88,7 +88,7 @@ void write_frame(std::ostream& out, const Figure& figure) {
         out << "set arrow from " << number(mark.x) << ", graph 0 to " << number(mark.x)
             << ", graph 1 nohead dashtype 3 linewidth 2 linecolor rgb " << in_single_quotes(mark.colour)
             << "\nset label " << in_single_quotes(mark.says) << " at " << number(mark.x)
-            << ", graph 0.5 rotate by -90 offset 1.2,0 center noenhanced font ',11' textcolor rgb "
+            << ", graph 0.61 rotate by -90 offset 1.2,0 center noenhanced font ',11' textcolor rgb "
             << in_single_quotes(mark.colour) << '\n';
 }
 
