@@ -185,7 +185,8 @@ void ContinuousSolver::come_out(Place i) {
     }
 }
 
-/// Balls that touch, are pressed together, and neither bounce nor hop out of touch.
+/// Balls that touch, are pressed together, and neither bounce nor hop out of touch; and those that a pile left
+/// deep in one another, which flying freely would never come apart.
 void ContinuousSolver::find_piles() {
     const std::vector<Ball>& balls = *balls_;
     const double weight = length(scene_.gravity);
@@ -204,6 +205,11 @@ void ContinuousSolver::find_piles() {
             const double near = touch_distance * std::min(a.radius, b.radius);
             const double reach = a.radius + b.radius + near;
             if (length_squared(between) > reach * reach) continue;
+            const double out = a.radius + b.radius - deep * std::min(a.radius, b.radius);
+            if (length_squared(between) < out * out) {
+                hand_over(i), hand_over(j);
+                continue;
+            }
             const double apart = dot(a.velocity - b.velocity, unit(between));
             const double pressed = pressing(i, j, 0);
             if (pressed <= 1e-9 * weight || apart < -scene_.rest_speed) continue;
