@@ -10,6 +10,10 @@ namespace {
 constexpr double graze = 1e-9;
 /// So many events of a ball at one instant cannot be put in order.
 constexpr int most_at_once = 200;
+/// So many events of a ball without an impact that counts lead nowhere. Hops of an impact slower than this,
+/// in units of √(r·g), reach 1e-10 radii; balls that are pressed together rattle so.
+constexpr int most_idle = 2000;
+constexpr double idle_impact = 1e-5;
 /// Events less than this part of the step apart are at one instant.
 constexpr double instant = 1e-12;
 
@@ -34,7 +38,7 @@ void ContinuousSolver::handle(Place i) {
     Mover& counted = mover.next == Next::ball ? movers_[std::min(i, mover.met)] : mover;
     counted.stalled = time <= counted.last_time + instant * dt_ ? counted.stalled + 1 : 0;
     counted.last_time = time;
-    if (counted.stalled > most_at_once) return hand_over(i);
+    if (counted.stalled > most_at_once || ++counted.idle > most_idle) return hand_over(i);
     if (++events_ > settings_.max_impacts) {
         for (Place j = 0; j < movers_.size(); ++j) hand_over(j);
         return;
@@ -71,6 +75,10 @@ void ContinuousSolver::report(double time, EventKind kind, const Ball& ball, Oth
                                impact.speed, impact.impulse});
 }
 
+bool ContinuousSolver::leads_on(const Impact& impact, const Ball& ball) const {
+    return impact.speed > idle_impact * std::sqrt(ball.radius * length(scene_.gravity));
+}
+
 void ContinuousSolver::hit_feature(Place i, double time) {
     Ball& ball = (*balls_)[i];
     const Feature& feature = features_[movers_[i].met];
@@ -101,6 +109,7 @@ void ContinuousSolver::hit_feature(Place i, double time) {
                                   {scene_.gravity, scene_.rest_speed, 0});
     if (impact.happened) {
         ++record_->statistics.impacts;
+        if (leads_on(impact, ball)) movers_[i].idle = 0;
         report(time, EventKind::impact, ball, Other::part(index), impact, point);
         if (part.target) {
             table_->set_down(index, true);
@@ -134,6 +143,7 @@ void ContinuousSolver::hit_ball(Place i, double time) {
         respond(a, b, false, layout_.mixed(a.material, b.material), {scene_.gravity, scene_.rest_speed, 0});
     if (impact.happened) {
         ++record_->statistics.impacts;
+        if (leads_on(impact, a)) movers_[i].idle = movers_[j].idle = 0;
         report(time, EventKind::impact, a, Other::ball(b.number), impact,
                b.position + b.radius * impact.normal);
     }

@@ -144,7 +144,7 @@ void ContinuousSolver::prepare_movers() {
         Mover& mover = movers_[i];
         mover.held = mover.left = nullptr;
         mover.last_time = -1;
-        mover.stalled = 0;
+        mover.stalled = mover.idle = 0;
         mover.lost = false;
         ++mover.predictions;
         if (mover.handed_over) continue;
@@ -185,8 +185,8 @@ void ContinuousSolver::come_out(Place i) {
     }
 }
 
-/// Balls that touch, are pressed together, and neither bounce nor hop out of touch; and those that a pile left
-/// deep in one another, which flying freely would never come apart.
+/// Balls that touch, are pressed together, and neither bounce nor hop out of touch; and those that a pile
+/// left deep in one another, which flying freely would never come apart.
 void ContinuousSolver::find_piles() {
     const std::vector<Ball>& balls = *balls_;
     const double weight = length(scene_.gravity);

@@ -10,10 +10,10 @@
 /// from where it is and how it moves, so a restored world continues with the same bits.
 ///
 /// A slow contact (approach below rest_speed, or a hop too short to matter) holds: see holding.hpp. Balls
-/// that press on each other cannot be ordered by time. Such a cluster, or a ball for which events pile up
-/// without time passing or whose hold has no end that a search finds, or all when `max_impacts` are exceeded,
-/// are given to the discrete solver for that one step: the step is begun again without them. Statistics count
-/// them as handed_over.
+/// that press on each other, or lie deep in each other, cannot be ordered by time. Such a cluster, or a ball
+/// for which events pile up without time passing or without an impact that counts, or whose hold has no end
+/// that a search finds, or all when `max_impacts` are exceeded, are given to the discrete solver for that one
+/// step: the step is begun again without them. Statistics count them as handed_over.
 
 #include "custom/continuous/candidates.hpp"
 #include "custom/continuous/clearance.hpp"
@@ -65,6 +65,7 @@ class ContinuousSolver {
         std::uint32_t met_changes = 0;  ///< the other ball's, when this was predicted
         double last_time = -1;          ///< of its last event
         int stalled = 0;                ///< events at that very time
+        int idle = 0;                   ///< events since its last impact that counts
         const Feature* held = nullptr;  ///< what it rests on
         const Feature* left = nullptr;  ///< what it just let go
         Box box;                        ///< of its path until the end of the step
@@ -133,6 +134,7 @@ class ContinuousSolver {
     // Events (continuous_events.cpp).
     void handle(Place i);
     void advance(Place i, double time);
+    [[nodiscard]] bool leads_on(const Impact& impact, const Ball& ball) const;
     void hit_feature(Place i, double time);
     void hit_ball(Place i, double time);
     void lose(Place i, double time);

@@ -260,5 +260,51 @@ TEST(ContinuousSolver, PilesAreHandedOver) {
     settles(pit, 0.03);
 }
 
+TEST(ContinuousSolver, BallsDeepInEachOtherComeApartInFlight) {
+    Scene scene = empty_scene({0, -g});
+    add_ball(scene, {-0.09, 0});
+    add_ball(scene, {0.09, 0});
+    const auto world = continuous(scene);
+    double overlap = 0.2;
+    for (int i = 0; i < 30; ++i) {
+        world->step(1.0 / 60);
+        const Vec2 between = world->balls()[1].position - world->balls()[0].position;
+        overlap = 2 - length(between) / 0.1;
+        EXPECT_EQ(between.y, 0);
+    }
+    EXPECT_LT(overlap, 1.1e-3);
+    // Pushed apart by position alone, they fall as if they were one.
+    for (const Ball& ball : world->balls()) {
+        EXPECT_EQ(ball.velocity.x, 0);
+        EXPECT_NEAR(ball.velocity.y, -g / 2, 1e-12);
+        EXPECT_NEAR(ball.position.y, -g / 8, 1e-12);
+    }
+}
+
+TEST(ContinuousSolver, WorkWithoutEndIsHandedOverInTime) {
+    // Thrown at a million radii per second, the heavy ball presses the light one against the wall, which
+    // rattles between them: without a limit that step has a million impacts.
+    Scene scene = empty_scene({0, -g});
+    scene.rest_speed = 0;
+    const double e = std::sqrt(0.5);
+    scene.materials[0].restitution = e;
+    add_part(scene, {shape::Polyline{{{-1, 0}, {1, 0}, {1, 3}, {-1, 3}}, true}}, {"", e, 0, 0});
+    add_ball(scene, {0, 0.1}, {}, 0.1, 1);
+    add_ball(scene, {0.01, 1.5}, {0, -1e5}, 0.1, 10);
+    const auto world = continuous(scene);
+    std::uint64_t handed_over = 0, most = 0;
+    for (int i = 0; i < 60; ++i) {
+        world->step(1.0 / 30);
+        handed_over += world->statistics().handed_over;
+        most = std::max(most, world->statistics().narrow_tests);
+        for (const Ball& ball : world->balls()) {
+            EXPECT_LT(std::abs(ball.position.x), 1);
+            EXPECT_LT(std::abs(ball.position.y - 1.5), 1.5);
+        }
+    }
+    EXPECT_GT(handed_over, 0U);
+    EXPECT_LT(most, 100'000U);
+}
+
 }  // namespace
 }  // namespace flipside::custom::test
