@@ -11,6 +11,10 @@ namespace {
 /// Overlaps deeper than this, in radii, are no matter of rounding.
 constexpr double deep = 1e-3;
 
+Box touching_box(const Ball& ball) {
+    return bounds_of(ball.position, ball.radius * (1 + touch_distance));
+}
+
 }  // namespace
 
 ContinuousSolver::ContinuousSolver(const Table& table, const Layout& layout, const SolverSettings& settings,
@@ -63,6 +67,7 @@ void ContinuousSolver::reserve(std::size_t balls) {
     for (auto* list : {&at_start_, &handed_}) custom::make_room(*list, most);
     for (auto* list : {&inside_, &inside_at_start_}) custom::make_room(*list, most, touches_per_ball);
     custom::make_room(pressings_at_start_, most, contacts_per_ball);
+    custom::make_room(rooms_, most);
     custom::make_room(queue_, most, pairs_per_ball);
     custom::make_room(pairs_, most, pairs_per_ball);
     grips_.reserve(std::min(features_.size(), most_near));
@@ -190,8 +195,11 @@ void ContinuousSolver::come_out(Place i) {
 void ContinuousSolver::find_piles() {
     const std::vector<Ball>& balls = *balls_;
     const double weight = length(scene_.gravity);
+    rooms_.clear();
+    for (Place i = 0; i < balls.size(); ++i) rooms_.push_back(united(movers_[i].box, touching_box(balls[i])));
     for (Place i = 0; i < balls.size(); ++i)
         for (Place j = i + 1; j < balls.size(); ++j) {
+            if (!overlap(rooms_[i], rooms_[j])) continue;
             const Mover &first = movers_[i], &second = movers_[j];
             if (!first.active && !second.active) continue;
             const Ball &a = balls[i], &b = balls[j];
@@ -304,14 +312,12 @@ void ContinuousSolver::drop_lost() {
 
 void ContinuousSolver::find_pairs() {
     const std::vector<Ball>& balls = *balls_;
-    const auto touching_box = [](const Ball& ball) {
-        return bounds_of(ball.position, ball.radius * (1 + touch_distance));
-    };
+    rooms_.clear();
     for (Place i = 0; i < balls.size(); ++i) {
         const Ball& ball = balls[i];
         const bool active = movers_[i].active;
         const Handle handle = layout_.size() + i;
-        const Box box = touching_box(ball);
+        const Box box = rooms_.emplace_back(touching_box(ball));
         const std::size_t first = pairs_.size();
         if (active && !ball.asleep) {
             record_->statistics.pair_tests += movers_[i].near.cover(box, ranges_);
@@ -327,8 +333,8 @@ void ContinuousSolver::find_pairs() {
             }
         }
         for (Place j = 0; j < i; ++j)
-            if ((active || movers_[j].active) && !(ball.asleep && balls[j].asleep) &&
-                layers_meet(ball, balls[j]) && overlap(box, touching_box(balls[j])))
+            if (overlap(box, rooms_[j]) && (active || movers_[j].active) &&
+                !(ball.asleep && balls[j].asleep) && layers_meet(ball, balls[j]))
                 pairs_.push_back({layout_.size() + j, handle});
     }
 }

@@ -171,6 +171,7 @@ class ContinuousSolver {
     std::vector<Mover> pool_;        ///< with the room that their lists have
     std::span<Mover> movers_;        ///< the first of the pool, by place in balls_
     std::vector<Entry> queue_;       ///< a heap
+    std::vector<Box> rooms_;         ///< per ball: of what it touches, and before the step of its path
     std::vector<Grip> grips_;
     std::vector<Ball> at_start_, handed_;
     std::vector<PartState> parts_at_start_;
