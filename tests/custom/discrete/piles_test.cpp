@@ -119,6 +119,13 @@ TEST(Piles, FiftyInAVFallAsleepOnBothSolvers) {
         }
 }
 
+TEST(Piles, HundredsFallAsleepOnBothSolvers) {
+    for (const char* solver : {"discrete", "continuous"}) {
+        SCOPED_TRACE(solver);
+        expect_rest(*make_world(pit(320, false, 0.3, 0.5), {{"solver", solver}}), 20);
+    }
+}
+
 TEST(Piles, ColumnsStandOnBothSolvers) {
     for (const char* solver : {"discrete", "continuous"})
         for (const int balls : {10, 50}) {
