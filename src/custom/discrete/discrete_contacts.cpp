@@ -99,6 +99,7 @@ bool DiscreteSolver::collide_ball_with_parts(std::uint32_t place, std::span<cons
         if (separation < -overlap_slop * ball.radius) deep_.push_back({separation, candidate.piece});
     }
     std::ranges::sort(deep_);
+    const Vec2 was = ball.position;
     bool any = false;
     for (const Deep& deep : deep_) {
         const Touch found = touch_at_end(ball, deep.piece);
@@ -108,6 +109,8 @@ bool DiscreteSolver::collide_ball_with_parts(std::uint32_t place, std::span<cons
         any = true;
         if (deep_.size() > 1 || layout_.moves(deep.piece)) pushed_[place] = true;
     }
+    // Thrown back so far it may meet the next part.
+    if (length_squared(ball.position - was) > 0.25 * ball.radius * ball.radius) pushed_[place] = true;
     return any;
 }
 
@@ -198,8 +201,9 @@ bool DiscreteSolver::collide(BallPair pair, Vec2 normal) {
     return true;
 }
 
-/// Balls push each other without regard for what lies behind. A ball whose centre got through a still part
-/// by that is put back to where it crossed, on the side where its flight began, and stops closing in.
+/// Balls push each other, and are thrown back, without regard for what lies behind. A ball whose centre got
+/// through a still part by that is put back to where it crossed, on the side where its flight began, and
+/// stops closing in.
 void DiscreteSolver::keep_sides() {
     for (std::uint32_t i = 0; i < balls_->size(); ++i)
         if (pushed_[i]) keep_side(i);
