@@ -39,14 +39,17 @@ void Simulation<R>::predict(Place i) {
     std::push_heap(queue_.begin(), queue_.end());
 }
 
-/// Whether the ball comes to this feature only by sliding to the end of what holds it. That is no touch, but
-/// rounding would make one of it.
+/// Whether the ball comes to this feature only by sliding to the end of what holds it, or has just slid off
+/// it. That is no touch, but rounding would make one of it.
 template <class R>
 bool Simulation<R>::slides_to(const Mover& mover, FeatureIndex f) const {
     const FeatureIndex on = mover.held[0];
     if (on == nothing || mover.held[1] != nothing) return false;
     const PartIndex part = features_[f].part, own = features_[on].part;
     if (part != own && (turning(part) != nullptr || turning(own) != nullptr)) return false;
+    if (turning(part) == nullptr && turning(own) == nullptr &&
+        comes_off(shape(f), mover.path.at(now_), mover.radius))
+        return true;
     return ends_in(shape(on), shape(f), mover.held_normal, mover.radius);
 }
 

@@ -337,6 +337,17 @@ bool ends_in(const Feature<R>& face, const Feature<R>& round, const V<R>& normal
 }
 
 template <class R>
+bool comes_off(const Feature<R>& face, const Motion<R>& motion, const R& radius) {
+    const R rounding = 64 * epsilon<R>() * (length(motion.position) + radius);
+    return std::visit(
+        [&](const auto& shape) {
+            const Value<R> inside = within(shape, motion, radius);
+            return inside.slope < 0 && magnitude(inside.value) <= rounding;
+        },
+        face.is);
+}
+
+template <class R>
 R leaves_face(const Feature<R>& feature, const View<R>& view, const R& radius, const R& from,
               const R& until) {
     if (!(until >= from)) return infinity<R>();
@@ -365,6 +376,7 @@ R leaves_face(const Feature<R>& feature, const View<R>& view, const R& radius, c
     template R first_touch(const Path<R>&, const Path<R>&, const R&, const R&, const R&, std::uint64_t&);    \
     template R leaves(const Path<R>&, const Box&, const R&, const R&, int&);                                 \
     template bool ends_in(const Feature<R>&, const Feature<R>&, const V<R>&, const R&);                      \
+    template bool comes_off(const Feature<R>&, const Motion<R>&, const R&);                                  \
     template R leaves_face(const Feature<R>&, const View<R>&, const R&, const R&, const R&);
 FLIPSIDE_TOUCHES(double)
 FLIPSIDE_TOUCHES(Real113)

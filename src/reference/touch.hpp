@@ -47,6 +47,11 @@ template <class R>
 [[nodiscard]] bool ends_in(const Feature<R>& face, const Feature<R>& round, const V<R>& normal,
                            const R& radius);
 
+/// Whether the ball is just off an end of the face, to rounding, on its way out. What holds it goes on from
+/// there, though rounding may have both faces under it.
+template <class R>
+[[nodiscard]] bool comes_off(const Feature<R>& face, const Motion<R>& motion, const R& radius);
+
 /// First time in [from, until] at which the ball leaves the range that a line or arc faces.
 template <class R>
 [[nodiscard]] R leaves_face(const Feature<R>& feature, const View<R>& view, const R& radius, const R& from,
