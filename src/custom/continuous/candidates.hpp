@@ -2,7 +2,7 @@
 /// Which features a ball can meet: a list per ball of those that its fat box touches, made again only
 /// when its path leaves that box, which is once in many steps.
 
-#include "custom/continuous/box_groups.hpp"
+#include "custom/continuous/box_index.hpp"
 #include "custom/continuous/feature.hpp"
 #include "custom/continuous/path.hpp"
 #include "custom/geometry/bounds.hpp"
@@ -20,7 +20,7 @@ using FeatureIndex = std::uint32_t;
 class Candidates {
   public:
     /// Makes sure that the list holds for a path within `box`. Returns the number of box tests.
-    std::uint64_t cover(const Box& box, const BoxGroups& feature_ranges);
+    std::uint64_t cover(const Box& box, const BoxIndex& feature_ranges);
     void reserve(std::size_t features) { list_.reserve(features); }
     void forget() { fat_ = {{1, 1}, {-1, -1}}; }
 

@@ -7,7 +7,7 @@ namespace flipside::custom {
 
 namespace {
 
-constexpr Box nowhere = BoxGroups::nowhere;
+constexpr Box nowhere = BoxIndex::nowhere;
 
 Box around(Vec2 a, Vec2 b) {
     return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
@@ -32,7 +32,7 @@ struct Size {
 }  // namespace
 
 Clearance::Clearance(const Scene& scene, const Layout& layout, const Table& table)
-    : scene_(scene), layout_(layout) {
+    : scene_(scene), layout_(layout), boxes_(scene.bounds, layout.size() + table.moving_parts().size()) {
     for (PieceIndex i = 0; i < layout.size(); ++i) {
         const Piece& piece = layout.piece(i);
         const Size size = Size::of(piece);
@@ -46,7 +46,6 @@ Clearance::Clearance(const Scene& scene, const Layout& layout, const Table& tabl
         points_.resize(points_.size() + size.points);
         planes_.resize(planes_.size() + size.planes);
         obstacles_.push_back(obstacle);
-        boxes_.add(nowhere);
         place(i, piece, table.pose(piece.part));
     }
     for (const PartIndex part : table.moving_parts()) {
@@ -71,7 +70,6 @@ Clearance::Clearance(const Scene& scene, const Layout& layout, const Table& tabl
         points_.push_back(table.pose(part).pivot);
         moving.disc = bounds_of(points_.back(), reach);
         obstacles_.push_back(disc);
-        boxes_.add(nowhere);
         moving_.push_back(moving);
     }
     // Each halving lists what the one before had in the way.

@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-#include "custom/continuous/box_groups.hpp"
+#include "custom/continuous/box_index.hpp"
 #include "custom/continuous/time_of_impact.hpp"
 #include "custom/flight.hpp"
 #include "custom/geometry/bounds.hpp"
@@ -82,7 +82,7 @@ class Clearance {
     const Scene& scene_;
     const Layout& layout_;
     std::vector<Obstacle> obstacles_;  ///< of pieces in their order, then of what moving parts can reach
-    BoxGroups boxes_;                  ///< of obstacles; nowhere while they do not count
+    BoxIndex boxes_;                   ///< of obstacles; nowhere while they do not count
     std::vector<HalfPlane> planes_;
     std::vector<Vec2> points_;
     std::vector<Moving> moving_;

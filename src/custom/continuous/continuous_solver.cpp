@@ -25,10 +25,11 @@ ContinuousSolver::ContinuousSolver(const Table& table, const Layout& layout, con
       discrete_(discrete),
       drive_{scene_.gravity, scene_.damping},
       features_(features_of(layout.pieces(), scene_)),
+      ranges_(scene_.bounds, features_.size()),
       pieces_(scene_.parts.size()),
       clearance_(scene_, layout, table),
       turnings_(scene_.parts.size()) {
-    for (const Feature& feature : features_) ranges_.add(range_of(feature, table));
+    for (FeatureIndex i = 0; i < features_.size(); ++i) ranges_.set(i, range_of(features_[i], table));
     for (PieceIndex i = 0; i < layout.size(); ++i) {
         const Part& part = scene_.parts[layout.piece(i).part];
         if (part.sensor || gate_of(part) != nullptr) pieces_[layout.piece(i).part].push_back(i);

@@ -151,7 +151,7 @@ class ContinuousSolver {
     DiscreteSolver& discrete_;
     Drive drive_;
     std::vector<Feature> features_;
-    BoxGroups ranges_;                             ///< of features
+    BoxIndex ranges_;                              ///< of features
     std::vector<std::vector<PieceIndex>> pieces_;  ///< by part; of sensors and gates only
     std::vector<Sensed> inside_;                   ///< balls in sensors and open gates, in order
     Clearance clearance_;
