@@ -47,10 +47,10 @@ class BoxIndex {
     /// Appends the indices of all that overlap `box`, in rising order. Returns the number of box tests; to
     /// find its slabs counts as one.
     std::uint64_t find(const Box& box, std::vector<std::uint32_t>& found) const {
-        const std::uint64_t* const a = &sets_[place(begins_x, x_.slab(box.max.x))];
-        const std::uint64_t* const b = &sets_[place(begins_y, y_.slab(box.max.y))];
-        const std::uint64_t* const c = &sets_[place(ends_x, x_.slab(box.min.x))];
-        const std::uint64_t* const d = &sets_[place(ends_y, y_.slab(box.min.y))];
+        const std::uint64_t* const a = sets_.data() + place(begins_x, x_.slab(box.max.x));
+        const std::uint64_t* const b = sets_.data() + place(begins_y, y_.slab(box.max.y));
+        const std::uint64_t* const c = sets_.data() + place(ends_x, x_.slab(box.min.x));
+        const std::uint64_t* const d = sets_.data() + place(ends_y, y_.slab(box.min.y));
         std::uint64_t tests = 1;
         for (std::size_t w = 0; w < words_; ++w)
             for (std::uint64_t near = a[w] & b[w] & c[w] & d[w]; near != 0; near &= near - 1) {

@@ -42,6 +42,10 @@ RC_GTEST_PROP(BoxIndex, FindsWhatTestingEachFinds, ()) {
     }
 }
 
+TEST(BoxIndex, OfNothingFindsNothing) {
+    EXPECT_TRUE(found_by(BoxIndex({{0, 0}, {1, 1}}, 0), {{0, 0}, {1, 1}}).empty());
+}
+
 TEST(BoxIndex, ARangeWithoutSizeAndABoxWithoutEndAreNoMatter) {
     BoxIndex index({{1, 1}, {1, 1}}, 3);
     const Box everywhere{{-INFINITY, -INFINITY}, {INFINITY, INFINITY}};
