@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/window/claim.hpp"
+#include "fake_world.hpp"
 #include "world/refusal.hpp"
 #include "world/scene_file.hpp"
 
@@ -13,51 +14,29 @@ namespace {
 
 /// An engine whose one ball rests, whose claims get ten times worse with every step, and which refuses the
 /// step that would end after 1 s.
-class Doubter : public World {
+class Doubter final : public test::FakeWorld {
   public:
-    explicit Doubter(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {
-        balls_.resize(1);
-        balls_[0].radius = scene_->balls[0].radius;
-        balls_[0].mass = scene_->balls[0].mass;
+    explicit Doubter(const Scene& scene) : FakeWorld(std::vector<Ball>(1)) {
+        balls_[0].radius = scene.balls[0].radius;
+        balls_[0].mass = scene.balls[0].mass;
         uncertainty_[0] = 3e-14 * balls_[0].radius;
     }
     void step(double dt) override {
         if (time_ + dt > 1 + 1e-9) throw Refusal("doubter: it is not sure any more");
-        time_ += dt;
+        FakeWorld::step(dt);
         uncertainty_[0] *= 10;
     }
-    void apply(const Control&) override {}
-    BallNumber add(const Ball&) override { return 0; }
-    bool remove(BallNumber) override { return false; }
-    [[nodiscard]] double time() const override { return time_; }
-    [[nodiscard]] std::span<const Ball> balls() const override { return balls_; }
-    [[nodiscard]] std::span<const PartState> parts() const override { return {}; }
-    [[nodiscard]] std::span<const Event> events() const override { return {}; }
-    [[nodiscard]] std::span<const Contact> contacts() const override { return {}; }
-    [[nodiscard]] const Statistics& statistics() const override { return statistics_; }
     [[nodiscard]] std::span<const double> uncertainty() const override { return uncertainty_; }
-    [[nodiscard]] State save() const override {
-        State state;
-        state.clock.time = time_;
-        state.balls = balls_;
-        return state;
-    }
-    void restore(const State& state) override { time_ = state.clock.time; }
-    void inspect(Inspector&) const override {}
 
   private:
-    std::shared_ptr<const Scene> scene_;
-    double time_ = 0;
-    std::vector<Ball> balls_;
     double uncertainty_[1]{};
-    Statistics statistics_;
 };
 
 const Engine doubter{"doubter",
                      "For tests.",
                      {},
                      [](std::shared_ptr<const Scene> scene, const Settings&) -> std::unique_ptr<World> {
-                         return std::make_unique<Doubter>(std::move(scene));
+                         return std::make_unique<Doubter>(*scene);
                      }};
 
 Run run_of_doubter() {

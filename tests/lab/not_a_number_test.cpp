@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "fake_world.hpp"
 #include "lab/failure.hpp"
 #include "lab/run.hpp"
 
@@ -9,31 +10,14 @@ namespace flipside::lab {
 namespace {
 
 /// A world that breaks: ball 1's spin is no number from 0.3 s on.
-class Breaking final : public World {
+class Breaking final : public test::FakeWorld {
   public:
-    explicit Breaking(std::span<const Ball> balls) : balls_(balls.begin(), balls.end()) {}
+    using FakeWorld::FakeWorld;
 
     void step(double dt) override {
-        time_ += dt;
+        FakeWorld::step(dt);
         if (time_ > 0.299) balls_[1].spin = std::numeric_limits<double>::quiet_NaN();
     }
-    void apply(const Control& /*control*/) override {}
-    BallNumber add(const Ball& /*ball*/) override { return 0; }
-    bool remove(BallNumber /*number*/) override { return false; }
-    [[nodiscard]] double time() const override { return time_; }
-    [[nodiscard]] std::span<const Ball> balls() const override { return balls_; }
-    [[nodiscard]] std::span<const PartState> parts() const override { return {}; }
-    [[nodiscard]] std::span<const Event> events() const override { return {}; }
-    [[nodiscard]] std::span<const Contact> contacts() const override { return {}; }
-    [[nodiscard]] const Statistics& statistics() const override { return statistics_; }
-    [[nodiscard]] State save() const override { return {}; }
-    void restore(const State& /*state*/) override {}
-    void inspect(Inspector& /*inspector*/) const override {}
-
-  private:
-    std::vector<Ball> balls_;
-    Statistics statistics_;
-    double time_ = 0;
 };
 
 TEST(Run, StopsAtTheFirstNumberThatIsNone) {

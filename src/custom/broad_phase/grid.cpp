@@ -168,9 +168,7 @@ class Grid final : public BroadPhase {
             at(other.proxy, std::min(handle, other.handle), std::max(handle, other.handle));
         }
         void at(const Proxy& other, Handle low, Handle high) {
-            const Box &a = own.box, &b = other.box;
-            const bool overlapping =
-                (a.min.x <= b.max.x) & (b.min.x <= a.max.x) & (a.min.y <= b.max.y) & (b.min.y <= a.max.y);
+            const bool overlapping = overlap(own.box, other.box);
             to[found] = {low, high};
             if (everyone) {
                 found += static_cast<std::uint32_t>(overlapping);

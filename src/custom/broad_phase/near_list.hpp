@@ -82,8 +82,7 @@ class NearList {
             const Proxy &a = first_of(pair), &b = moving[pair.b - first];
             const bool may = a.active | b.active;
             tests += static_cast<std::uint64_t>(may);
-            return may & (a.box.min.x <= b.box.max.x) & (b.box.min.x <= a.box.max.x) &
-                   (a.box.min.y <= b.box.max.y) & (b.box.min.y <= a.box.max.y);
+            return may & overlap(a.box, b.box);
         };
         const std::span<const Pair> hits =
             custom::sift(listed_, hits_, overlapping, [&](Pair pair) { fetch(first_of(pair)); });

@@ -3,8 +3,7 @@
 /// For every slab there are two sets of boxes, a bit per box: those that begin in it or before, and those
 /// that end in it or after. What can overlap a box is in four of these sets at once, and only that is tested
 /// (the bitmaps of O'Neil, Quass 1997, "Improved query performance with variant indexes", in two dimensions).
-/// Cost: n/16 words read, and a test per box nearby; for the 200 pieces of a pinball table a third of what
-/// testing groups of eight boxes takes.
+/// Cost: n/16 words read, and a test per box nearby.
 
 #include <algorithm>
 #include <bit>

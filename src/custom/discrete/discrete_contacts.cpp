@@ -53,18 +53,21 @@ bool DiscreteSolver::changed(std::uint32_t place) const {
 
 bool DiscreteSolver::collide_parts() {
     bool any = false;
-    record_->statistics.narrow_tests += candidates_.size();
+    std::uint64_t tests = 0;
     const std::span<const Candidate> touching = sift(
         candidates_, touching_room_,
         [&](const Candidate& c) {
+            if (!changed(c.ball)) return false;
+            ++tests;
             const Ball& ball = (*balls_)[c.ball];
-            return changed(c.ball) && (!ball.asleep & layout_.may_touch(c.piece, ball.position, ball.radius));
+            return static_cast<bool>(!ball.asleep & layout_.may_touch(c.piece, ball.position, ball.radius));
         },
         [&](const Candidate& c) {
             if (!changed(c.ball)) return;
             fetch((*balls_)[c.ball]);
             fetch(layout_.capsule(c.piece));
         });
+    record_->statistics.narrow_tests += tests;
     for (auto first = touching.begin(); first != touching.end();) {
         const std::uint32_t place = first->ball;
         const auto last =

@@ -70,15 +70,15 @@ Measurement measurement_of(const Contender& contender, const Effort& effort) {
 Content show(const std::filesystem::path& data) {
     Content content;
     for (const Story& story : stories) {
-        Figure figure{std::string("case-") + story.name,
-                      story.says,
-                      {"CPU seconds of the experiment", "cpu_seconds", true},
-                      {std::string("error, ") + story.unit, "error", true, 1e-17},
-                      {},
-                      {},
-                      "One point per step size; further down is more exact, further left is cheaper. A level "
-                      "curve is a solver "
-                      "whose answer does not depend on the step: more steps only cost more."};
+        Figure figure{
+            std::string("case-") + story.name,
+            story.says,
+            {"CPU seconds of the experiment", "cpu_seconds", true},
+            {std::string("error, ") + story.unit, "error", true, 1e-17},
+            {},
+            {},
+            "One point per step size; further down is more exact, further left is cheaper. A level "
+            "curve is a solver whose answer does not depend on the step: more steps only cost more."};
         for (const Contender& contender : contenders()) {
             const CsvTable table(data / file_of(contender));
             Series series = series_of(contender);

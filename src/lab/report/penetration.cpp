@@ -72,8 +72,7 @@ Content show(const std::filesystem::path& data) {
         "Read a curve from right to left: at 0.5 stands the overlap of the median contact, at 0.01 the one "
         "that 1 % of the contacts exceed, and its left end is the deepest of all. Lower is better; a ball "
         "that overlaps by more than a radius has its centre on the wrong side. A cross at the upper edge is "
-        "a "
-        "run that its engine refused to go on with; pointing at it tells why."};
+        "a run that its engine refused to go on with; pointing at it tells why."};
     for (const Contender& contender : contenders()) {
         const CsvTable table(data / file_of(contender));
         Series series = series_of(contender);
