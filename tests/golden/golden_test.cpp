@@ -36,7 +36,7 @@ constexpr Golden golden[] = {
     {"drop", "discrete", 0x47d10993},    {"drop", "continuous", 0x47d10993},
     {"pinball", "discrete", 0x0746a993}, {"pinball", "continuous", 0x81179fba},
     {"rain", "discrete", 0xde2aa9cf},    {"toy", "discrete", 0xda2ae68a},
-    {"toy", "continuous", 0x059010c3},
+    {"toy", "continuous", 0xe1b1d120},
 };
 
 void PrintTo(const Golden& g, std::ostream* out) {

@@ -25,6 +25,28 @@ double unending_hop(const Feature& feature, double force, double rounding, doubl
     return restitution * std::sqrt(2 * force * rounding / (1 - restitution * restitution));
 }
 
+/// Where f, above 0 at a and not at b, goes through 0, to within `error` behind it: by chords, and where the
+/// same end is kept twice its value counts half (the Illinois algorithm; Dowell and Jarratt 1971, "A modified
+/// regula falsi method for computing the root of an equation").
+double first_zero(auto&& f, double a, double f_a, double b, double f_b, double error) {
+    int kept = 0;  // how often in a row: b above 0, a below
+    while (b - a > error) {
+        const double chord = a + (b - a) * (f_a / (f_a - f_b));
+        const double middle = std::max(a + error / 2, std::min(chord, b - error / 2));
+        const double value = f(middle);
+        if (value <= 0) {
+            b = middle, f_b = value;
+            kept = std::min(kept, 0) - 1;
+            if (kept < -1) f_a /= 2;
+        } else {
+            a = middle, f_a = value;
+            kept = std::max(kept, 0) + 1;
+            if (kept > 1) f_b /= 2;
+        }
+    }
+    return b;
+}
+
 }  // namespace
 
 /// Whether the feature lets the ball through now.
@@ -274,7 +296,7 @@ void ContinuousSolver::predict_loss(Place i, double time) {
 }
 
 /// When a ball enters a sensor, or leaves it (or a gate): by steps that no speed can outrun, but not less
-/// than a small part of a radius each, and then by halving. A brush shallower than that may pass unnoticed.
+/// than a small part of a radius each, and then by chords. A brush shallower than that may pass unnoticed.
 double ContinuousSolver::sense_time(PartIndex part, const Ball& ball, const Path& path, double time,
                                     bool inside) const {
     const Turning& turning = turnings_[part];
@@ -289,15 +311,13 @@ double ContinuousSolver::sense_time(PartIndex part, const Ball& ball, const Path
     };
     const double far = w == 0 ? 0 : length(path.position(time) - turning.begin.pivot) + own * (dt_ - time);
     const double speed = own + w * far;
-    double before = time;
+    const double error = std::max(gap_rounding(ball.position, ball.radius) / speed, 4 * 0x1p-53 * dt_);
+    double before = time, left_before = 0;
     for (double t = time; t <= dt_;) {
         const double left = left_at(t);
-        if (left <= 0) {
-            for (double middle = (before + t) / 2; before < middle && middle < t; middle = (before + t) / 2)
-                (left_at(middle) <= 0 ? t : before) = middle;
-            return t;
-        }
+        if (left <= 0) return first_zero(left_at, before, left_before, t, left, error);
         before = t;
+        left_before = left;
         if (t >= dt_) break;
         t = std::min(dt_, t + std::max(left, sense_step * ball.radius) / speed);
     }
