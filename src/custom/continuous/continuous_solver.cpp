@@ -29,7 +29,8 @@ ContinuousSolver::ContinuousSolver(const Table& table, const Layout& layout, con
       pieces_(scene_.parts.size()),
       clearance_(scene_, layout, table),
       turnings_(scene_.parts.size()) {
-    for (FeatureIndex i = 0; i < features_.size(); ++i) ranges_.set(i, range_of(features_[i], table));
+    for (FeatureIndex i = 0; i < features_.size(); ++i)
+        ranges_.set(i, range_of(features_[i], layout.piece(features_[i].piece), table));
     for (PieceIndex i = 0; i < layout.size(); ++i) {
         const Part& part = scene_.parts[layout.piece(i).part];
         if (part.sensor || gate_of(part) != nullptr) pieces_[layout.piece(i).part].push_back(i);

@@ -65,9 +65,7 @@ class Taker {
         add(line);
     }
     void operator()(const piece::Arc& a) {
-        Bow bow{a.center, a.radius, from_angle(a.from), from_angle(a.to), {}, {}};
-        bow.wide = a.to - a.from > std::numbers::pi;
-        bow.full = a.to - a.from >= 2 * std::numbers::pi;
+        Bow bow = bow_of(a);
         bow.before = reach({a.center + a.radius * bow.from, -perp(bow.from)});
         bow.past = reach({a.center + a.radius * bow.to, perp(bow.to)});
         add(bow);
@@ -167,6 +165,10 @@ struct ClearOf {
     }
     bool operator()(const Bow& bow) const {
         if (beyond(bow.center, bow.radius + radius + sag)) return true;
+        // The arc lies beyond the chord of its ends, but for what it reaches past them.
+        const double past = std::max(bow.before.of(radius), bow.past.of(radius)) + radius + sag;
+        const double high = std::max(dot(bow.middle, a - bow.center), dot(bow.middle, b - bow.center));
+        if (high < bow.radius * bow.half_cosine - past) return true;
         const double inner = bow.radius - radius - sag;
         return inner > 0 &&
                std::max(length_squared(a - bow.center), length_squared(b - bow.center)) < inner * inner;
@@ -179,11 +181,21 @@ struct ClearOf {
     }
 };
 
-Box around(Vec2 center, double radius) {
-    return {{center.x - radius, center.y - radius}, {center.x + radius, center.y + radius}};
-}
-
 }  // namespace
+
+Bow bow_of(const piece::Arc& arc) {
+    const double half = std::min((arc.to - arc.from) / 2, std::numbers::pi);
+    return {.center = arc.center,
+            .radius = arc.radius,
+            .from = from_angle(arc.from),
+            .to = from_angle(arc.to),
+            .middle = from_angle(arc.from + half),
+            .half_cosine = std::cos(half),
+            .before = {},
+            .past = {},
+            .wide = arc.to - arc.from > std::numbers::pi,
+            .full = arc.to - arc.from >= 2 * std::numbers::pi};
+}
 
 std::vector<Feature> features_of(std::span<const Piece> pieces, const Scene& scene) {
     return Taker(pieces, scene).take(pieces);
@@ -242,20 +254,20 @@ Feature posed(const Feature& feature, const Pose& pose) {
         bow->center = pose.apply(bow->center);
         bow->from = rotated(bow->from, pose.angle);
         bow->to = rotated(bow->to, pose.angle);
+        bow->middle = rotated(bow->middle, pose.angle);
     } else if (auto* round = std::get_if<Round>(&turned.is)) {
         round->center = pose.apply(round->center);
     }
     return turned;
 }
 
-Box bounds_of(const Feature& feature) {
+Box bounds_of(const Feature& feature, const Piece& piece) {
     if (const auto* line = std::get_if<Line>(&feature.is)) {
         const Vec2 a = line->start, b = a + line->length * line->along;
-        return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+        return united(bounds_of(a, 0), bounds_of(b, 0));
     }
-    if (const auto* bow = std::get_if<Bow>(&feature.is)) return around(bow->center, bow->radius);
-    const auto& round = std::get<Round>(feature.is);
-    return around(round.center, round.radius);
+    if (const auto* round = std::get_if<Round>(&feature.is)) return bounds_of(round->center, round->radius);
+    return bounds_of(piece);
 }
 
 }  // namespace flipside::custom

@@ -44,6 +44,8 @@ struct Bow {
     Vec2 center;
     double radius = 0;
     Vec2 from, to;
+    Vec2 middle;             ///< unit, half way between them
+    double half_cosine = 0;  ///< of the angle from there to either
     Reach before, past;
     bool wide = false;  ///< spans more than half a turn
     bool full = false;  ///< has no ends
@@ -64,6 +66,9 @@ struct Feature {
     bool sensor = false;
     bool gate = false;
 };
+
+/// Of an arc, reaching past neither end.
+[[nodiscard]] Bow bow_of(const piece::Arc& arc);
 
 /// In the order of the pieces, so by part. Cost: linear (joints: n log n).
 [[nodiscard]] std::vector<Feature> features_of(std::span<const Piece> pieces, const Scene& scene);
@@ -92,7 +97,7 @@ struct Sight {
 /// The feature turned into a pose.
 [[nodiscard]] Feature posed(const Feature& feature, const Pose& pose);
 
-/// Smallest box around a feature in the pose of the scene file.
-[[nodiscard]] Box bounds_of(const Feature& feature);
+/// Smallest box around a feature of this piece in the pose of the scene file.
+[[nodiscard]] Box bounds_of(const Feature& feature, const Piece& piece);
 
 }  // namespace flipside::custom

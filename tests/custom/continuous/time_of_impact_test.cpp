@@ -95,14 +95,7 @@ RC_GTEST_PROP(TimeOfImpact, BallsWithDragAreTheSearchs, ()) {
 // The search against a walk in small steps, on turning arcs and lines.
 RC_GTEST_PROP(TimeOfImpact, SearchSkipsNothing, ()) {
     const double from = between(0, 6), to = from + between(0.2, 6);
-    const Bow bow{anywhere(0.5),
-                  between(0.4, 1),
-                  from_angle(from),
-                  from_angle(to),
-                  {},
-                  {},
-                  to - from > 3.14159265358979,
-                  false};
+    const Bow bow = bow_of({anywhere(0.5), between(0.4, 1), from, to});
     const Feature feature =
         *rc::gen::arbitrary<bool>() ? Feature{bow, 0, 0} : Feature{Line{{-1, 0.2}, {1, 0}, 2, {}, {}}, 0, 0};
     const double rate = between(-30, 30);
@@ -120,6 +113,24 @@ RC_GTEST_PROP(TimeOfImpact, SearchSkipsNothing, ()) {
         // Entering from beyond an end (a jump of the gap) is the end's business.
         RC_ASSERT(gap > -1e-9 || before > 0.05 || before < -1e-9);
         before = gap;
+    }
+}
+
+// Nothing is told to be clear of a path that touches it.
+RC_GTEST_PROP(TimeOfImpact, WhatIsClearIsNotTouched, ()) {
+    const double from = between(0, 6), to = from + between(0.2, 6);
+    const Vec2 a = anywhere(0.5), b = anywhere(0.5);
+    RC_PRE(length(b - a) > 0.01);
+    const Feature feature = *rc::gen::element(Feature{bow_of({a, between(0.2, 1), from, to}), 0, 0},
+                                              Feature{Line{a, unit(b - a), length(b - a), {}, {}}, 0, 0},
+                                              Feature{Round{a, between(0, 0.5)}, 0, 0});
+    const Path path = random_path(anywhere(10));
+    const double r = between(0.02, 0.2), end = between(0.01, 0.3);
+    const double sag = path.max_acceleration(end) * end * end / 8;
+    if (!clear_of(feature, path.position(0), path.position(end), r, sag)) return;
+    for (double t = 0; t < end; t += 1e-3) {
+        const Sight sight = look(feature, path.position(t), r);
+        RC_ASSERT(!sight.facing || sight.distance > r);
     }
 }
 
