@@ -13,6 +13,12 @@ Box around(Vec2 a, Vec2 b) {
     return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
 }
 
+Vec2 nearest_on(Vec2 p, Vec2 a, Vec2 b) {
+    const Vec2 along = b - a;
+    const double ahead = dot(p - a, along), l = length_squared(along);
+    return ahead <= 0 ? a : ahead >= l ? b : a + ahead / l * along;
+}
+
 /// How many points and half-planes stand for a piece.
 struct Size {
     std::uint32_t points, planes;
@@ -72,8 +78,7 @@ Clearance::Clearance(const Scene& scene, const Layout& layout, const Table& tabl
         obstacles_.push_back(disc);
         moving_.push_back(moving);
     }
-    // Each halving lists what the one before had in the way.
-    in_the_way_.reserve(obstacles_.size() * 16);
+    in_the_way_.reserve(obstacles_.size());
 }
 
 /// Puts the obstacle of a piece where the piece is.
@@ -171,44 +176,110 @@ bool Clearance::apart(const Obstacle& obstacle, const Chord& chord) const {
     return least > wide || most < -wide;
 }
 
+/// For how long a ball at `at` surely does not get nearer to an obstacle than reach_. It stays on its side of
+/// the line across the way to the nearest point until gravity and its speed take it there.
+double Clearance::surely_apart(const Obstacle& obstacle, Vec2 at, Vec2 velocity, double longest) const {
+    const auto stays = [&](Vec2 normal, double gap) {
+        if (gap <= 0) return 0.0;
+        return surely_free(gap, dot(normal, velocity), slowed_ - dot(normal, flight_->acceleration));
+    };
+    const double reach = reach_ + obstacle.radius;
+    const Vec2 first = points_[obstacle.first_point];
+    double free = 0;
+    if (obstacle.hollow) {
+        const HalfPlane& chord = planes_[obstacle.first_plane];
+        free = stays(chord.normal, dot(chord.normal, at) - chord.offset - reach);
+        if (length_squared(at - first) < obstacle.radius * obstacle.radius)
+            return std::max(free, surely_within(at - first, velocity, obstacle.radius - reach_, longest));
+    }
+    const Vec2 out = at - (obstacle.points == 1 ? first : nearest_point(obstacle, at));
+    const double distance = length(out);
+    return distance > reach ? std::max(free, stays(out / distance, distance - reach)) : free;
+}
+
+/// Of an obstacle's core to a point outside; inside a polygon that point itself.
+Vec2 Clearance::nearest_point(const Obstacle& obstacle, Vec2 at) const {
+    const Vec2* points = &points_[obstacle.first_point];
+    if (obstacle.points == 2) return nearest_on(at, points[0], points[1]);
+    Vec2 nearest = at;
+    double least = INFINITY;
+    for (std::uint32_t i = 0; i < obstacle.points; ++i) {
+        const HalfPlane& plane = planes_[obstacle.first_plane + i];
+        if (dot(plane.normal, at) < plane.offset) continue;
+        const Vec2 on_edge = nearest_on(at, points[i], points[i + 1 < obstacle.points ? i + 1 : 0]);
+        const double squared = length_squared(at - on_edge);
+        if (squared >= least) continue;
+        least = squared;
+        nearest = on_edge;
+    }
+    return nearest;
+}
+
+/// For how long a point surely stays within a circle about the origin.
+double Clearance::surely_within(Vec2 at, Vec2 velocity, double radius, double longest) const {
+    const double room = radius - length(at);
+    if (room <= 0) return 0;
+    // So long the flight strays by half the room at most; the other half is left for straight motion.
+    const double straight = std::min(longest, std::sqrt(room / bend_));
+    const double rest = radius - room / 2;
+    const double speed_squared = length_squared(velocity), along = dot(at, velocity);
+    const double left = rest * rest - length_squared(at);
+    if (speed_squared == 0) return straight;
+    return std::min(straight, (std::sqrt(along * along + speed_squared * left) - along) / speed_squared);
+}
+
+/// Until when, up to `until`, the flight is clear of an obstacle.
+double Clearance::clear_until(const Obstacle& obstacle, double until, Vec2 at_until) {
+    Vec2 at = flight_->position, velocity = flight_->velocity;
+    for (double t = 0;;) {
+        ++shape_tests_;
+        const double left = until - t;
+        if (apart(obstacle, {at, at_until, reach_ + bend_ * left * left / 8})) return until;
+        const double free = surely_apart(obstacle, at, velocity, left);
+        t += free;
+        if (t >= until) return until;
+        if (free <= finest_) return t;
+        const Stretch stretch(flight_->drag, t);
+        at = flight_->position + flight_->displacement(stretch);
+        velocity = flight_->velocity_after(stretch);
+    }
+}
+
+double Clearance::surely_inside_bounds(double longest) const {
+    const Box& bounds = scene_.bounds;
+    const Box way = flight_->bounds(longest);
+    if (bounds.contains(way.min) && bounds.contains(way.max)) return longest;
+    const Vec2 p = flight_->position, v = flight_->velocity, a = flight_->acceleration;
+    if (!bounds.contains(p)) return 0;
+    return std::min({longest, surely_free(p.x - bounds.min.x, v.x, slowed_ - a.x),
+                     surely_free(bounds.max.x - p.x, -v.x, slowed_ + a.x),
+                     surely_free(p.y - bounds.min.y, v.y, slowed_ - a.y),
+                     surely_free(bounds.max.y - p.y, -v.y, slowed_ + a.y)});
+}
+
 double Clearance::free_for(const Ball& ball, const Flight& flight, double longest, double finest,
                            std::uint64_t& box_tests, std::uint64_t& shape_tests) {
     flight_ = &flight;
     finest_ = finest;
     reach_ = ball.radius + clearance_margin(ball);
     bend_ = flight.max_acceleration(longest);
+    slowed_ = flight.drag * flight.max_speed(longest);
     shape_tests_ = 0;
-    const Vec2 end = flight.position + flight.displacement(longest);
-    const Box box = grown(around(flight.position, end), reach_ + bend_ * longest * longest / 8);
+    double until = surely_inside_bounds(longest);
+    Vec2 end = flight.position + flight.displacement(until);
+    const Box box = grown(around(flight.position, end), reach_ + bend_ * until * until / 8);
     in_the_way_.clear();
     box_tests += boxes_.find(box, in_the_way_);
-    std::erase_if(in_the_way_, [&](std::uint32_t i) { return !layers_meet(ball, obstacles_[i]); });
-    const double free = follow(0, flight.position, longest, end, 0, in_the_way_.size());
-    shape_tests += shape_tests_;
-    return free;
-}
-
-/// Until when, from t0 to at most t1, the flight is clear of the obstacles listed from `first` to `last`.
-double Clearance::follow(double t0, Vec2 at_t0, double t1, Vec2 at_t1, std::size_t first, std::size_t last) {
-    const double sag = bend_ * (t1 - t0) * (t1 - t0) / 8;
-    const Chord chord{at_t0, at_t1, reach_ + sag};
-    const Box centre = grown(around(at_t0, at_t1), sag), box = grown(centre, reach_);
-    const std::size_t kept = last;
-    in_the_way_.resize(kept);
-    for (std::size_t i = first; i < last; ++i) {
-        const std::uint32_t obstacle = in_the_way_[i];
-        ++shape_tests_;
-        if (overlap(box, boxes_[obstacle]) && !apart(obstacles_[obstacle], chord))
-            in_the_way_.push_back(obstacle);
+    for (const std::uint32_t i : in_the_way_) {
+        if (!layers_meet(ball, obstacles_[i])) continue;
+        const double clear = clear_until(obstacles_[i], until, end);
+        if (clear >= until) continue;
+        until = clear;
+        if (until <= 0) break;
+        end = flight.position + flight.displacement(until);
     }
-    const bool inside = scene_.bounds.contains(centre.min) && scene_.bounds.contains(centre.max);
-    if (inside && in_the_way_.size() == kept) return t1;
-    if (t1 - t0 <= finest_) return t0;
-    const std::size_t end = in_the_way_.size();
-    const double middle = t0 + (t1 - t0) / 2;
-    const Vec2 at_middle = flight_->position + flight_->displacement(middle);
-    const double free = follow(t0, at_t0, middle, at_middle, kept, end);
-    return free < middle ? free : follow(middle, at_middle, t1, at_t1, kept, end);
+    shape_tests += shape_tests_;
+    return until;
 }
 
 }  // namespace flipside::custom

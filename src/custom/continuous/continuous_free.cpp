@@ -45,7 +45,8 @@ void ContinuousSolver::find_free_time(Place i) {
     // What cut the last certificate short is still ahead.
     mover.clear = mover.free > 0 && ball.position == mover.left_at && ball.velocity == mover.left_with;
     mover.free = 0;
-    if (settings_.look_ahead <= 0 || mover.clear) return;
+    const bool rested = mover.held != nullptr;
+    if (settings_.look_ahead <= 0 || mover.clear || rested) return;
     if (std::ranges::any_of(inside_, [&](const Sensed& in) { return in.ball == ball.number; })) return;
     const double way = settings_.look_ahead * ball.radius;
     const double speed = length(ball.velocity) + std::sqrt(way * length(drive_.gravity));
