@@ -77,7 +77,8 @@ struct Flight {
         return length(acceleration) + (drag > 0 ? drag * max_speed(t) : 0);
     }
     /// A box around the path over [0, t]: it strays from the chord by at most k·t²/8 (k: acceleration).
-    [[nodiscard]] Box bounds(double t) const;
+    [[nodiscard]] Box bounds(const Stretch& s) const;
+    [[nodiscard]] Box bounds(double t) const { return bounds(Stretch(drag, t)); }
 };
 
 /// Where a ball gets that flies freely under `gravity`; the stretch is one with the table's damping.
@@ -91,9 +92,9 @@ inline void fly_freely(Ball& ball, Vec2 gravity, const Stretch& s) {
     ball.angle += ball.spin * s.time;
 }
 
-inline Box Flight::bounds(double t) const {
-    const Vec2 end = displacement(t);
-    const double sag = max_acceleration(t) * t * t / 8;
+inline Box Flight::bounds(const Stretch& s) const {
+    const Vec2 end = displacement(s);
+    const double sag = max_acceleration(s.time) * s.time * s.time / 8;
     return {position + Vec2{std::min(0.0, end.x) - sag, std::min(0.0, end.y) - sag},
             position + Vec2{std::max(0.0, end.x) + sag, std::max(0.0, end.y) + sag}};
 }

@@ -109,7 +109,9 @@ bool CustomWorld::steps_continuously() const {
 }
 
 void CustomWorld::launch() {
-    while (const auto launched = table_.launch(balls_)) {
+    while (table_.launch_waiting()) {
+        const auto launched = table_.launch(balls_);
+        if (!launched) return;
         if (launched->existing) {
             *std::ranges::lower_bound(balls_, launched->ball.number, {}, &Ball::number) = launched->ball;
         } else {

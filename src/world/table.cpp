@@ -52,26 +52,26 @@ void Table::apply(const Control& control) {
     std::visit(Apply{state_, *scene_}, control);
 }
 
-Table::Turning Table::turning(PartIndex index, double ahead) const {
-    const double angle = state_.parts[index].angle;
-    if (drive_of_[index] == nothing) return {angle, 0, never};
-    const Drive& drive = drives_[drive_of_[index]];
+Table::Turning Table::turning(PartIndex part, double ahead) const {
+    const double angle = state_.parts[part].angle;
+    if (drive_of_[part] == nothing) return {{{}, angle}, 0, never};
+    const Drive& drive = drives_[drive_of_[part]];
     if (!drive.flips) {
         const double rate = drive.always || state_.rotating ? drive.rate : 0;
-        return {angle + rate * ahead, rate, never};
+        return {{drive.pivot, angle + rate * ahead}, rate, never};
     }
     const bool up = state_.raised[drive.side];
     const double goal = up ? drive.full : 0;
+    if (angle == goal) return {{drive.pivot, goal}, 0, never};
     const double speed = up ? drive.rate : drive.down_rate;
     const double until_stop = std::abs(goal - angle) / speed;
-    if (ahead >= until_stop) return {goal, 0, never};
+    if (ahead >= until_stop) return {{drive.pivot, goal}, 0, never};
     const double rate = goal > angle ? speed : -speed;
-    return {angle + rate * ahead, rate, until_stop - ahead};
+    return {{drive.pivot, angle + rate * ahead}, rate, until_stop - ahead};
 }
 
 Pose Table::pose(PartIndex part, double ahead) const {
-    const Vec2 pivot = drive_of_[part] == nothing ? Vec2{} : drives_[drive_of_[part]].pivot;
-    return {pivot, turning(part, ahead).angle};
+    return turning(part, ahead).pose;
 }
 
 double Table::rate(PartIndex part, double ahead) const {
@@ -83,7 +83,7 @@ double Table::until_stop(PartIndex part) const {
 }
 
 void Table::advance(double dt) {
-    for (const PartIndex i : moving_) state_.parts[i].angle = turning(i, dt).angle;
+    for (const PartIndex i : moving_) state_.parts[i].angle = turning(i, dt).pose.angle;
     state_.clock.advance(dt);
 }
 

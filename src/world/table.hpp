@@ -38,6 +38,12 @@ class Table {
     [[nodiscard]] double rate(PartIndex part, double ahead = 0) const;
     /// Seconds until the rate of a part changes by itself (a flipper meets its stop); infinity if never.
     [[nodiscard]] double until_stop(PartIndex part) const;
+    /// All of these at once.
+    struct Turning {
+        Pose pose;
+        double rate = 0, until_stop = 0;
+    };
+    [[nodiscard]] Turning turning(PartIndex part, double ahead) const;
     [[nodiscard]] static bool moves(const Part& part) {
         return !std::holds_alternative<motion::Still>(part.motion);
     }
@@ -68,12 +74,6 @@ class Table {
     void restore(const State& state);
 
   private:
-    /// Angle and rate of a part `ahead` seconds from now.
-    struct Turning {
-        double angle, rate, until_stop;
-    };
-    [[nodiscard]] Turning turning(PartIndex index, double ahead) const;
-
     /// What moves a part, taken out of the scene: it is asked for many times a step.
     struct Drive {
         Vec2 pivot;

@@ -137,13 +137,17 @@ bool Clearance::follow(std::span<const Turning> turnings) {
         left = left || !moving.turns;
         moving.turns = turns;
         moving.angle = angle;
-        for (std::uint32_t piece = moving.first; piece < moving.last; ++piece) {
-            boxes_.set(piece, nowhere);
-            if (!turns) place(piece, layout_.piece(piece), turning.begin);
-        }
-        boxes_.set(layout_.size() + i, turns ? moving.disc : nowhere);
+        take_over(moving, turning.begin, layout_.size() + i);
     }
     return left;
+}
+
+void Clearance::take_over(const Moving& moving, const Pose& pose, std::size_t disc) {
+    for (std::uint32_t piece = moving.first; piece < moving.last; ++piece) {
+        boxes_.set(piece, nowhere);
+        if (!moving.turns) place(piece, layout_.piece(piece), pose);
+    }
+    boxes_.set(disc, moving.turns ? moving.disc : nowhere);
 }
 
 bool Clearance::beside_turning(const Box& box) const {

@@ -87,6 +87,7 @@ class Clearance {
         std::uint32_t first = 0, last = 0;  ///< its pieces among the obstacles; then its disc
         Box disc;
     };
+    void take_over(const Moving& moving, const Pose& pose, std::size_t disc);
 
     const Scene& scene_;
     const Layout& layout_;

@@ -23,8 +23,9 @@ constexpr double instant = 1e-12;
 void ContinuousSolver::advance(Place i, double time) {
     Ball& ball = (*balls_)[i];
     const Path& path = movers_[i].way.path;
-    ball.position = path.position(time);
-    ball.velocity = path.velocity(time);
+    const auto [position, velocity] = path.at(time);
+    ball.position = position;
+    ball.velocity = velocity;
     const double spin = movers_[i].way.spin_at(ball.spin, time);
     ball.angle += (ball.spin + spin) / 2 * (time - path.start);  // exact where the spin changes evenly
     ball.spin = spin;

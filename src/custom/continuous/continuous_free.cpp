@@ -99,7 +99,8 @@ void ContinuousSolver::go_free(Place i) {
     path.start = 0;
     path.swings = false;
     path.flight = {ball.position, ball.velocity, asleep ? Vec2{} : drive_.gravity, asleep ? 0 : drive_.drag};
-    mover.box = grown(path.flight.bounds(dt_), ball.radius);
+    mover.box =
+        asleep ? bounds_of(ball.position, ball.radius) : grown(path.flight.bounds(stretch_), ball.radius);
 }
 
 void ContinuousSolver::activate_all() {

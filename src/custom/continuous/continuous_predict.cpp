@@ -286,7 +286,7 @@ void ContinuousSolver::predict_loss(Place i, double time) {
     const Path& path = mover.way.path;
     const double k = path.max_acceleration(dt_), smallest = 1e-15 * dt_;
     for (double t = time; t <= dt_;) {
-        const Vec2 p = path.position(t), v = path.velocity(t);
+        const auto [p, v] = path.at(t);
         if (!bounds.contains(p)) return offer(mover, t, Next::leave_bounds);
         t += std::max(
             smallest,

@@ -98,10 +98,9 @@ void ContinuousSolver::begin() {
     const std::vector<Ball>& balls = *balls_;
     if (stretch_.time != dt_) stretch_ = Stretch(drive_.drag, dt_);
     for (const PartIndex i : table_->moving_parts()) {
-        const Pose pose = table_->pose(i);
-        const double stop = table_->until_stop(i);
+        const auto [pose, rate, stop] = table_->turning(i, 0);
         const double end = std::isfinite(stop) ? table_->pose(i, stop).angle : pose.angle;
-        turnings_[i] = {pose, table_->rate(i), stop, end};
+        turnings_[i] = {pose, rate, stop, end};
     }
     if (pool_.size() < balls.size()) reserve(balls.size());
     movers_ = std::span(pool_).first(balls.size());

@@ -30,6 +30,16 @@ struct Path {
         const double t = time - start;
         return swings ? bend(t) : flight.acceleration - flight.drag * flight.velocity_at(t);
     }
+    /// Position and velocity at once.
+    struct Motion {
+        Vec2 position, velocity;
+    };
+    [[nodiscard]] Motion at(double time) const {
+        const double t = time - start;
+        if (swings) return {flight.position + horner(t), slope(t)};
+        const Stretch stretch(flight.drag, t);
+        return {flight.position + flight.displacement(stretch), flight.velocity_after(stretch)};
+    }
     /// Bounds on speed and acceleration from the start to `time`.
     [[nodiscard]] double max_speed(double time) const {
         return swings ? top_speed : flight.max_speed(time - start);

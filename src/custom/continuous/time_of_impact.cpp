@@ -153,7 +153,7 @@ double search_turning(const Feature& feature, Pose begin, double rate, double be
                       double radius, double t0, double t1) {
     const double v = path.max_speed(t1), a = path.max_acceleration(t1), w = std::abs(rate);
     const auto moving = [&](double t) {
-        const Vec2 p = path.position(t), u = path.velocity(t);
+        const auto [p, u] = path.at(t);
         const Pose pose{begin.pivot, begin.angle + rate * (t - begin_time)};
         if (w == 0) return Moving{pose.undo(p), pose.angle == 0 ? u : rotated(u, -pose.angle), v, a};
         const Vec2 relative = u - cross(rate, p - begin.pivot);
@@ -174,7 +174,8 @@ bool comes_out(double gap, double rate, double bend, double drag) {
 
 /// A flight against a still line: it falls below each side at most once.
 double touch_line(const Line& line, const Path& path, double radius, double t0, double t1) {
-    const Vec2 p = path.position(t0), v = path.velocity(t0), a = path.flight.acceleration;
+    const auto [p, v] = path.at(t0);
+    const Vec2 a = path.flight.acceleration;
     const double drag = path.flight.drag;
     const auto zero = [](double x, double scale) { return std::abs(x) <= speed_rounding * scale ? 0 : x; };
     const double d = cross(line.along, p - line.start);
