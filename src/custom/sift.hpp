@@ -4,6 +4,7 @@
 /// dozen of the tests here; so every item is written, and the place is kept only where it passes.
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <span>
 
@@ -19,6 +20,13 @@ void fetch(const T& thing) {
     __builtin_prefetch(bytes);
     __builtin_prefetch(bytes + sizeof(T) - 1);
 }
+
+/// The places 0 … count − 1, to sift these.
+struct Places {
+    std::size_t count;
+    [[nodiscard]] std::size_t size() const { return count; }
+    std::uint32_t operator[](std::size_t i) const { return static_cast<std::uint32_t>(i); }
+};
 
 struct Nothing {
     void operator()(const auto&) const {}

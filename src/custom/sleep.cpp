@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "custom/sift.hpp"
+
 namespace flipside::custom {
 
 namespace {
@@ -20,6 +22,7 @@ constexpr double falling = 0.5;
 void Sleep::reserve(std::size_t balls) {
     make_room(before_, balls);
     make_room(members_, balls);
+    make_room(slow_, balls, 1);
 }
 
 void Sleep::watch(std::span<const Ball> balls) {
@@ -28,19 +31,24 @@ void Sleep::watch(std::span<const Ball> balls) {
 }
 
 void Sleep::settle(std::span<Ball> balls, std::span<const Contact> contacts, double dt) {
-    if (std::ranges::all_of(balls, &Ball::asleep)) return;
-    members_.clear();
-    for (std::size_t i = 0; i < balls.size(); ++i) members_.push_back({i});
+    // Most move: they are told first, and cheaply.
+    const double slowest = std::max(slow(true, dt), slow(false, dt));
+    members_.resize(balls.size());
+    const auto candidates = sift(Places{balls.size()}, slow_, [&](std::uint32_t i) {
+        const bool fast = length_squared(balls[i].velocity) > 4 * slowest * slowest;
+        members_[i] = {i, fast && !balls[i].asleep};
+        return !fast && !balls[i].asleep;
+    });
+    if (candidates.empty()) return;
     for (const Contact& contact : contacts) join(balls, contact);
-    auto before = before_.begin();
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-        while (before != before_.end() && before->number < balls[i].number) ++before;
+    for (const std::uint32_t i : candidates) {
+        const auto before = std::ranges::lower_bound(before_, balls[i].number, {}, &Before::number);
         const bool joined = before == before_.end() || before->number != balls[i].number;
-        if (joined || moved(*before, balls[i], members_[i].in_company, dt)) members_[i].moves = true;
-        if (members_[i].moves && !balls[i].asleep) members_[island_of(i)].moves = true;
+        if (joined || moved(*before, balls[i], members_[i].in_company, dt))
+            members_[island_of(i)].moves = true;
     }
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-        if (balls[i].asleep || members_[island_of(i)].moves) continue;
+    for (const std::uint32_t i : candidates) {
+        if (members_[island_of(i)].moves) continue;
         balls[i].asleep = true;
         balls[i].velocity = {};
         balls[i].spin = 0;
@@ -60,8 +68,10 @@ void Sleep::join(std::span<const Ball> balls, const Contact& contact) {
         return static_cast<std::size_t>(std::ranges::lower_bound(balls, number, {}, &Ball::number) -
                                         balls.begin());
     };
+    // A sleeper's own motion is none of its neighbours' business.
     const auto squeeze = [&](std::size_t i) {
-        if (-contact.separation > most_overlap * balls[i].radius) members_[i].moves = true;
+        if (-contact.separation > most_overlap * balls[i].radius && !balls[i].asleep)
+            members_[island_of(i)].moves = true;
     };
     const std::size_t a = place(contact.ball);
     squeeze(a);
@@ -70,15 +80,22 @@ void Sleep::join(std::span<const Ball> balls, const Contact& contact) {
     squeeze(b);
     members_[a].in_company = members_[b].in_company = true;
     if (balls[a].asleep || balls[b].asleep) return;
-    const std::size_t first = island_of(a), second = island_of(b);
-    members_[std::max(first, second)].island = std::min(first, second);
+    const std::size_t first = std::min(island_of(a), island_of(b)),
+                      second = std::max(island_of(a), island_of(b));
+    members_[second].island = first;
+    members_[first].moves |= members_[second].moves;
+}
+
+/// Below this a ball may be at rest, m/s.
+double Sleep::slow(bool in_company, double dt) const {
+    return in_company ? std::max(speed_, island_speed * gravity_ * dt) : speed_;
 }
 
 /// Whether a ball did over the step what rest does not allow.
 bool Sleep::moved(const Before& before, const Ball& ball, bool in_company, double dt) const {
     const double pull = gravity_ * dt;
     if (pull == 0) return ball.velocity != Vec2{} || before.velocity != Vec2{} || ball.spin != 0;
-    const double slow = in_company ? std::max(speed_, island_speed * pull) : speed_;
+    const double slow = this->slow(in_company, dt);
     const double steady = in_company ? island_gain * pull : 1e-3 * pull + 1e-2 * speed_;
     return length(ball.velocity) >= slow || length(before.velocity) >= slow ||
            std::abs(ball.spin) * ball.radius >= slow ||

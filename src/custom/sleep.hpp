@@ -41,16 +41,18 @@ class Sleep {
     };
     struct Member {
         std::size_t island = 0;   ///< place of a ball of the same island, its own if it stands for it
-        bool moves = false;       ///< or is squeezed; of the ball that stands for an island: any in it
+        bool moves = false;       ///< of the ball that stands for an island: any in it moves or is squeezed
         bool in_company = false;  ///< touches a ball
     };
     void join(std::span<const Ball> balls, const Contact& contact);
     [[nodiscard]] std::size_t island_of(std::size_t i);
+    [[nodiscard]] double slow(bool in_company, double dt) const;
     [[nodiscard]] bool moved(const Before& before, const Ball& ball, bool in_company, double dt) const;
 
     double speed_, gravity_;
     std::vector<Before> before_;
-    std::vector<Member> members_;  ///< of the balls after the step
+    std::vector<Member> members_;      ///< of the balls after the step
+    std::vector<std::uint32_t> slow_;  ///< places of those that may be at rest
 };
 
 }  // namespace flipside::custom

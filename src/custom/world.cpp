@@ -84,8 +84,13 @@ void CustomWorld::report_continuous() {
 
 void CustomWorld::report_discrete() {
     const auto start = std::chrono::steady_clock::now();
+    const std::size_t balls = balls_.size();
     lose_balls();
-    touches_.refresh(layout_, table_, balls_, *broad_, discrete_.near(), false);
+    // The solver's pairs are by place.
+    if (balls_.size() == balls)
+        touches_.refresh(layout_, table_, balls_, discrete_.pairs());
+    else
+        touches_.refresh(layout_, table_, balls_, *broad_, discrete_.near(), false);
     touches_.report_touches(time(), record_.events);
     touches_.report_sensors(time(), record_.crossed, record_.events);
     sort_events();
@@ -125,6 +130,7 @@ void CustomWorld::launch() {
 void CustomWorld::lose_balls() {
     auto& reported = table_.reported_lost();
     const auto outside = [&](const Ball& ball) { return !scene_->bounds.contains(ball.position); };
+    if (std::ranges::none_of(balls_, outside)) return;
     for (const Ball& ball : balls_) {
         if (!outside(ball) || std::ranges::find(reported, ball.number) != reported.end()) continue;
         record_.events.push_back({time(), EventKind::lost, ball.number, {}, ball.position, {}, 0, 0});

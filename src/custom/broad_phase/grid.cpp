@@ -352,8 +352,9 @@ class Grid final : public BroadPhase {
                 const Still& other = still_[listed[k]];
                 look.at(other.proxy, other.handle, entry.handle);
             }
-            for (std::uint32_t k = rest.begin; k < rest.end; ++k) look.at(entries[k]);
-            for (std::uint32_t k = next_row.begin; k < next_row.end; ++k) look.at(entries[k]);
+            // Both runs in one loop: where a loop ends nothing foretells.
+            for (std::uint32_t k = 0; k < rest.size() + next_row.size(); ++k)
+                look.at(entries[k < rest.size() ? rest.begin + k : next_row.begin + (k - rest.size())]);
             tests_ += everyone ? still.size() + rest.size() + next_row.size() : look.tests;
             order_.took(look.found);
             if (!wide_.empty()) look_at_wide(entry, cell);

@@ -3,26 +3,25 @@
 #include <algorithm>
 #include <limits>
 
+#include "custom/broad_phase/pair_order.hpp"
 #include "custom/broad_phase/room.hpp"
 
 namespace flipside::custom {
 
 void NearList::reserve(std::size_t moving, std::size_t balls) {
     make_room(rooms_, moving);
-    for (auto* list : {&leavers_, &strays_}) make_room(*list, moving, 1);
+    make_room(leavers_, moving, 1);
+    strays_.reserve(moving);
     for (auto* list : {&listed_, &found_, &hits_}) make_room(*list, balls, pairs_per_ball);
     make_room(around_, still_.size() + moving);
 }
 
-void NearList::recognise(std::span<const Proxy> moving) {
-    const bool same = std::ranges::equal(moving, rooms_, [](const Proxy& now, const Proxy& room) {
-        return (room.ball == now.ball) & (room.layer == now.layer) &
-               (room.collides_with == now.collides_with);
-    });
-    if (same) return;
+void NearList::begin(std::size_t moving) {
+    leavers_.clear();
+    if (rooms_.size() == moving) return;
     // Nothing fits into these.
     constexpr double far = std::numeric_limits<double>::infinity();
-    rooms_.assign(moving.size(), {{{far, far}, {-far, -far}}});
+    rooms_.assign(moving, {{{far, far}, {-far, -far}}});
     can_mend_ = false;
 }
 
@@ -32,32 +31,27 @@ void NearList::search(BroadPhase& broad) {
     can_mend_ = std::ranges::any_of(rooms_, &Proxy::active);
 }
 
+void NearList::find_around(const Box& box, BroadPhase& broad, std::vector<Handle>& found) {
+    broad.find_overlapping(box, found);
+    const auto first = static_cast<Handle>(still_.size());
+    tests_ += strays_.each_overlapping(box, [&](std::uint32_t stray) { found.push_back(first + stray); });
+}
+
 /// Adds the pairs of those that left. What is no longer near stays listed: it will be sifted out.
 void NearList::mend(BroadPhase& broad) {
     const auto first = static_cast<Handle>(still_.size());
     found_.clear();
+    for (const std::uint32_t i : leavers_) strays_.add(i, rooms_[i].box);
     for (const std::uint32_t i : leavers_) {
-        const auto meet = [&](Handle other, const Proxy& proxy) {
-            if (other == first + i || !may_meet(rooms_[i], proxy)) return;
-            found_.push_back({std::min(other, first + i), std::max(other, first + i)});
-        };
         around_.clear();
-        broad.find_overlapping(rooms_[i].box, around_);
-        for (const Handle other : around_) meet(other, other < first ? still_[other] : rooms_[other - first]);
-        for (const std::uint32_t stray : strays_) {
-            ++tests_;
-            if (overlap(rooms_[i].box, rooms_[stray].box)) meet(first + stray, rooms_[stray]);
+        find_around(rooms_[i].box, broad, around_);
+        for (const Handle other : around_) {
+            const Proxy& proxy = other < first ? still_[other] : rooms_[other - first];
+            if (other != first + i && may_meet(rooms_[i], proxy))
+                found_.push_back({std::min(other, first + i), std::max(other, first + i)});
         }
-        strays_.push_back(i);
     }
-    std::ranges::sort(found_);
-    found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
-    // Merged from the end, in place.
-    auto old = listed_.size(), fresh = found_.size();
-    listed_.resize(old + fresh);
-    for (auto to = listed_.size(); fresh > 0;)
-        listed_[--to] = old > 0 && found_[fresh - 1] < listed_[old - 1] ? listed_[--old] : found_[--fresh];
-    listed_.erase(std::unique(listed_.begin(), listed_.end()), listed_.end());
+    add_pairs(found_, listed_);
 }
 
 }  // namespace flipside::custom

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 
+#include "custom/broad_phase/box_row.hpp"
 #include "custom/broad_phase/broad_phase.hpp"
 #include "custom/broad_phase/room.hpp"
 #include "custom/sift.hpp"
@@ -23,22 +24,20 @@ class NearList {
     /// are sought; where many did, all are.
     /// Cost: one box test per listed pair, and the searches.
     std::span<const Pair> find_pairs(std::span<const Proxy> moving, BroadPhase& broad, auto&& roomy) {
-        recognise(moving);
-        begin();
+        begin(moving.size());
         for (std::uint32_t i = 0; i < moving.size(); ++i) check(i, moving[i]);
         return find_pairs_of_checked(moving, broad, roomy);
     }
 
-    /// The same in parts, for those who have each proxy at hand anyway: recognise when they may be others
-    /// than last time, begin, check every moving proxy, find.
-    void recognise(std::span<const Proxy> moving);
-    void begin() { leavers_.clear(); }
+    /// The same in parts, for those who have each proxy at hand anyway: begin, check every moving proxy,
+    /// find.
+    void begin(std::size_t moving);
     void check(std::uint32_t i, const Proxy& now) {
         const Proxy& room = rooms_[i];
-        const bool holds = (room.box.min.x <= now.box.min.x) & (room.box.min.y <= now.box.min.y) &
-                           (room.box.max.x >= now.box.max.x) & (room.box.max.y >= now.box.max.y) &
-                           (room.active >= now.active);
-        if (!holds) leavers_.push_back(i);
+        const bool same =
+            (room.ball == now.ball) & (room.layer == now.layer) & (room.collides_with == now.collides_with);
+        can_mend_ &= same;
+        if (!(same & holds(room.box, now.box) & (room.active >= now.active))) leavers_.push_back(i);
     }
     std::span<const Pair> find_pairs_of_checked(std::span<const Proxy> moving, BroadPhase& broad,
                                                 auto&& roomy) {
@@ -53,6 +52,10 @@ class NearList {
         return sift(moving);
     }
 
+    /// Adds to `found` every proxy whose room overlaps the box, and maybe others; some may come twice. Only
+    /// while any proxy that find_pairs() was last given is active.
+    void find_around(const Box& box, BroadPhase& broad, std::vector<Handle>& found);
+
     /// Makes room for so many moving proxies, of which so many are balls.
     void reserve(std::size_t moving, std::size_t balls);
 
@@ -60,8 +63,8 @@ class NearList {
     [[nodiscard]] std::uint64_t tests() const { return tests_; }
 
   private:
-    /// Strays are tested against each other, so the n² that costs must stay below a search.
-    [[nodiscard]] static std::size_t most_strays(std::size_t moving) { return moving / 64; }
+    /// Past these a search costs less than to seek for each alone.
+    [[nodiscard]] static std::size_t most_strays(std::size_t moving) { return moving / 8; }
     void give_room(std::size_t i, const Proxy& now, const Box& room) {
         rooms_[i] = now;
         rooms_[i].box = room;
@@ -94,11 +97,11 @@ class NearList {
     std::vector<Proxy> rooms_;  ///< what the broad phase was last given, except for the strays
     std::vector<Pair> listed_;  ///< in order
     std::vector<std::uint32_t> leavers_;
-    std::vector<std::uint32_t> strays_;  ///< all that left since the search
-    std::vector<Handle> around_;         ///< scratch
-    std::vector<Pair> found_;            ///< scratch
-    std::vector<Pair> hits_;             ///< scratch
-    bool can_mend_ = false;
+    BoxRow strays_;               ///< the rooms of all that left since the search
+    std::vector<Handle> around_;  ///< scratch
+    std::vector<Pair> found_;     ///< scratch
+    std::vector<Pair> hits_;      ///< scratch
+    bool can_mend_ = false;       ///< the last search was for these proxies, and one was active
     std::uint64_t tests_ = 0;
 };
 

@@ -32,4 +32,41 @@ void PairOrder::finish(std::vector<Pair>& pairs) {
     }
 }
 
+namespace {
+
+/// The first of pairs in order that is not before this one. Halves without a branch: which half it is
+/// nothing foretells.
+const Pair* find_place(std::span<const Pair> pairs, Pair pair) {
+    const auto key = [](Pair p) { return std::uint64_t{p.b} << 32 | p.a; };
+    const Pair* first = pairs.data();
+    for (std::size_t left = pairs.size(); left > 0;) {
+        const std::size_t half = left / 2 + left % 2;
+        first += key(first[half - 1]) < key(pair) ? half : 0;
+        left -= half;
+    }
+    return first;
+}
+
+}  // namespace
+
+void add_pairs(std::vector<Pair>& fresh, std::vector<Pair>& listed) {
+    std::ranges::sort(fresh);
+    fresh.erase(std::unique(fresh.begin(), fresh.end()), fresh.end());
+    std::erase_if(fresh, [&](Pair pair) {
+        const Pair* const place = find_place(listed, pair);
+        return place != listed.data() + listed.size() && *place == pair;
+    });
+    // Merged from the end, in place.
+    std::size_t from = listed.size();
+    listed.resize(from + fresh.size());
+    Pair *const pairs = listed.data(), *to = pairs + listed.size();
+    while (!fresh.empty()) {
+        const auto place = static_cast<std::size_t>(find_place({pairs, from}, fresh.back()) - pairs);
+        to = std::move_backward(pairs + place, pairs + from, to);
+        *--to = fresh.back();
+        fresh.pop_back();
+        from = place;
+    }
+}
+
 }  // namespace flipside::custom

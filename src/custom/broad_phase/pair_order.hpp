@@ -35,4 +35,8 @@ class PairOrder {
     std::vector<std::uint32_t> end_;  ///< per moving proxy: where its pairs end
 };
 
+/// Adds `fresh` pairs, in any order and some of them twice or listed already, to `listed` ones, which are in
+/// order. Uses them up as scratch.
+void add_pairs(std::vector<Pair>& fresh, std::vector<Pair>& listed);
+
 }  // namespace flipside::custom

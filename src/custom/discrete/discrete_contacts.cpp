@@ -27,6 +27,7 @@ void DiscreteSolver::respond_to(Ball& ball, PieceIndex index, const Touch& touch
     if (scene_.parts[part].target) {
         table_->set_down(part, true);
         for (Ball& other : *balls_) other.asleep = false;
+        all_woken_ = true;
     }
 }
 
@@ -34,9 +35,6 @@ void DiscreteSolver::respond_to(Ball& ball, PieceIndex index, const Touch& touch
 /// one has moved it. Under gravity, balls that merely press on each other are left to their pile, which
 /// comes last.
 void DiscreteSolver::collide() {
-    changed_in_.assign(balls_->size(), 0);
-    in_pile_.assign(balls_->size(), 0);
-    pushed_.assign(balls_->size(), 0);
     const bool piles = pull_ > 0;
     if (piles) find_piles();
     for (round_ = 1; round_ <= settings_.collision_iterations; ++round_) {
@@ -48,7 +46,7 @@ void DiscreteSolver::collide() {
 }
 
 bool DiscreteSolver::changed(std::uint32_t place) const {
-    return changed_in_[place] + 1 >= round_;
+    return so_far_[place].changed_in + 1 >= round_;
 }
 
 bool DiscreteSolver::collide_parts() {
@@ -73,7 +71,7 @@ bool DiscreteSolver::collide_parts() {
         const auto last =
             std::find_if(first, touching.end(), [&](const Candidate& c) { return c.ball != place; });
         if (collide_ball_with_parts(place, {first, last})) {
-            changed_in_[place] = round_;
+            so_far_[place].changed_in = round_;
             any = true;
         }
         first = last;
@@ -106,14 +104,14 @@ bool DiscreteSolver::collide_ball_with_parts(std::uint32_t place, std::span<cons
     bool any = false;
     for (const Deep& deep : deep_) {
         const Touch found = touch_at_end(ball, deep.piece);
-        if (found.separation >= 0 || (in_pile_[place] && !strikes(ball, deep.piece, found))) continue;
+        if (found.separation >= 0 || (so_far_[place].in_pile && !strikes(ball, deep.piece, found))) continue;
         ++record_->statistics.contacts;
-        respond_to(ball, deep.piece, found, span_.duration(), flown_[place]);
+        respond_to(ball, deep.piece, found, span_.duration(), so_far_[place].flown);
         any = true;
-        if (deep_.size() > 1 || layout_.moves(deep.piece)) pushed_[place] = true;
+        if (deep_.size() > 1 || layout_.moves(deep.piece)) so_far_[place].pushed = true;
     }
     // Thrown back so far it may meet the next part.
-    if (length_squared(ball.position - was) > 0.25 * ball.radius * ball.radius) pushed_[place] = true;
+    if (length_squared(ball.position - was) > 0.25 * ball.radius * ball.radius) so_far_[place].pushed = true;
     return any;
 }
 
@@ -145,7 +143,7 @@ bool DiscreteSolver::collide_balls() {
         ++record_->statistics.narrow_tests;
         if (round_ == 1 && !a.asleep && !b.asleep && turn_back(pair)) {
             any = true;
-            pushed_[pair.a] = pushed_[pair.b] = true;
+            so_far_[pair.a].pushed = so_far_[pair.b].pushed = true;
             continue;
         }
         const Vec2 between = a.position - b.position;
@@ -154,8 +152,8 @@ bool DiscreteSolver::collide_balls() {
         ++record_->statistics.contacts;
         if (!collide(pair, unit(between))) continue;
         any = true;
-        changed_in_[pair.a] = changed_in_[pair.b] = round_;
-        pushed_[pair.a] = pushed_[pair.b] = true;
+        so_far_[pair.a].changed_in = so_far_[pair.b].changed_in = round_;
+        so_far_[pair.a].pushed = so_far_[pair.b].pushed = true;
     }
     return any;
 }
@@ -163,7 +161,7 @@ bool DiscreteSolver::collide_balls() {
 /// Answers the touch of two balls that passed through each other in this flight.
 bool DiscreteSolver::turn_back(BallPair pair) {
     Ball &a = (*balls_)[pair.a], &b = (*balls_)[pair.b];
-    const double ago = passed_through(a, b, std::min(flown_[pair.a], flown_[pair.b]));
+    const double ago = passed_through(a, b, std::min(so_far_[pair.a].flown, so_far_[pair.b].flown));
     if (ago == never) return false;
     a.position -= ago * a.velocity;
     b.position -= ago * b.velocity;
@@ -173,8 +171,8 @@ bool DiscreteSolver::turn_back(BallPair pair) {
     if (hit.happened) report(a, Other::ball(b.number), hit, b.position + b.radius * hit.normal, span_.end);
     a.position += ago * a.velocity;
     b.position += ago * b.velocity;
-    flown_[pair.a] = flown_[pair.b] = ago;
-    changed_in_[pair.a] = changed_in_[pair.b] = round_;
+    so_far_[pair.a].flown = so_far_[pair.b].flown = ago;
+    so_far_[pair.a].changed_in = so_far_[pair.b].changed_in = round_;
     ++record_->statistics.contacts;
     return true;
 }
@@ -192,15 +190,15 @@ bool DiscreteSolver::collide(BallPair pair, Vec2 normal) {
     }
     const bool held_a = a.asleep;
     Ball &free = held_a ? b : a, &other = held_a ? a : b;
-    const double flown = std::min(flown_[pair.a], flown_[pair.b]);
+    const double flown = std::min(so_far_[pair.a].flown, so_far_[pair.b].flown);
     Impact hit = respond(free, other, other.asleep, layout_.mixed(a.material, b.material),
                          {scene_.gravity, scene_.rest_speed, flown, span_.duration()});
-    flown_[pair.a] = flown_[pair.b] = hit.ago;
+    so_far_[pair.a].flown = so_far_[pair.b].flown = hit.ago;
     if (hit.happened) {
         if (held_a) hit.normal = -hit.normal;
         report(a, Other::ball(b.number), hit, b.position + b.radius * hit.normal, span_.end);
     }
-    if (!in_pile_[pair.a] && !in_pile_[pair.b]) push_out(free, other, other.asleep);
+    if (!so_far_[pair.a].in_pile && !so_far_[pair.b].in_pile) push_out(free, other, other.asleep);
     return true;
 }
 
@@ -208,13 +206,14 @@ bool DiscreteSolver::collide(BallPair pair, Vec2 normal) {
 /// through a still part by that is put back to where it crossed, on the side where its flight began, and
 /// stops closing in.
 void DiscreteSolver::keep_sides() {
-    for (std::uint32_t i = 0; i < balls_->size(); ++i)
-        if (pushed_[i]) keep_side(i);
+    for (const auto* places : {&engaged_, &dozing_})
+        for (const std::uint32_t place : *places)
+            if (so_far_[place].pushed) keep_side(place);
 }
 
 void DiscreteSolver::keep_side(std::uint32_t place) {
     Ball& ball = (*balls_)[place];
-    const Vec2 from = started_[place];
+    const Vec2 from = so_far_[place].start;
     const auto first = std::ranges::lower_bound(candidates_, place, {}, &Candidate::ball);
     const auto last =
         std::find_if(first, candidates_.end(), [&](const Candidate& c) { return c.ball != place; });
@@ -241,15 +240,17 @@ const DiscreteSolver::Candidate* DiscreteSolver::first_crossed(const Ball& ball,
                                                                std::span<const Candidate> near,
                                                                double& time) const {
     const Vec2 way = ball.position - from;
+    const double far = (1 + 1e-9) * length(way);
     const Candidate* met = nullptr;
     for (const Candidate& candidate : near) {
+        if (!layout_.may_touch(candidate.piece, from + 0.5 * way, 0.5 * far)) continue;
         const Piece& piece = layout_.piece(candidate.piece);
         if (layout_.moves(candidate.piece) || std::holds_alternative<piece::Point>(piece.is)) continue;
         Ball at_start = ball;
         at_start.position = from;
         if (!layout_.stops(*table_, candidate.piece, {}, at_start)) continue;
         const auto distance = [&](double t) { return touch(from + t * way, 0, piece).separation; };
-        const double crosses = first_touch(distance, length(way), 1, overlap_slop * ball.radius);
+        const double crosses = first_touch(distance, far, 1, overlap_slop * ball.radius);
         if (crosses > 0 && crosses < time) time = crosses, met = &candidate;
     }
     return met;

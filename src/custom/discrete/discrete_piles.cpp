@@ -39,7 +39,7 @@ void DiscreteSolver::find_piles() {
 }
 
 void DiscreteSolver::put_in_pile(BallPair pair) {
-    in_pile_[pair.a] = in_pile_[pair.b] = true;
+    so_far_[pair.a].in_pile = so_far_[pair.b].in_pile = true;
     any_pile_ = true;
 }
 
@@ -48,18 +48,23 @@ void DiscreteSolver::solve_piles() {
     pressing_.clear();
     pressed_.clear();
     for (const BallPair pair : ball_pairs_) {
-        const bool seen = in_pile_[pair.a] || in_pile_[pair.b] || changed_in_[pair.a] || changed_in_[pair.b];
+        const bool seen = so_far_[pair.a].in_pile || so_far_[pair.b].in_pile || so_far_[pair.a].changed_in ||
+                          so_far_[pair.b].changed_in;
         if (!seen || !press(pair, true)) continue;
         put_in_pile(pair);
         pressing_.push_back(pair);
     }
     if (any_pile_) {
         pile_.start(*balls_, scene_.gravity, span_.duration());
-        for (std::uint32_t i = 0; i < balls_->size(); ++i)
-            if (in_pile_[i]) {
-                pile_.join(i);
-                pushed_[i] = true;
-            }
+        places_.clear();
+        for (const auto* places : {&engaged_, &dozing_})
+            std::ranges::copy_if(*places, std::back_inserter(places_),
+                                 [&](std::uint32_t place) { return so_far_[place].in_pile; });
+        std::ranges::sort(places_);
+        for (const std::uint32_t place : places_) {
+            pile_.join(place);
+            so_far_[place].pushed = true;
+        }
         pile_balls_on_balls();
         pile_balls_on_parts();
         pile_.solve();
@@ -89,7 +94,7 @@ void DiscreteSolver::pile_balls_on_parts() {
         const std::uint32_t place = first->ball;
         const auto last =
             std::find_if(first, candidates_.end(), [&](const Candidate& c) { return c.ball != place; });
-        if (in_pile_[place] && !(*balls_)[place].asleep) pile_on_parts(place, {first, last});
+        if (so_far_[place].in_pile && !(*balls_)[place].asleep) pile_on_parts(place, {first, last});
         first = last;
     }
 }
@@ -133,7 +138,7 @@ void DiscreteSolver::keep_pressings() {
         const auto ball = std::ranges::lower_bound(*balls_, number, {}, &Ball::number);
         return ball != balls_->end() && ball->number == number && ball->asleep;
     };
-    if (std::ranges::any_of(*balls_, &Ball::asleep))
+    if (any_asleep_)
         std::erase_if(pressings, [&](const Pressing& p) { return !sleeps(p.a) || !sleeps(p.b); });
     else
         pressings.clear();

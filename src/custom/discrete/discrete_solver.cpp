@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <optional>
 
 #include "custom/broad_phase/room.hpp"
 #include "custom/flight.hpp"
@@ -44,20 +43,25 @@ DiscreteSolver::DiscreteSolver(const Scene& scene, const Layout& layout, const S
 
 void DiscreteSolver::reserve(std::size_t balls) {
     make_room(moving_, layout_.size() + balls);
-    make_room(started_, balls);
+    make_room(so_far_, balls);
     make_room(waiting_, balls);
-    for (auto* room : {&candidate_room_, &touching_room_}) make_room(*room, balls, contacts_per_ball);
-    make_room(ball_pair_room_, balls, contacts_per_ball);
+    for (auto* room : {&near_part_room_, &candidate_room_, &touching_room_})
+        make_room(*room, balls, contacts_per_ball);
+    for (auto* room : {&near_ball_room_, &ball_pair_room_}) make_room(*room, balls, contacts_per_ball);
     make_room(around_, layout_.size());
     make_room(found_, layout_.size() + balls);
+    make_room(role_, balls);
+    make_room(reach_, balls);
+    make_room(turns_, balls, pairs_per_ball);
+    for (auto* places : {&engaged_, &dozing_, &seeking_, &places_}) make_room(*places, balls, 1);
+    for (auto* pairs : {&pairs_, &fresh_}) make_room(*pairs, balls, contacts_per_ball);
     near_.reserve(layout_.size() + balls, balls);
     make_room(deep_, layout_.size());
-    make_room(changed_in_, balls);
-    make_room(flown_, balls);
-    for (auto* marks : {&in_pile_, &pushed_}) make_room(*marks, balls);
     make_room(pressing_, balls, contacts_per_ball);
     make_room(pressed_, balls, contacts_per_ball);
+    strays_.reserve(balls);
     pile_.reserve(balls);
+    make_room(marks_, static_cast<std::size_t>(settings_.motion_iterations) + 1);
 }
 
 void DiscreteSolver::step(Table& table, std::vector<Ball>& balls, double dt, BroadPhase& broad,
@@ -65,13 +69,16 @@ void DiscreteSolver::step(Table& table, std::vector<Ball>& balls, double dt, Bro
     table_ = &table, balls_ = &balls, record_ = &record, broad_ = &broad, dt_ = dt;
     const int iterations = settings_.motion_iterations;
     const double flight = dt / iterations;
+    marks_.clear();
+    for (int i = 0; i < iterations; ++i) marks_.emplace_back(scene_.damping, i * flight);
+    marks_.emplace_back(scene_.damping, dt);
+    flight_ = Stretch(scene_.damping, flight);
     Stopwatch watch;
-    const auto box_of = [](const Ball& ball) { return bounds_of(ball.position, ball.radius); };
-    layout_.place(table, balls, 0, 0, false, box_of, moving_);
-    near_.recognise(moving_);
-    for (int i = 0; i < iterations; ++i) {
-        span_ = {i * flight, i + 1 == iterations ? dt : (i + 1) * flight};
-        start_flights(span_.duration());
+    find_turns();
+    watch.lap(record.broad_seconds);
+    for (std::size_t i = 0; i < flights(); ++i) {
+        span_ = {marks_[i].time, marks_[i + 1].time};
+        start_flights(i);
         watch.lap(record.flight_seconds);
         find_candidates();
         watch.lap(record.broad_seconds);
@@ -84,70 +91,86 @@ void DiscreteSolver::step(Table& table, std::vector<Ball>& balls, double dt, Bro
         watch.lap(record.contact_seconds);
         ++record.statistics.substeps;
     }
+    finish_step();
+    watch.lap(record.flight_seconds);
 }
 
-/// Flies the balls that no part can stop in mid-flight, because they are slow and only still parts are
-/// near; the others wait. Notes for all in which box they stay.
-void DiscreteSolver::start_flights(double duration) {
-    std::vector<Ball>& balls = *balls_;
+/// Flies the engaged balls that no part can stop in mid-flight, because they are slow and only still parts
+/// are near; the others wait. Notes for all in which box they stay.
+void DiscreteSolver::start_flights(std::size_t flight) {
     const PieceIndex first = moving_pieces();
-    near_.begin();
-    std::optional<Box> swept;  // by moving parts
+    swept_.reset();
     for (PieceIndex i = 0; i < first; ++i) {
         moving_[i] = layout_.proxy(*table_, layout_.size() - first + i, span_.begin, span_.end);
-        near_.check(i, moving_[i]);
-        swept = swept ? united(*swept, moving_[i].box) : moving_[i].box;
+        swept_ = swept_ ? united(*swept_, moving_[i].box) : moving_[i].box;
     }
-    const Stretch stretch(scene_.damping, duration);
-    const Vec2 gravity = scene_.gravity;
-    const double fall = pull_ * duration * duration, sweep_from = settings_.sweep_from;
-    flown_.assign(balls.size(), duration);
     waiting_.clear();
-    started_.resize(balls.size());
-    Vec2* start = started_.data();
-    Proxy* proxy = moving_.data() + first;
-    Ball* const balls_begin = balls.data();
-    for (Ball* ball = balls_begin; ball != balls_begin + balls.size(); ++ball, ++proxy) {
-        *start++ = ball->position;
-        if (!ball->asleep) {
-            const double radius = ball->radius;
-            const Vec2 here = ball->position, there = end_of_flight(*ball, gravity, stretch);
-            // What may sink in deep: way(ball, duration) > deep, without the root.
-            const double slow = sweep_from * radius - fall;
-            proxy->active = true;
-            if ((slow < 0) | (length_squared(ball->velocity) * duration * duration > slow * slow)) {
-                // It may be turned round in mid-flight, so it can end anywhere within its reach.
-                proxy->box = bounds_of(here, radius + way(*ball, duration));
-                waiting_.push_back(static_cast<std::uint32_t>(ball - balls_begin));
-            } else {
-                proxy->box = {{std::min(here.x, there.x) - radius, std::min(here.y, there.y) - radius},
-                              {std::max(here.x, there.x) + radius, std::max(here.y, there.y) + radius}};
-                if (swept && overlap(*swept, proxy->box))
-                    waiting_.push_back(static_cast<std::uint32_t>(ball - balls_begin));
-                else
-                    fly_freely(*ball, gravity, stretch);
-            }
-        }
-        near_.check(static_cast<std::uint32_t>(proxy - moving_.data()), *proxy);
-    }
+    engage_due(flight);
+    for (const std::uint32_t place : engaged_) start_flight(place);
+    engage_met();
 }
 
+void DiscreteSolver::start_flight(std::uint32_t place) {
+    Ball& ball = (*balls_)[place];
+    start_over(place);
+    if (ball.asleep) return;
+    Proxy& proxy = proxy_of_ball(place);
+    const double radius = ball.radius, duration = flight_.time;
+    const Vec2 here = ball.position, there = end_of_flight(ball, scene_.gravity, flight_);
+    // What may sink in deep: way(ball, duration) > deep, without the root. It may be turned round in
+    // mid-flight then, so it can end anywhere within its reach.
+    const double slow = settings_.sweep_from * radius - pull_ * duration * duration;
+    const bool fast = (slow < 0) | (length_squared(ball.velocity) * duration * duration > slow * slow);
+    Box box{{std::min(here.x, there.x) - radius, std::min(here.y, there.y) - radius},
+            {std::max(here.x, there.x) + radius, std::max(here.y, there.y) + radius}};
+    if (fast) box = bounds_of(here, radius + way(ball, duration));
+    if (!(proxy.active & holds(reach_[place], box))) widen(place, box);
+    proxy.box = box;
+    proxy.active = true;
+    if (fast || (swept_ && overlap(*swept_, box)))
+        waiting_.push_back(place);
+    else
+        fly_freely(ball, scene_.gravity, flight_);
+}
+
+/// Of a ball in this flight: nothing happened yet.
+void DiscreteSolver::start_over(std::uint32_t place) {
+    so_far_[place] = {(*balls_)[place].position, span_.duration()};
+}
+
+/// Into pairs of balls with parts and with balls.
+void DiscreteSolver::split(std::span<const Pair> pairs) {
+    const Handle first = first_ball();
+    near_parts_ = sift(
+        pairs, near_part_room_, [&](Pair pair) { return pair.a < first; }, Nothing{},
+        [&](Pair pair) {
+            return Candidate{pair.b - first, pair.a};
+        });
+    near_balls_ = sift(
+        pairs, near_ball_room_, [&](Pair pair) { return pair.a >= first; }, Nothing{},
+        [&](Pair pair) {
+            return BallPair{pair.a - first, pair.b - first};
+        });
+}
+
+/// Pairs of those that are engaged by now whose boxes overlap in this flight.
 void DiscreteSolver::find_candidates() {
-    std::vector<Ball>& balls = *balls_;
-    const PieceIndex first = moving_pieces();
-    const auto roomy = [&](std::uint32_t i) { return i < first ? room_of_part(i) : room_of_ball(i - first); };
-    const std::span<const Pair> pairs = near_.find_pairs_of_checked(moving_, *broad_, roomy);
-    const Handle first_ball = layout_.size();
+    const Proxy* const proxies = &moving_[moving_pieces()];
+    const auto of_engaged = sift(near_parts_, candidate_room_,
+                                 [&](const Candidate& c) { return role_[c.ball] == Role::engaged; });
     candidates_ = sift(
-        pairs, candidate_room_, [&](Pair pair) { return pair.a < first_ball; }, Nothing{},
-        [&](Pair pair) {
-            return Candidate{pair.b - first_ball, pair.a};
-        });
-    ball_pairs_ = sift(
-        pairs, ball_pair_room_, [&](Pair pair) { return pair.a >= first_ball; }, Nothing{},
-        [&](Pair pair) {
-            return BallPair{pair.a - first_ball, pair.b - first_ball};
-        });
+        of_engaged, candidate_room_,
+        [&](const Candidate& c) { return overlap(proxy_of(c.piece).box, proxies[c.ball].box); },
+        [&](const Candidate& c) { fetch(proxy_of(c.piece)); });
+    const auto between_engaged = sift(near_balls_, ball_pair_room_, [&](BallPair pair) {
+        const Role a = role_[pair.a], b = role_[pair.b];
+        return ((a == Role::engaged) & (b != Role::exposed)) | ((b == Role::engaged) & (a != Role::exposed));
+    });
+    ball_pairs_ = sift(between_engaged, ball_pair_room_,
+                       [&](BallPair pair) { return overlap(proxies[pair.a].box, proxies[pair.b].box); });
+    record_->statistics.pair_tests += of_engaged.size() + between_engaged.size();
+    if (!any_asleep_) return;
+    std::vector<Ball>& balls = *balls_;
     for (const auto [b, piece] : candidates_) {
         if (!balls[b].asleep) continue;
         balls[b].asleep = false;  // only a part in motion is paired with a sleeper
@@ -157,7 +180,7 @@ void DiscreteSolver::find_candidates() {
 
 /// Flies those that wait.
 void DiscreteSolver::finish_flights(double duration) {
-    std::ranges::sort(waiting_);
+    if (!std::ranges::is_sorted(waiting_)) std::ranges::sort(waiting_);
     auto next = candidates_.begin();
     for (const std::uint32_t place : waiting_) {
         next = std::find_if(next, candidates_.end(), [&](const Candidate& c) { return c.ball >= place; });
@@ -193,30 +216,13 @@ void DiscreteSolver::fly(Ball& ball, std::span<const Candidate> near, double dur
         const Pose pose = layout_.pose(*table_, met, span_.begin + at);
         double flown = 0;
         respond_to(ball, met, touch(ball.position, ball.radius, piece, pose), at, flown);
-        flown_[static_cast<std::size_t>(&ball - balls_->data())] = duration - at;
+        so_far_[static_cast<std::size_t>(&ball - balls_->data())].flown = duration - at;
         // Kicked faster, it leaves the surroundings that were searched for parts.
         if (way(ball, duration) > searched) {
             searched = way(ball, duration);
             near = look_around(ball, searched);
         }
     }
-}
-
-/// Where a moving part may get until the end of the step, from now on.
-Box DiscreteSolver::room_of_part(std::size_t moving) const {
-    const Box& now = moving_[moving].box;
-    if (settings_.search_room == 0) return now;
-    const auto piece = static_cast<PieceIndex>(layout_.still_proxies().size() + moving);
-    return united(now, layout_.proxy(*table_, piece, span_.begin, dt_).box);
-}
-
-/// The same of a ball, wherever it turns, and some room for what gives it speed meanwhile.
-Box DiscreteSolver::room_of_ball(std::uint32_t place) const {
-    const Box& now = moving_[moving_pieces() + place].box;
-    const Ball& ball = (*balls_)[place];
-    if (settings_.search_room == 0 || ball.asleep) return now;
-    const double reach = way(ball, dt_ - span_.begin) + (1 + settings_.search_room) * ball.radius;
-    return united(now, bounds_of(ball.position, reach));
 }
 
 /// The pieces within reach of a ball.
@@ -282,7 +288,7 @@ void DiscreteSolver::watch_gates() {
             const Pose before = table_->pose(part, span_.begin), now = table_->pose(part, span_.end);
             ++record_->statistics.narrow_tests;
             const Touch found = touch(ball.position, ball.radius, piece, now);
-            const Vec2 came_from = before.undo(started_[candidate.ball]);
+            const Vec2 came_from = before.undo(so_far_[candidate.ball].start);
             const bool let_through = table_->parts()[part].open || dot(came_from - gate.a, gate.normal) <= 0;
             if (let_through && !found.past_end && found.separation < 0) occupied = true;
         }
@@ -298,7 +304,7 @@ void DiscreteSolver::watch_sensors() {
         if (!scene_.parts[piece.part].sensor) continue;
         const Ball& ball = (*balls_)[candidate.ball];
         const Pose pose = table_->pose(piece.part, span_.end);
-        const Vec2 from = started_[candidate.ball], way = ball.position - from;
+        const Vec2 from = so_far_[candidate.ball].start, way = ball.position - from;
         const auto separation = [&](double t) {
             ++record_->statistics.narrow_tests;
             return touch(from + t * way, ball.radius, piece, pose).separation;

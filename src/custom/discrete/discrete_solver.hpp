@@ -1,16 +1,25 @@
 #pragma once
-/// The discrete solver, as in the classic toy: several times a step, all balls fly on and then what
-/// overlaps is answered, round by round.
+/// The discrete solver, as in the classic toy: several times a step, balls fly on and then what overlaps is
+/// answered, round by round.
 ///
-///     motion_iterations × ( broad phase; fly; collision_iterations × (parts, balls); gates )
+///     broad phase; whose turn comes when
+///     motion_iterations × ( fly; pairs; collision_iterations × (parts, balls); gates )
+///     the others fly
+///
+/// Most balls meet nothing in most steps: they fly once, the whole step. What is done several times is done
+/// only for those that are engaged, each from the flight on in which it may first touch something
+/// (discrete_turns.cpp).
 ///
 /// Flight is exact (flight.hpp), and impacts act from the moment of touch (response.hpp), so what a single
 /// ball does is good to rounding off straight surfaces and to second order off curved ones. A ball that
 /// could sink deep into a part during one flight is stopped at the surface instead (sweep.hpp). Two balls
 /// that passed through each other in one flight are turned back to where they touched.
 
+#include <optional>
+
 #include "custom/broad_phase/near_list.hpp"
 #include "custom/discrete/pile.hpp"
+#include "custom/flight.hpp"
 #include "custom/layout.hpp"
 #include "custom/response.hpp"
 #include "custom/settings.hpp"
@@ -31,6 +40,10 @@ struct StepRecord {
 /// Overlaps up to this, in radii, are rounding and left alone.
 inline constexpr double overlap_slop = 1e-9;
 
+/// Those who fly free keep at least this far from everything, in radii: farther than what counts as touch or
+/// as pressing.
+inline constexpr double berth = 2e-3;
+
 class DiscreteSolver {
   public:
     /// Keeps references to scene and layout.
@@ -42,7 +55,9 @@ class DiscreteSolver {
     /// Makes room for so many balls.
     void reserve(std::size_t balls);
 
-    /// The pairs found near each other in the last step; still good after it while they hold.
+    /// All that may touch after the last step, and more: pieces and balls by handle, in order.
+    [[nodiscard]] std::span<const Pair> pairs() const { return pairs_; }
+    /// The list that they come from.
     [[nodiscard]] NearList& near() { return near_; }
     [[nodiscard]] const NearList& near() const { return near_; }
 
@@ -55,13 +70,48 @@ class DiscreteSolver {
     struct BallPair {
         std::uint32_t a, b;  ///< a < b
     };
+    /// Of two balls on their free ways, with their berth. The one's way as seen from the other is straight.
+    struct Approach {
+        double apart;    ///< m², squared distance at the start, less that of a touch
+        double closing;  ///< m², −distance · way
+        double square;   ///< m², of the way's length
+        [[nodiscard]] bool touches() const {
+            return (apart <= 0) | ((closing > 0) & (closing * closing >= square * apart));
+        }
+        /// Of the way, until they do.
+        [[nodiscard]] double part() const {
+            if (apart <= 0) return 0;
+            return apart / (closing + std::sqrt(std::max(0.0, closing * closing - square * apart)));
+        }
+    };
     /// One motion iteration.
     struct Span {
         double begin, end;  ///< s from the start of the step
         [[nodiscard]] double duration() const { return end - begin; }
     };
 
-    void start_flights(double duration);
+    // Who takes part (discrete_turns.cpp).
+    void find_turns();
+    void place_all();
+    void take_turns();
+    [[nodiscard]] std::size_t first_flight_to(PieceIndex piece, const Ball& ball) const;
+    [[nodiscard]] Approach approach_of(const Ball& a, const Ball& b) const;
+    [[nodiscard]] std::size_t flight_of(const Approach& approach) const;
+    void expose_company();
+    void list_exposed(std::span<const Pair> near);
+    [[nodiscard]] Box free_way_of(const Ball& ball) const;
+    void let_doze(std::uint32_t place);
+    void engage(std::uint32_t place);
+    void engage_due(std::size_t flight);
+    void engage_met();
+    void widen(std::uint32_t place, const Box& flight);
+    void seek_company();
+    void seek_company_of(std::uint32_t place);
+    void finish_step();
+    void start_flights(std::size_t flight);
+    void start_flight(std::uint32_t place);
+    void start_over(std::uint32_t place);
+    void split(std::span<const Pair> pairs);
     void find_candidates();
     void finish_flights(double duration);
     [[nodiscard]] PieceIndex moving_pieces() const {
@@ -71,8 +121,21 @@ class DiscreteSolver {
     [[nodiscard]] double way(const Ball& ball, double duration) const {
         return (length(ball.velocity) + pull_ * duration) * duration;
     }
-    [[nodiscard]] Box room_of_part(std::size_t moving) const;
-    [[nodiscard]] Box room_of_ball(std::uint32_t place) const;
+    [[nodiscard]] Handle first_ball() const { return layout_.size(); }
+    [[nodiscard]] std::size_t flights() const { return marks_.size() - 1; }
+    [[nodiscard]] Proxy& proxy_of_ball(std::uint32_t place) { return moving_[moving_pieces() + place]; }
+    [[nodiscard]] const Proxy& proxy_of(PieceIndex piece) const {
+        // Chosen without a branch: nothing foretells which.
+        const std::vector<Proxy>& still = layout_.still_proxies();
+        const Proxy* const kinds[] = {still.data(), moving_.data()};
+        const std::size_t begins[] = {0, still.size()};
+        const auto kind = static_cast<std::size_t>(piece >= still.size());
+        return kinds[kind][piece - begins[kind]];
+    }
+    /// What a ball and its berth can't leave, wherever it turns, if nothing gives it speed.
+    [[nodiscard]] Box reach_of(const Ball& ball, double duration) const {
+        return bounds_of(ball.position, (1 + berth) * ball.radius + way(ball, duration));
+    }
     [[nodiscard]] std::span<const Candidate> look_around(const Ball& ball, double reach);
     void fly(Ball& ball, std::span<const Candidate> near, double duration);
     [[nodiscard]] double first_touch_of(const Ball& ball, PieceIndex index, double at, double duration) const;
@@ -124,16 +187,54 @@ class DiscreteSolver {
 
     NearList near_;
 
-    // Scratch, kept to save allocations; nothing in it outlives a motion iteration.
+    // Scratch, kept to save allocations; nothing in it outlives a step.
+    enum class Role : std::int8_t {
+        clear,    ///< meets nobody in this step
+        exposed,  ///< may touch something or be met, but flies free until now
+        engaged,
+        asleep,
+        dozing,  ///< asleep where it may be met
+    };
+    std::vector<Role> role_;  ///< per ball
+    /// When a ball may first touch something.
+    struct Turn {
+        std::size_t flight;
+        std::uint32_t place;
+    };
+    std::vector<Turn> turns_;
+    std::vector<std::uint32_t> engaged_, dozing_;  ///< places, in no order
+    bool all_woken_ = false;                       ///< by a target
+    bool any_asleep_ = false;                      ///< when the step began
+    std::vector<Pair> pairs_;  ///< of all but the clear with what they can meet in this step, in order
+    std::vector<Box> reach_;   ///< per engaged ball: within it in this step, unless kicked
+    std::vector<std::uint32_t> seeking_;  ///< engaged, but their pairs are not all listed yet
+    BoxRow strays_;                       ///< kicked or woken beyond what the search knew
+    std::vector<Pair> fresh_;             ///< pairs that come to pairs_
+    /// Of the table's parts and of engaged balls for this flight; of other balls for the step. Active are
+    /// the engaged; while pairs are searched, the awake.
     std::vector<Proxy> moving_;
+    std::vector<Stretch> marks_;  ///< from the start of the step to the start of each flight, and to the end
+    Stretch flight_{0, 0};        ///< one motion iteration
+    std::optional<Box> swept_;    ///< by moving parts, in this flight
+    std::vector<std::uint32_t> places_;      ///< scratch
     std::vector<std::uint32_t> waiting_;     ///< balls whose flight a part may stop
-    std::span<const Candidate> candidates_;  ///< by ball
+    std::span<const Candidate> near_parts_;  ///< of pairs_, by ball
+    std::span<const BallPair> near_balls_;   ///< of pairs_
+    std::span<const Candidate> candidates_;  ///< of those, what the boxes of the flight overlap
     std::span<const BallPair> ball_pairs_;
-    std::vector<Candidate> candidate_room_, touching_room_;
-    std::vector<BallPair> ball_pair_room_;
+    std::vector<Candidate> near_part_room_, candidate_room_, touching_room_;
+    std::vector<BallPair> near_ball_room_, ball_pair_room_;
     std::vector<Candidate> around_;  ///< what look_around() found
     std::vector<Handle> found_;      ///< what the broad phase found for it
-    std::vector<Vec2> started_;      ///< where each ball was before it flew
+    /// What happened to a ball in this flight.
+    struct SoFar {
+        Vec2 start;          ///< where it was before
+        double flown = 0;    ///< s of free flight up to the end
+        int changed_in = 0;  ///< the last round that moved it
+        bool in_pile = false;
+        bool pushed = false;  ///< by what may not have heeded what lies behind it
+    };
+    std::vector<SoFar> so_far_;  ///< per ball
     /// An overlap with a part; the deepest come first.
     struct Deep {
         double separation;
@@ -142,11 +243,7 @@ class DiscreteSolver {
     };
     std::vector<Deep> deep_;
     int round_ = 0;
-    std::vector<int> changed_in_;  ///< per ball, the last round that moved it
-    std::vector<double> flown_;    ///< per ball, s of free flight up to the end of the iteration
-    std::vector<char> in_pile_;    ///< per ball
     bool any_pile_ = false;
-    std::vector<char> pushed_;  ///< per ball: by what may not have heeded what lies behind it
     std::vector<BallPair> pressing_;
     Pile pile_;
     std::vector<Pressing> pressed_;  ///< of the pairs of balls in pile_

@@ -25,6 +25,11 @@ namespace flipside::custom {
     const Vec2 gap{beyond(box.min.x, center.x, box.max.x), beyond(box.min.y, center.y, box.max.y)};
     return dot(gap, gap) <= radius * radius;
 }
+/// Whether no part of the inner one is outside the other.
+[[nodiscard]] constexpr bool holds(const Box& outer, const Box& inner) {
+    return (outer.min.x <= inner.min.x) & (outer.min.y <= inner.min.y) & (outer.max.x >= inner.max.x) &
+           (outer.max.y >= inner.max.y);
+}
 /// Smallest box around both.
 [[nodiscard]] constexpr Box united(const Box& a, const Box& b) {
     return {{a.min.x < b.min.x ? a.min.x : b.min.x, a.min.y < b.min.y ? a.min.y : b.min.y},

@@ -96,12 +96,12 @@ TEST(NearList, RoomChangesNoBit) {
     add_part(scene, {shape::Circle{{1.5, 0}, 0.2}}, {"", 0.8, 0, 5});
     add_part(scene, segment({2, 0.2}, {3, 0.2})).motion = motion::Turn{{2.5, 0.2}, 7, true};
     const auto state_with = [&](std::string_view room) {
-        const auto world = make_world(scene, {{"search_room", room}, {"solver", "discrete"}});
+        const auto world = make_world(scene, {{"search_steps", room}, {"solver", "discrete"}});
         run(*world, 4);
         return world->save().balls;
     };
-    const auto anew = state_with("0");
-    EXPECT_EQ(state_with("1"), anew);
+    const auto anew = state_with("1");
+    EXPECT_EQ(state_with("2.5"), anew);
     EXPECT_EQ(state_with("100"), anew);
 }
 

@@ -1,0 +1,280 @@
+// Who takes part in which flights of a step. A ball flies free, which is exact in one go, until the flight in
+// which it may first touch something, or in which it may be met by one that did; from there on it is
+// engaged. Most never are. All of this follows from where everything is and how fast it moves, not from how
+// it was searched.
+
+#include <algorithm>
+
+#include "custom/broad_phase/pair_order.hpp"
+#include "custom/discrete/discrete_solver.hpp"
+#include "custom/sift.hpp"
+
+namespace flipside::custom {
+
+void DiscreteSolver::find_turns() {
+    place_all();
+    const PieceIndex first = moving_pieces();
+    const auto roomy = [&](std::uint32_t i) {
+        if (i < first || !moving_[i].active) return moving_[i].box;
+        return reach_of((*balls_)[i - first], settings_.search_steps * dt_);
+    };
+    const std::span<const Pair> near = near_.find_pairs_of_checked(moving_, *broad_, roomy);
+    split(near);
+    take_turns();
+    expose_company();
+    list_exposed(near);
+    split(pairs_);
+}
+
+/// Boxes that hold to the end of the step.
+void DiscreteSolver::place_all() {
+    const std::vector<Ball>& balls = *balls_;
+    const PieceIndex first = moving_pieces();
+    moving_.resize(first + balls.size());
+    role_.resize(balls.size());
+    so_far_.resize(balls.size());
+    reach_.resize(balls.size());
+    near_.begin(moving_.size());
+    for (PieceIndex i = 0; i < first; ++i) {
+        const PieceIndex piece = layout_.size() - first + i;
+        moving_[i] = layout_.proxy(*table_, piece, 0, dt_);
+        for (std::size_t k = 1; k < marks_.size(); ++k) {
+            const Proxy flight = layout_.proxy(*table_, piece, marks_[k - 1].time, marks_[k].time);
+            moving_[i].box = united(moving_[i].box, flight.box);
+        }
+        near_.check(i, moving_[i]);
+    }
+    all_woken_ = any_asleep_ = false;
+    for (std::uint32_t i = 0; i < balls.size(); ++i) {
+        const Ball& ball = balls[i];
+        any_asleep_ |= ball.asleep;
+        role_[i] = ball.asleep ? Role::asleep : Role::clear;
+        moving_[first + i] = {ball.asleep ? bounds_of(ball.position, ball.radius) : reach_of(ball, dt_),
+                              ball.layer, ball.collides_with, true, !ball.asleep};
+        near_.check(first + i, moving_[first + i]);
+    }
+}
+
+/// Notes for all who may touch something in which flight that can be first.
+void DiscreteSolver::take_turns() {
+    const std::vector<Ball>& balls = *balls_;
+    turns_.clear();
+    const auto take = [&](std::size_t flight, std::uint32_t place) {
+        if (flight == flights()) return;
+        role_[place] = Role::exposed;
+        turns_.push_back({flight, place});
+    };
+    const auto near_on_the_way = [&](const Candidate& c) {
+        const Ball& ball = balls[c.ball];
+        const Vec2 middle = 0.5 * (ball.position + end_of_flight(ball, scene_.gravity, marks_.back()));
+        return layout_.may_touch(c.piece, middle, (1 + berth) * ball.radius + 0.5 * way(ball, dt_));
+    };
+    for (const auto [place, piece] : sift(near_parts_, candidate_room_, near_on_the_way))
+        // A part in motion may strike sleepers too.
+        take(layout_.moves(piece) ? 0 : first_flight_to(piece, balls[place]), place);
+    const auto with_sleeper = [&](BallPair pair) { return balls[pair.a].asleep || balls[pair.b].asleep; };
+    const auto touching = sift(near_balls_, ball_pair_room_, [&](BallPair pair) {
+        return with_sleeper(pair) || approach_of(balls[pair.a], balls[pair.b]).touches();
+    });
+    for (const auto [a, b] : touching) {
+        const std::size_t flight = with_sleeper({a, b}) ? 0 : flight_of(approach_of(balls[a], balls[b]));
+        for (const std::uint32_t place : {a, b})
+            if (!balls[place].asleep) take(flight, place);
+    }
+}
+
+/// The flight in which a ball that flies freely may first touch a still piece; past the last if none. A way
+/// of length l lies within l/2 of the middle between its ends.
+std::size_t DiscreteSolver::first_flight_to(PieceIndex piece, const Ball& ball) const {
+    const double room = (1 + berth) * ball.radius, half = 0.5 * way(ball, dt_);
+    Vec2 from = ball.position;
+    const double half_flight = half * (flight_.time / dt_);
+    for (std::size_t k = 0; k < flights(); ++k) {
+        const Vec2 to = end_of_flight(ball, scene_.gravity, marks_[k + 1]);
+        if (layout_.may_touch(piece, 0.5 * (from + to), room + half_flight)) return k;
+        from = to;
+    }
+    return flights();
+}
+
+DiscreteSolver::Approach DiscreteSolver::approach_of(const Ball& a, const Ball& b) const {
+    const Vec2 before = a.position - b.position, by = marks_.back().shrunk * (a.velocity - b.velocity);
+    const double reach = (1 + berth) * (a.radius + b.radius);
+    return {length_squared(before) - reach * reach, -dot(before, by), length_squared(by)};
+}
+
+/// In which two balls first touch that do. Equal parts of their way take the longer the later, if any drag
+/// slows it.
+std::size_t DiscreteSolver::flight_of(const Approach& approach) const {
+    const double way = approach.part() * marks_.back().shrunk;
+    std::size_t k = 0;
+    while (k < flights() && marks_[k + 1].shrunk < way) ++k;
+    return k;
+}
+
+/// Whoever could be met by those, wherever they are turned, and by these, is exposed too.
+void DiscreteSolver::expose_company() {
+    for (bool more = true; more;) {
+        more = false;
+        for (const auto [a, b] : near_balls_) {
+            const Role first = role_[a], second = role_[b];
+            if ((first == second) | (first == Role::asleep) | (second == Role::asleep)) continue;
+            role_[a] = role_[b] = Role::exposed;
+            more = true;
+        }
+    }
+}
+
+void DiscreteSolver::list_exposed(std::span<const Pair> near) {
+    const Handle first = first_ball();
+    pairs_.resize(sift(near, pairs_, [&](Pair pair) {
+                      const Role b = role_[pair.b - first];
+                      const Role a = role_[(pair.a < first ? pair.b : pair.a) - first];
+                      return (a == Role::exposed) | (b == Role::exposed);
+                  }).size());
+    for (const std::uint32_t place :
+         sift(Places{role_.size()}, places_, [&](std::uint32_t i) { return role_[i] == Role::exposed; })) {
+        const Ball& ball = (*balls_)[place];
+        Proxy& proxy = proxy_of_ball(place);
+        if (!ball.asleep) proxy.box = free_way_of(ball);
+        proxy.active = false;
+    }
+    engaged_.clear();
+    strays_.clear();
+    dozing_.clear();
+    if (!any_asleep_) return;
+    for (const Pair pair : pairs_) {
+        if (pair.a < first) continue;
+        let_doze(pair.a - first);
+        let_doze(pair.b - first);
+    }
+}
+
+/// Where a ball is on its free way. It strays from the straight one by at most k·t²/8 (k: acceleration).
+Box DiscreteSolver::free_way_of(const Ball& ball) const {
+    const Vec2 here = ball.position, there = end_of_flight(ball, scene_.gravity, marks_.back());
+    const double sag = (pull_ + scene_.damping * way(ball, dt_) / dt_) * dt_ * dt_ / 8;
+    const double room = (1 + berth) * ball.radius + sag;
+    return united(bounds_of(here, room), bounds_of(there, room));
+}
+
+/// Of a ball that may be met.
+void DiscreteSolver::let_doze(std::uint32_t place) {
+    if (role_[place] != Role::asleep) return;
+    role_[place] = Role::dozing;
+    dozing_.push_back(place);
+}
+
+/// From now on. A ball that flew free did what follows from where it was when the step began.
+void DiscreteSolver::engage(std::uint32_t place) {
+    Ball& ball = (*balls_)[place];
+    if (!ball.asleep && role_[place] != Role::dozing) {
+        fly_freely(ball, scene_.gravity, Stretch(scene_.damping, span_.begin));
+        proxy_of_ball(place).active = true;
+    }
+    role_[place] = Role::engaged;
+    reach_[place] = reach_of(ball, dt_ - span_.begin);
+    engaged_.push_back(place);
+}
+
+/// Those whose turn it is, and sleepers that were woken in the flight before.
+void DiscreteSolver::engage_due(std::size_t flight) {
+    for (const Turn& turn : turns_)
+        if (turn.flight == flight && role_[turn.place] == Role::exposed) engage(turn.place);
+    if (all_woken_)
+        for (std::uint32_t i = 0; i < role_.size(); ++i) let_doze(i);
+    all_woken_ = false;
+    if (dozing_.empty()) return;
+    for (const std::uint32_t place : dozing_) {
+        start_over(place);
+        if (!(*balls_)[place].asleep) engage(place);
+    }
+    std::erase_if(dozing_, [&](std::uint32_t place) { return role_[place] == Role::engaged; });
+}
+
+/// Whoever flies free where an engaged ball may be in this flight is engaged too.
+void DiscreteSolver::engage_met() {
+    for (std::size_t known = engaged_.size() + 1; known != engaged_.size() || !seeking_.empty();) {
+        known = engaged_.size();
+        if (!seeking_.empty()) seek_company();
+        const auto one_flies_free = [&](BallPair pair) {
+            const Role a = role_[pair.a], b = role_[pair.b];
+            return ((a == Role::engaged) & (b == Role::exposed)) |
+                   ((a == Role::exposed) & (b == Role::engaged));
+        };
+        for (const BallPair pair : sift(near_balls_, ball_pair_room_, one_flies_free)) {
+            const std::uint32_t place = role_[pair.a] == Role::exposed ? pair.a : pair.b;
+            ++record_->statistics.pair_tests;
+            if (role_[place] != Role::exposed ||
+                !overlap(proxy_of_ball(pair.a).box, proxy_of_ball(pair.b).box))
+                continue;
+            engage(place);
+            start_flight(place);
+        }
+    }
+}
+
+/// An engaged ball will be outside of what it was thought to reach.
+void DiscreteSolver::widen(std::uint32_t place, const Box& flight) {
+    reach_[place] = united(flight, reach_of((*balls_)[place], dt_ - span_.begin));
+    strays_.add(place, reach_[place]);
+    seeking_.push_back(place);
+}
+
+void DiscreteSolver::seek_company() {
+    fresh_.clear();
+    while (!seeking_.empty()) {
+        const std::uint32_t place = seeking_.back();
+        seeking_.pop_back();
+        seek_company_of(place);
+    }
+    add_pairs(fresh_, pairs_);
+    split(pairs_);
+}
+
+/// Lists all pairs of an engaged ball. Whoever is among them and has none listed is engaged too.
+void DiscreteSolver::seek_company_of(std::uint32_t place) {
+    const Handle first = first_ball(), own = first + place;
+    const std::vector<Proxy>& still = layout_.still_proxies();
+    Proxy self = proxy_of_ball(place);
+    self.box = reach_[place];
+    found_.clear();
+    near_.find_around(self.box, *broad_, found_);
+    record_->statistics.pair_tests +=
+        strays_.each_overlapping(self.box, [&](std::uint32_t stray) { found_.push_back(first + stray); });
+    for (auto i = static_cast<Handle>(still.size()); i < first; ++i) found_.push_back(i);
+    for (const Handle other : found_) {
+        if (other == own) continue;
+        Proxy proxy = other < first ? proxy_of(other) : proxy_of_ball(other - first);
+        if (other >= first && role_[other - first] == Role::engaged) proxy.box = reach_[other - first];
+        // Of a moving part only the box of this flight is at hand.
+        const bool anywhere = other < first && layout_.moves(other);
+        if (!may_meet(self, proxy) || !(anywhere || overlap(self.box, proxy.box))) continue;
+        fresh_.push_back({std::min(own, other), std::max(own, other)});
+        if (other < first) continue;
+        const std::uint32_t met = other - first;
+        if (role_[met] == Role::asleep) start_over(met);
+        let_doze(met);
+        if (role_[met] != Role::clear) continue;
+        engage(met);
+        start_flight(met);
+        seeking_.push_back(met);
+    }
+}
+
+/// Those that the last flight woke find their company too, so that all pairs are known; then the free fly.
+void DiscreteSolver::finish_step() {
+    span_ = {dt_, dt_};
+    flight_ = Stretch(scene_.damping, 0);
+    if (any_asleep_) {
+        engage_due(flights());
+        for (const std::uint32_t place : engaged_)
+            if (!proxy_of_ball(place).active) start_flight(place);
+        if (!seeking_.empty()) seek_company();
+    }
+    for (std::size_t i = 0; i < role_.size(); ++i)
+        if (role_[i] == Role::clear || role_[i] == Role::exposed)
+            fly_freely((*balls_)[i], scene_.gravity, marks_.back());
+}
+
+}  // namespace flipside::custom

@@ -1,0 +1,94 @@
+// Who flies free through a step, and what becomes of those that are met on the way.
+
+#include <gtest/gtest.h>
+
+#include "custom/flight.hpp"
+#include "custom/scenes.hpp"
+
+namespace flipside::custom::test {
+namespace {
+
+constexpr double dt = 1.0 / 60;
+
+TEST(DiscreteTurns, FreeBallFliesTheWholeStepInOneGo) {
+    Scene scene = empty_scene({0.5, -9.81});
+    scene.damping = 0.3;
+    add_ball(scene, {0, 1}, {3, 2});
+    add_part(scene, segment({-1, 0.5}, {1, 0.5}));  // in reach, but not on its way
+    Ball ball = scene.balls[0];
+    const auto world = make_world(scene);
+    world->step(dt);
+    fly_freely(ball, scene.gravity, Stretch(scene.damping, dt));
+    EXPECT_EQ(world->balls()[0].position, ball.position);
+    EXPECT_EQ(world->balls()[0].velocity, ball.velocity);
+    EXPECT_EQ(world->statistics().narrow_tests, 0U);
+}
+
+TEST(DiscreteTurns, BallsThatMissEachOtherAreNotTested) {
+    // Side by side within each other's reach, at 6 m/s.
+    Scene scene = empty_scene();
+    add_ball(scene, {0, 0}, {6, 0});
+    add_ball(scene, {0.1, 0.21}, {-6, 0});
+    const auto world = make_world(scene);
+    world->step(dt);
+    EXPECT_EQ(world->statistics().narrow_tests, 0U);
+    EXPECT_EQ(world->statistics().impacts, 0U);
+}
+
+TEST(DiscreteTurns, ImpactLateInTheStepIsAnswered) {
+    // The gap of 0.09 m closes in the last quarter of the step: e = 1 exchanges the velocities.
+    for (const double drag : {0.0, 0.5}) {
+        Scene scene = empty_scene();
+        scene.damping = drag;
+        add_ball(scene, {0, 0}, {6, 0});
+        add_ball(scene, {0.29, 0}, {0, 0});
+        const auto world = make_world(scene);
+        world->step(dt);
+        EXPECT_EQ(world->statistics().impacts, 1U);
+        EXPECT_NEAR(world->balls()[0].velocity.x, 0, 1e-12);
+        EXPECT_NEAR(world->balls()[1].velocity.x, 6 * std::exp(-drag * dt), 1e-3);
+    }
+}
+
+TEST(DiscreteTurns, KickedBallMeetsThoseThatFlewFree) {
+    // Kicked to 40 m/s, that is 0.17 m per flight, up a row of balls that nothing else could meet.
+    Scene scene = empty_scene();
+    add_ball(scene, {0, -0.85}, {0, -1});
+    add_part(scene, segment({-9, -1}, {9, -1}), {"", 1, 0, 40});
+    for (int i = 0; i < 5; ++i) add_ball(scene, {0, 0.5 * i}, {});
+    const auto world = make_world(scene);
+    double before = -1;
+    for (int i = 0; i < 12; ++i) world->step(dt);
+    for (const Ball& ball : world->balls()) {
+        EXPECT_GT(ball.position.y, before + 0.2 - 1e-9);  // nobody passed anybody
+        before = ball.position.y;
+    }
+    EXPECT_NEAR(world->balls()[5].velocity.y, 40, 1e-9);
+    for (int i = 0; i < 5; ++i) EXPECT_NEAR(world->balls()[static_cast<std::size_t>(i)].velocity.y, 0, 1e-9);
+}
+
+TEST(DiscreteTurns, SleepersWokenByAHitTouchAsTheyDid) {
+    // Three asleep side by side on a floor. The first is hit from the side; what it touches, asleep or still,
+    // it touches on.
+    Scene scene = empty_scene({0, -9.81});
+    scene.materials[0].restitution = 0;
+    add_part(scene, segment({-1, 0}, {2, 0}), {"", 0, 0, 0});
+    for (int i = 0; i < 3; ++i) add_ball(scene, {0.2 * i, 0.1}).asleep = true;
+    add_ball(scene, {-0.21, 0.1}, {0.5, 0});
+    const auto world = make_world(scene);
+    const auto touch = [&](BallNumber ball, Other other) {
+        return std::ranges::any_of(world->contacts(),
+                                   [&](const Contact& c) { return c.ball == ball && c.other == other; });
+    };
+    int step = 0;
+    while (world->balls()[0].asleep) {
+        world->step(dt);
+        for (BallNumber i = 0; i < 4; ++i) EXPECT_TRUE(touch(i, Other::part(0))) << i << " at " << step;
+        EXPECT_TRUE(touch(0, Other::ball(1))) << step;
+        EXPECT_TRUE(touch(1, Other::ball(2))) << step;
+        ASSERT_LT(++step, 4);
+    }
+}
+
+}  // namespace
+}  // namespace flipside::custom::test
