@@ -9,7 +9,8 @@ namespace flipside::custom {
 /// and when one falls asleep all are looked at again.
 void ContinuousSolver::find_active() {
     const std::vector<Ball>& balls = *balls_;
-    bool look_again = clearance_.follow(turnings_);
+    bool look_again = parts_changed_ && clearance_.follow(turnings_);
+    parts_changed_ = false;
     for (Place i = 0; i < balls.size(); ++i) {
         const Ball& ball = balls[i];
         Mover& mover = movers_[i];

@@ -100,7 +100,9 @@ void ContinuousSolver::begin() {
     for (const PartIndex i : table_->moving_parts()) {
         const auto [pose, rate, stop] = table_->turning(i, 0);
         const double end = std::isfinite(stop) ? table_->pose(i, stop).angle : pose.angle;
-        turnings_[i] = {pose, rate, stop, end};
+        Turning& turning = turnings_[i];
+        parts_changed_ = parts_changed_ || rate != turning.rate || pose.angle != turning.begin.angle;
+        turning = {pose, rate, stop, end};
     }
     if (pool_.size() < balls.size()) reserve(balls.size());
     movers_ = std::span(pool_).first(balls.size());
@@ -173,9 +175,12 @@ void ContinuousSolver::come_out(Place i) {
         Touch deepest;
         deepest.separation = -deep * ball.radius;
         bool found = false;
+        PieceIndex seen = layout_.size();
         for (const FeatureIndex f : movers_[i].near.list()) {
-            const Piece& piece = layout_.piece(features_[f].piece);
             if (!overlap(here, ranges_[f]) || features_[f].gate || ignores(features_[f], ball)) continue;
+            if (features_[f].piece == seen) continue;
+            seen = features_[f].piece;
+            const Piece& piece = layout_.piece(seen);
             const Pose pose = table_->pose(piece.part);
             if (std::holds_alternative<Bow>(features_[f].is) &&
                 look(features_[f], pose.undo(ball.position), ball.radius).distance > ball.radius)

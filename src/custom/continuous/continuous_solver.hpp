@@ -161,7 +161,8 @@ class ContinuousSolver {
     std::vector<Ball>* balls_ = nullptr;
     StepRecord* record_ = nullptr;
     double dt_ = 0;
-    Stretch stretch_{0, 0};  ///< dt
+    Stretch stretch_{0, 0};      ///< dt
+    bool parts_changed_ = true;  ///< how a part stands or turns is not as in the last step
     bool any_active_ = false;
     std::uint64_t events_ = 0;
     bool spoilt_ = false;  ///< this attempt found balls to hand over
