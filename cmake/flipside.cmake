@@ -19,6 +19,10 @@ target_compile_options(flipside_options INTERFACE
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(flipside_options INTERFACE -Wno-restrict)
 endif()
+# In files compiled as one, names of one shadow those of another; the builds file by file have the true warnings.
+if(CMAKE_UNITY_BUILD)
+    target_compile_options(flipside_options INTERFACE -Wno-shadow)
+endif()
 if(FLIPSIDE_SANITIZE)
     target_compile_options(flipside_options INTERFACE
         -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
@@ -29,12 +33,25 @@ if(FLIPSIDE_SANITIZE)
     target_link_options(flipside_options INTERFACE -fsanitize=address,undefined)
 endif()
 
+# flipside_units(TARGET SOURCE...): with CMAKE_UNITY_BUILD (preset sanitize) the sources of a folder are compiled as one
+# unit, which reads their common headers once. Names in its anonymous namespaces must then be unique in a folder.
+function(flipside_units target)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP
+                          UNITY_BUILD_CODE_BEFORE_INCLUDE "// NOLINTNEXTLINE(bugprone-suspicious-include)")
+    foreach(source ${ARGN})
+        cmake_path(GET source PARENT_PATH folder)
+        cmake_path(GET folder FILENAME folder)
+        set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder})
+    endforeach()
+endfunction()
+
 # flipside_library(NAME [LINKS ...]): the sources of the current folder and below as target flipside_NAME.
 # Headers are included as "NAME/file.hpp".
 function(flipside_library name)
     cmake_parse_arguments(ARG "" "" "LINKS;PRIVATE_LINKS" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp *.hpp)
     add_library(flipside_${name} STATIC ${sources})
+    flipside_units(flipside_${name} ${sources})
     target_include_directories(flipside_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
     target_link_libraries(flipside_${name} PUBLIC ${ARG_LINKS} PRIVATE flipside_options ${ARG_PRIVATE_LINKS})
 endfunction()
@@ -44,6 +61,7 @@ function(flipside_tests name)
     cmake_parse_arguments(ARG "" "" "LINKS" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp *.hpp)
     add_executable(test_${name} ${sources})
+    flipside_units(test_${name} ${sources})
     target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
     target_compile_definitions(test_${name} PRIVATE FLIPSIDE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     target_link_libraries(test_${name} PRIVATE ${ARG_LINKS} GTest::gtest_main flipside_options)

@@ -14,7 +14,7 @@ build_packages=(
     xdotool                                    # keys and clicks for the window's tests
 )
 test_packages=(chromium)                               # only ./test.sh: the report's page in a browser
-gate_packages=(clang-format-14 clang-tidy-14 clang-14)  # only ./test.sh --all
+gate_packages=(clang-format-14 clang-tidy-14 clang-14 libclang-rt-14-dev llvm)  # only ./test.sh --all
 
 missing_packages() {
     local package

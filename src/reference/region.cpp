@@ -10,7 +10,7 @@ template <class R>
 using Regions = std::vector<Region<R>>;
 
 template <class R>
-struct Taker {
+struct RegionTaker {
     Regions<R>& regions;
     using Plane = typename Region<R>::Plane;
     using Polygon = typename Region<R>::Polygon;
@@ -180,7 +180,7 @@ template <class R>
 std::vector<Region<R>> regions_of(const std::vector<Piece>& pieces, PartIndex part) {
     Regions<R> regions;
     for (const Piece& piece : pieces)
-        if (piece.part == part) std::visit(Taker<R>{regions}, piece.is);
+        if (piece.part == part) std::visit(RegionTaker<R>{regions}, piece.is);
     return regions;
 }
 

@@ -8,7 +8,7 @@ namespace flipside {
 
 namespace {
 
-constexpr const char* format = "flipside-script/1";
+constexpr const char* script_format = "flipside-script/1";
 
 Json to_json(const Control& control, const Scene& scene) {
     struct Write {
@@ -67,7 +67,7 @@ std::string to_json(const Script& script, const Scene& scene) {
         json["time"] = timed.time;
         controls.push_back(std::move(json));
     }
-    return Json{{"format", format}, {"controls", std::move(controls)}}.dump(1) + "\n";
+    return Json{{"format", script_format}, {"controls", std::move(controls)}}.dump(1) + "\n";
 }
 
 Script parse_script(std::string_view text, const std::string& file, const Scene& scene) {

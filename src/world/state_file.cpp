@@ -11,7 +11,7 @@ namespace flipside {
 
 namespace {
 
-constexpr const char* format = "flipside-state/1";
+constexpr const char* state_format = "flipside-state/1";
 constexpr const char* side_names[] = {"left", "right"};
 
 Json to_json(Vec2 v) {
@@ -128,7 +128,7 @@ std::vector<Pressing> read_pressings(const Node& root, const std::vector<Ball>& 
 }  // namespace
 
 std::string to_json(const State& state, const Scene& scene) {
-    Json json = {{"format", format},
+    Json json = {{"format", state_format},
                  {"scene", scene.name},
                  {"time", state.clock.time},
                  {"time_remainder", state.clock.remainder},

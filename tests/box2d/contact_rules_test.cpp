@@ -9,8 +9,6 @@
 namespace flipside::box2d::test {
 namespace {
 
-constexpr double radius = 0.0135;
-
 struct Weightless : TableTop {
     Weightless() { scene.gravity = {}; }
     /// The ball's velocity after 0.2 s.

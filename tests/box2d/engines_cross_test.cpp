@@ -13,8 +13,7 @@
 namespace flipside::box2d::test {
 namespace {
 
-constexpr double radius = 0.0135;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// One part and 500 balls about it that do not meet each other.
 TableTop part_and_balls(const Shape& shape, double reach, std::mt19937_64& random) {

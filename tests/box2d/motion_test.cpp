@@ -9,8 +9,7 @@
 namespace flipside::box2d::test {
 namespace {
 
-constexpr double radius = 0.0135;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A left flipper at the origin, from −30° to 45° at 4 turns per second up.
 TableTop with_flipper(double restitution) {

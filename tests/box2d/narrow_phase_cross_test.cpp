@@ -27,11 +27,11 @@
 namespace flipside::box2d::test {
 namespace {
 
-constexpr double radius = 0.25;
+constexpr double disc_radius = 0.25;
 constexpr double verdict_band = 1e-6;
-constexpr double separation_tolerance = 1e-4 * radius;
+constexpr double separation_tolerance = 1e-4 * disc_radius;
 constexpr double normal_tolerance = 1e-3;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 b2Vec2 to_b2(Vec2 v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y)};
@@ -128,7 +128,7 @@ struct Comparison {
         ++touching;
         EXPECT_NEAR(ours.separation, theirs->separation, separation_tolerance)
             << "center " << center.x << ", " << center.y;
-        if (distance < 1e-3 * radius) {
+        if (distance < 1e-3 * disc_radius) {
             ++at_the_centre;
         } else if (tie) {
             ++ties;
@@ -161,9 +161,9 @@ TEST(NarrowPhaseCross, discAndDisc) {
             [&](b2Manifold* manifold, const b2CircleShape& disc) {
                 b2CollideCircles(manifold, &shape, nowhere(), &disc, nowhere());
             },
-            circle(center, radius));
-        comparison.add(custom::touch(center, radius, at, other), theirs, center, length(center - at));
-        comparison.add(custom::touch(center, radius, piece::Circle{at, other}), theirs, center,
+            circle(center, disc_radius));
+        comparison.add(custom::touch(center, disc_radius, at, other), theirs, center, length(center - at));
+        comparison.add(custom::touch(center, disc_radius, piece::Circle{at, other}), theirs, center,
                        length(center - at));
     }
     comparison.finish();
@@ -180,8 +180,9 @@ TEST(NarrowPhaseCross, discAndPoint) {
             [&](b2Manifold* manifold, const b2CircleShape& disc) {
                 b2CollideCircles(manifold, &shape, nowhere(), &disc, nowhere());
             },
-            circle(center, radius));
-        comparison.add(custom::touch(center, radius, piece::Point{at}), theirs, center, length(center - at));
+            circle(center, disc_radius));
+        comparison.add(custom::touch(center, disc_radius, piece::Point{at}), theirs, center,
+                       length(center - at));
     }
     comparison.finish();
 }
@@ -203,8 +204,8 @@ TEST(NarrowPhaseCross, discAndSegmentWithItsEnds) {
                 b2CollideEdgeAndCircle(manifold, &shape, nowhere(), &disc, nowhere());
                 at_end = manifold->type == b2Manifold::e_circles;
             },
-            circle(center, radius));
-        const custom::Touch ours = custom::touch(center, radius, piece::Segment{a, b});
+            circle(center, disc_radius));
+        const custom::Touch ours = custom::touch(center, disc_radius, piece::Segment{a, b});
         comparison.add(ours, theirs, center, length(center - ours.point));
         if (!theirs) continue;
         // They agree on what is an end, but for centres within rounding of its normal line.
@@ -230,7 +231,7 @@ TEST(NarrowPhaseCross, discAndPolygon) {
             [&](b2Manifold* manifold, const b2CircleShape& disc) {
                 b2CollidePolygonAndCircle(manifold, &shape, nowhere(), &disc, nowhere());
             },
-            circle(center, radius));
+            circle(center, disc_radius));
         // Signed distances to the sides' lines, the nearest last.
         std::vector<double> heights;
         for (std::size_t k = 0; k < points.size(); ++k) {
@@ -240,7 +241,7 @@ TEST(NarrowPhaseCross, discAndPolygon) {
         std::ranges::sort(heights);
         const bool inside = heights.back() < 0;
         const bool tie = inside && heights.back() - heights[heights.size() - 2] < 1e-5;
-        const custom::Touch ours = custom::touch(center, radius, piece::Polygon{points});
+        const custom::Touch ours = custom::touch(center, disc_radius, piece::Polygon{points});
         comparison.add(ours, theirs, center, length(center - ours.point), tie);
     }
     comparison.finish(1e-3);
@@ -268,13 +269,13 @@ TEST(NarrowPhaseCross, discAndArc) {
                 [&](b2Manifold* manifold, const b2CircleShape& disc) {
                     b2CollideEdgeAndCircle(manifold, &shape, nowhere(), &disc, nowhere());
                 },
-                circle(center, radius));
+                circle(center, disc_radius));
         };
         // Only the chords about the centre's direction and the two at the ends can be the nearest.
         double angle = angle_of(center - arc.center);
         while (angle < arc.from) angle += 2 * pi;
         const int middle = static_cast<int>((angle - arc.from) / sweep * chords);
-        const custom::Touch ours = custom::touch(center, radius, arc);
+        const custom::Touch ours = custom::touch(center, disc_radius, arc);
         // Of chords that are as near to rounding, the one that turns its face most towards our normal.
         std::optional<Answer> theirs;
         for (const int k : {0, middle - 1, middle, middle + 1, chords - 1}) {

@@ -9,8 +9,7 @@
 namespace flipside::box2d::test {
 namespace {
 
-constexpr double radius = 0.0135;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The contact of a ball at `at` with the one part of the scene, by Box2D's narrow phase, at time 0.
 std::optional<Contact> contact_at(TableTop& top, Vec2 at) {

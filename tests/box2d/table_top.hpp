@@ -8,6 +8,8 @@
 
 namespace flipside::box2d::test {
 
+inline constexpr double radius = 0.0135;  // m, of a pinball
+
 /// A scene of 4 m × 4 m about the origin, with Earth's gravity, that parts and balls are put into.
 struct TableTop {
     Scene scene;
@@ -36,7 +38,7 @@ struct TableTop {
         ball.number = static_cast<BallNumber>(scene.balls.size());
         ball.position = position;
         ball.velocity = velocity;
-        ball.radius = 0.0135;
+        ball.radius = radius;
         ball.mass = 0.08;
         ball.material = with_material;
         return scene.balls.emplace_back(ball);

@@ -5,8 +5,6 @@
 namespace flipside::box2d::test {
 namespace {
 
-constexpr double radius = 0.0135;
-
 /// Counts of all events of a run.
 struct Counts {
     int by_kind[6] = {};

@@ -14,7 +14,7 @@ TEST(Box2dWorld, dropBouncesNearlyToTheExactApexes) {
     // of each flight by v·h/2, which is g·h/v of it, and hands the loss on to the next.
     TableTop top;
     top.part(shape::Segment{{-1, 0}, {1, 0}}, top.material(0.8));
-    top.ball({0, 1 + 0.0135});
+    top.ball({0, 1 + radius});
     const auto world = top.world();
     double apexes[3], low = 0, high = 0;
     int bounces = 0;
@@ -24,8 +24,8 @@ TEST(Box2dWorld, dropBouncesNearlyToTheExactApexes) {
             ++bounces;
             high = 0;
         }
-        high = std::max(high, world->balls()[0].position.y - 0.0135);
-        low = std::min(low, world->balls()[0].position.y - 0.0135);
+        high = std::max(high, world->balls()[0].position.y - radius);
+        low = std::min(low, world->balls()[0].position.y - radius);
     });
     ASSERT_GE(bounces, 4);
     const double exact[3] = {0.64, 0.4096, 0.262144};
@@ -36,7 +36,7 @@ TEST(Box2dWorld, dropBouncesNearlyToTheExactApexes) {
                     100 * (apexes[i] / exact[i] - 1));
         EXPECT_NEAR(apexes[i] / exact[i], 1, bound);
     }
-    EXPECT_GT(low, -0.07 * 0.0135);  // at most 3 slops of 0.005 units: 6 % of the radius, and rounding
+    EXPECT_GT(low, -0.07 * radius);  // at most 3 slops of 0.005 units: 6 % of the radius, and rounding
 }
 
 TEST(Box2dWorld, ballComesToRestAndSleeps) {
@@ -47,7 +47,7 @@ TEST(Box2dWorld, ballComesToRestAndSleeps) {
     run(*world, 3);
     EXPECT_TRUE(world->balls()[0].asleep);
     EXPECT_EQ(world->balls()[0].velocity, Vec2{});
-    EXPECT_NEAR(world->balls()[0].position.y, 0.0135, 0.021 * 0.0135);  // one slop is 2 % of the radius
+    EXPECT_NEAR(world->balls()[0].position.y, radius, 0.021 * radius);  // one slop is 2 % of the radius
     ASSERT_EQ(world->contacts().size(), 1U);
     EXPECT_NEAR(world->contacts()[0].normal.y, 1, 1e-6);
     EXPECT_EQ(world->statistics().asleep, 1U);
@@ -122,7 +122,7 @@ TEST(Box2dWorld, aRestoredWorldGoesOnAsTheFirstUpToWarmStarting) {
             if (event.other.is_ball) touching[event.other.index] = true;
         }
         for (std::size_t k = 0; k < a->balls().size(); ++k) {
-            const double apart = length(a->balls()[k].position - b->balls()[k].position) / 0.0135;
+            const double apart = length(a->balls()[k].position - b->balls()[k].position) / radius;
             EXPECT_LT(apart, touching[k] ? 2e-2 : 1e-5) << "step " << i << ", ball " << k;
             flying += !touching[k];
         }

@@ -4,15 +4,12 @@
 
 #include "lab/assets.hpp"
 #include "lab/engines.hpp"
+#include "lab/impact.hpp"
 #include "lab/run.hpp"
 #include "world/scene_file.hpp"
 
 namespace flipside::lab {
 namespace {
-
-Event impact(double time, BallNumber ball, PartIndex part) {
-    return {time, EventKind::impact, ball, Other::part(part), {}, {}, 1, 0};
-}
 
 TEST(LiveMatch, WaitsForTheOtherRunAsLongAsTheToleranceAllows) {
     LiveMatch match;

@@ -2,14 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "lab/impact.hpp"
+
 namespace flipside::lab {
 namespace {
 
 constexpr double step = 0.1, end = 10;
-
-Event impact(double time, BallNumber ball, PartIndex part) {
-    return {time, EventKind::impact, ball, Other::part(part), {}, {}, 1, 0};
-}
 
 TEST(MatchImpacts, EqualRunsNeverPart) {
     const std::vector run{impact(1, 0, 3), impact(1.5, 1, 3), impact(2, 0, 4)};

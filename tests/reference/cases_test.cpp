@@ -10,7 +10,7 @@
 namespace flipside::reference::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double g = 9.81;
 
 TEST(Reference, ZenoDropRestsInTime) {

@@ -17,7 +17,7 @@ namespace flipside {
 namespace {
 
 const std::filesystem::path scenes = std::filesystem::path(FLIPSIDE_SOURCE_DIR) / "assets/scenes";
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A scene with one part of this shape.
 Shape shape_of(const std::string& json) {

@@ -7,7 +7,7 @@
 namespace flipside {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr PartIndex wall = 0, bat = 1, fan = 2, gate = 3, drop_1 = 4, drop_2 = 5;
 
 Table table(bool plunger = false) {

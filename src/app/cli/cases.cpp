@@ -14,7 +14,7 @@ namespace flipside::app {
 
 namespace {
 
-struct Options {
+struct CasesOptions {
     std::vector<std::string> names;  ///< empty: all cases
     std::string engine = "custom";
     std::vector<std::string> settings;
@@ -70,7 +70,7 @@ int list_cases() {
     return 0;
 }
 
-lab::CaseInput input_of(const Options& options) {
+lab::CaseInput input_of(const CasesOptions& options) {
     const Engine& engine = lab::engine_named(options.engine);
     const Engine* const used[] = {&engine};
     const auto changes = lab::parse_changes(options.settings, used);
@@ -80,7 +80,7 @@ lab::CaseInput input_of(const Options& options) {
             stop_if_interrupted};
 }
 
-int map_stability(const Options& options) {
+int map_stability(const CasesOptions& options) {
     const lab::CaseInput input = input_of(options);
     catch_interrupts();
     lab::WholeFile file(options.map);
@@ -100,7 +100,7 @@ int map_stability(const Options& options) {
     return 0;
 }
 
-int run_cases(const Options& options) {
+int run_cases(const CasesOptions& options) {
     const auto chosen = lab::find_cases(options.names);
     const lab::CaseInput input = input_of(options);
     catch_interrupts();
@@ -124,7 +124,7 @@ int run_cases(const Options& options) {
 }  // namespace
 
 void add_cases(CLI::App& program, Action& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CasesOptions>();
     CLI::App& command = *program.add_subcommand(
         "cases", "Run experiments with known answers: expected against measured (exit 1 where one failed)");
     command.add_option("names", options->names, "Names or numbers (default: all; --list shows them)")

@@ -16,7 +16,7 @@ namespace flipside::app {
 
 namespace {
 
-struct Options : RunOptions {
+struct CompareOptions : RunOptions {
     std::vector<std::string> engines{"custom", "box2d"};
     std::string json;  ///< file; "" where not asked for
 };
@@ -105,7 +105,7 @@ std::vector<const Engine*> chosen_engines(const std::vector<std::string>& names)
     return engines;
 }
 
-int compare(const Options& options) {
+int compare(const CompareOptions& options) {
     const std::vector<const Engine*> engines = chosen_engines(options.engines);
     const auto changes = lab::parse_changes(options.settings, engines);
     lab::CompareInput input;
@@ -132,7 +132,7 @@ int compare(const Options& options) {
 }  // namespace
 
 void add_compare(CLI::App& program, Action& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CompareOptions>();
     CLI::App& command = *program.add_subcommand(
         "compare", "Run a scene on several engines side by side: cost, energy, and where they part");
     options->add_to(command, "E.K=V");

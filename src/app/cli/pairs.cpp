@@ -11,7 +11,7 @@ namespace flipside::app {
 
 namespace {
 
-struct Options {
+struct PairsOptions {
     double seconds = 60;
     std::size_t most_balls = 100'000;
     std::string json;  ///< file; "" where not asked for
@@ -62,7 +62,7 @@ void print_growth(const lab::PairTests& found) {
     }
 }
 
-int pairs(const Options& options) {
+int pairs(const PairsOptions& options) {
     catch_interrupts();
     const lab::PairTests found = [&] {
         Progress progress(1);
@@ -80,7 +80,7 @@ int pairs(const Options& options) {
 }  // namespace
 
 void add_pairs(CLI::App& program, Action& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<PairsOptions>();
     CLI::App& command = *program.add_subcommand(
         "pairs", "Count box tests of every broad phase, from 2 balls to 100,000: the toy's experiment");
     command.add_option("--seconds", options->seconds, "Simulated time for each number of balls")

@@ -11,13 +11,13 @@ namespace flipside::app {
 
 namespace {
 
-struct Options {
+struct ReportOptions {
     std::string out;
     std::vector<std::string> from;
     bool quick = false;
 };
 
-int report(const Options& options) {
+int report(const ReportOptions& options) {
     catch_interrupts();
     {
         Progress progress(1);
@@ -37,7 +37,7 @@ int report(const Options& options) {
 }  // namespace
 
 void add_report(CLI::App& program, Action& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ReportOptions>();
     CLI::App& command = *program.add_subcommand(
         "report", "Measure speed and error of all engines, draw the figures, and write one HTML page");
     command

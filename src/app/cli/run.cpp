@@ -15,7 +15,7 @@ namespace flipside::app {
 
 namespace {
 
-struct Options : RunOptions {
+struct SingleRunOptions : RunOptions {
     std::string engine;
     std::string from, out, events, stats, save;  ///< files; "" where not asked for
     std::uint64_t every = 1;
@@ -39,7 +39,7 @@ class Csv {
     std::optional<lab::WholeFile> file_;
 };
 
-lab::Session make_session(const Options& options, const std::shared_ptr<const Scene>& scene) {
+lab::Session make_session(const SingleRunOptions& options, const std::shared_ptr<const Scene>& scene) {
     const Engine& engine = lab::engine_named(options.engine);
     const Engine* const used[] = {&engine};
     const auto changes = lab::parse_changes(options.settings, used);
@@ -48,7 +48,7 @@ lab::Session make_session(const Options& options, const std::shared_ptr<const Sc
     return session;
 }
 
-int run(const Options& options) {
+int run_scene(const SingleRunOptions& options) {
     const auto scene = options.load();
     lab::Session session = make_session(options, scene);
     const lab::Timeline timeline(session.world().time(), options.seconds, options.step(*scene));
@@ -84,7 +84,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_run(CLI::App& program, Action& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SingleRunOptions>();
     CLI::App& command = *program.add_subcommand(
         "run", "Run a scene on one engine; prints its figures where no file is asked for");
     options->add_to(command, "K=V");
@@ -103,7 +103,7 @@ void add_run(CLI::App& program, Action& chosen) {
         ->type_name("JSON");
     command.add_option("--save", options->save, "State at the end, to go on from with --from")
         ->type_name("STATE");
-    command.callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+    command.callback([options, &chosen] { chosen = [options] { return run_scene(*options); }; });
 }
 
 }  // namespace flipside::app

@@ -15,7 +15,7 @@ namespace {
 
 namespace sweep = lab::sweep;
 
-struct Options {
+struct SweepOptions {
     std::vector<std::string> scenes;
     int balls = 0;
     std::vector<std::string> entrants;
@@ -64,7 +64,7 @@ void print(const std::vector<sweep::Figures>& all) {
         "extra: impacts.\nCPU: ms per simulated second.\n");
 }
 
-int run(const Options& options) {
+int run_sweep(const SweepOptions& options) {
     const sweep::Shard shard = parse_shard(options.shard);
     auto variants = sweep::variants_of(options.scenes, options.balls);
     sweep::Plan plan = options.quick ? sweep::quick_plan(std::move(variants), options.seed)
@@ -95,7 +95,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_sweep(CLI::App& program, Action& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SweepOptions>();
     CLI::App& command = *program.add_subcommand(
         "sweep", "Work-precision data: error against the exact outcome, and cost, of every solver and step");
     command.add_option("scenes", options->scenes, "Scenes or files (default: pinball, toy and rain)")
@@ -117,7 +117,7 @@ void add_sweep(CLI::App& program, Action& chosen) {
     command.add_option("--out", options->out, "Folder of the data; what is finished there is not done again")
         ->required()
         ->type_name("DIR");
-    command.callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+    command.callback([options, &chosen] { chosen = [options] { return run_sweep(*options); }; });
 }
 
 }  // namespace flipside::app

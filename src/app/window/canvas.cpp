@@ -8,7 +8,7 @@ namespace flipside::app {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 sf::Vector2f vector(Vec2 p) {
     return {static_cast<float>(p.x), static_cast<float>(p.y)};

@@ -9,7 +9,7 @@ namespace flipside::app {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The convex hull of two circles, in pixels: round ends as polygons, fine enough to look round.
 std::vector<Vec2> taper(Vec2 a, double radius_a, Vec2 b, double radius_b) {

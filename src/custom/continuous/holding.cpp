@@ -166,7 +166,7 @@ class Patience {
 };
 
 /// First time in [0, h] at which the series falls below zero.
-double first_fall(const Series<double>& f, double h, Patience& patience) {
+double first_below_zero(const Series<double>& f, double h, Patience& patience) {
     double k2 = 0, power = 1;
     for (int k = 2; k <= order; ++k, power *= h) k2 += k * (k - 1) * std::abs(f[at(k)]) * power;
     const double tolerance = 1e-15 * (std::abs(f[0]) + k2 * h * h + std::abs(f[1]) * h);
@@ -313,7 +313,7 @@ void swing(const Hold& hold, const Ball& ball, const Guide& guide, const Rub& ru
         path.top_speed += k * length(path.taylor[at(k)]) * power;
         if (k < order) path.top_acceleration += (k + 1) * k * length(path.taylor[at(k + 1)]) * power;
     }
-    const double falls = time + first_fall(swing.force, h, patience);
+    const double falls = time + first_below_zero(swing.force, h, patience);
     held.until = std::min({good, stop, falls});
     held.lets_go = held.until == falls;
     if (hold.friction <= 0) return;
@@ -332,8 +332,9 @@ void swing(const Hold& hold, const Ball& ball, const Guide& guide, const Rub& ru
         less[at(k)] = hold.friction * swing.force[at(k)] - swing.push[at(k)] / 2;
     }
     double switches = never_touch;
-    if (rub.rolls) switches = std::min(first_fall(more, h, patience), first_fall(less, h, patience));
-    if (!rub.rolls && more[0] > 0) switches = first_fall(more, h, patience);
+    if (rub.rolls)
+        switches = std::min(first_below_zero(more, h, patience), first_below_zero(less, h, patience));
+    if (!rub.rolls && more[0] > 0) switches = first_below_zero(more, h, patience);
     if (time + switches < held.until) {
         held.until = time + switches;
         held.lets_go = false;

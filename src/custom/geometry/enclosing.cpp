@@ -14,7 +14,7 @@ namespace flipside::custom {
 
 namespace {
 
-bool inside(const Disc& disc, Vec2 p) {
+bool holds(const Disc& disc, Vec2 p) {
     constexpr double rounding = 1 + 1e-12;
     return length(p - disc.center) <= disc.radius * rounding;
 }
@@ -39,13 +39,13 @@ Disc disc_on(Vec2 a, Vec2 b, Vec2 c) {
 Disc disc_around(std::span<const Vec2> points, Vec2 a, Vec2 b) {
     Disc disc = disc_on(a, b);
     for (const Vec2 p : points)
-        if (!inside(disc, p)) disc = disc_on(a, b, p);
+        if (!holds(disc, p)) disc = disc_on(a, b, p);
     return disc;
 }
 Disc disc_around(std::span<const Vec2> points, Vec2 a) {
     Disc disc{a, 0};
     for (std::size_t i = 0; i < points.size(); ++i)
-        if (!inside(disc, points[i])) disc = disc_around(points.first(i), a, points[i]);
+        if (!holds(disc, points[i])) disc = disc_around(points.first(i), a, points[i]);
     return disc;
 }
 
@@ -97,7 +97,7 @@ Disc enclosing_disc(std::span<const Vec2> points) {
     std::ranges::shuffle(order, std::mt19937());
     Disc disc{order.front(), 0};
     for (std::size_t i = 1; i < order.size(); ++i)
-        if (!inside(disc, order[i])) disc = disc_around(std::span<const Vec2>(order).first(i), order[i]);
+        if (!holds(disc, order[i])) disc = disc_around(std::span<const Vec2>(order).first(i), order[i]);
     return disc;
 }
 

@@ -12,8 +12,7 @@ namespace flipside::lab {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double radius = 0.1;  // m
+using std::numbers::pi;
 
 Scene table() {
     Scene scene = empty_scene();

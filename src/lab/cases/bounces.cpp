@@ -12,9 +12,6 @@ namespace flipside::lab {
 
 namespace {
 
-constexpr double g = 9.81;  // m/s²
-constexpr double radius = 0.1;
-
 /// A ball whose lowest point is `height` above a floor, `origin` being the point of the floor below it.
 Scene bouncing(double height, double restitution, Vec2 origin = {}) {
     Scene scene = empty_scene({0, -g});

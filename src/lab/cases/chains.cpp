@@ -11,8 +11,6 @@ namespace flipside::lab {
 
 namespace {
 
-constexpr double g = 9.81;  // m/s²
-
 /// Elastic, too wide to leave.
 Scene open_line(Vec2 gravity = {}) {
     Scene scene = empty_scene(gravity);

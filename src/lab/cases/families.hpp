@@ -1,9 +1,12 @@
 #pragma once
-/// The experiments behind the cases, one file per family.
+/// The experiments behind the cases, one file per family, and what they share.
 
 #include "lab/cases/experiment.hpp"
 
 namespace flipside::lab {
+
+inline constexpr double g = 9.81;      // m/s²
+inline constexpr double radius = 0.1;  // m, of a ball where nothing else is said
 
 // bounces.cpp
 void zeno_drop(Experiment& experiment);

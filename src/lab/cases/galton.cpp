@@ -17,12 +17,11 @@ namespace flipside::lab {
 
 namespace {
 
-constexpr double g = 9.81;         // m/s²
 constexpr double doubt = 0.001;    // a hypothesis is given up when its data are rarer than this
 constexpr int balls_at_once = 50;  // which do not meet each other
 constexpr int rows = 8;
-constexpr double pitch = 0.1, radius = 0.02, pin = 0.01;  // m
-constexpr double tray = -rows * pitch - 0.2;              // m, the height at which a ball's place is taken
+constexpr double pitch = 0.1, grain = 0.02, pin = 0.01;  // m
+constexpr double tray = -rows * pitch - 0.2;             // m, the height at which a ball's place is taken
 
 Scene board(Dice& dice) {
     Scene scene = empty_scene({0, -g});
@@ -33,7 +32,7 @@ Scene board(Dice& dice) {
             pins.of.push_back({shape::Circle{{(i + 0.5 * (row % 2)) * pitch, -row * pitch}, pin}});
     add_part(scene, {pins}, {"", 0.4, 0, 0});
     for (int i = 0; i < balls_at_once; ++i) {
-        Ball& ball = add_ball(scene, {dice.below(pitch) - pitch / 2, 0.1}, {}, radius);
+        Ball& ball = add_ball(scene, {dice.below(pitch) - pitch / 2, 0.1}, {}, grain);
         ball.layer = 2;
         ball.collides_with = 1;
     }

@@ -14,8 +14,7 @@ namespace flipside::lab {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double radius = 0.1;  // m
+using std::numbers::pi;
 
 /// Elastic walls around [0, side]².
 Scene walled(double side) {

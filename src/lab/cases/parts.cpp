@@ -12,8 +12,7 @@ namespace flipside::lab {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double radius = 0.1;  // m, of the ball
+using std::numbers::pi;
 constexpr shape::Flipper flipper_shape{{0, 0}, 1, 0.15, 0.1, 0};
 
 /// A flipper on its way between two angles from rest, dead still once it is there.

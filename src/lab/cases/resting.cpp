@@ -12,9 +12,7 @@ namespace flipside::lab {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double g = 9.81;      // m/s²
-constexpr double radius = 0.1;  // m
+using std::numbers::pi;
 
 /// Arithmetic-geometric mean (Gauss 1799).
 double agm(double a, double b) {

@@ -12,8 +12,8 @@ namespace flipside::lab {
 
 namespace {
 
-constexpr double radius = 0.1;
 constexpr Box walls{{-1, 0}, {1, 3}};
+constexpr double ball_radius = 0.1;  // m
 constexpr double seconds = 2;
 constexpr double most_energy_gain = 0.01, most_overlap = 0.1;
 
@@ -27,8 +27,8 @@ Scene thrown_at(double mass_ratio, double speed) {
     add_part(scene,
              {shape::Polyline{{walls.min, {walls.max.x, 0}, walls.max, {walls.min.x, walls.max.y}}, true}},
              {"", e, 0, 0});
-    add_ball(scene, {0, radius}, {}, radius, 1);
-    add_ball(scene, {0.01, 1.5}, {0, -speed * radius}, radius, mass_ratio);
+    add_ball(scene, {0, ball_radius}, {}, ball_radius, 1);
+    add_ball(scene, {0.01, 1.5}, {0, -speed * ball_radius}, ball_radius, mass_ratio);
     return scene;
 }
 
@@ -52,7 +52,7 @@ void run_point(const Entrant& entrant, StabilityPoint& point) {
         point.energy_gain = std::max(point.energy_gain, energy(session.world(), session.scene()) / first - 1);
     }
     for (const Contact& contact : session.world().contacts())
-        point.overlap = std::max(point.overlap, -contact.separation / radius);
+        point.overlap = std::max(point.overlap, -contact.separation / ball_radius);
     if (point.energy_gain > most_energy_gain)
         point.failure = "energy";
     else if (point.overlap > most_overlap)

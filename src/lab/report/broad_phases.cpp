@@ -80,7 +80,7 @@ Series fit_of(const Series& measured) {
     return fit;
 }
 
-Content show(const std::filesystem::path& data) {
+Content show_broad_phases(const std::filesystem::path& data) {
     const CsvTable table(data / "pairs.csv");
     Figure toy{"toy-pairs",
                "Box tests per search in the toy's experiment",
@@ -134,7 +134,7 @@ Chapter broad_phase_chapter(const Effort& effort) {
             "first figure "
             "repeats the classic toy's experiment with 2 to 32 balls; the others keep its density.",
             {{"pairs.csv", 0.1 * effort.pair_seconds + growth, take}},
-            show};
+            show_broad_phases};
 }
 
 }  // namespace flipside::lab::report

@@ -25,7 +25,7 @@ constexpr Story stories[] = {
     {"bowl", "period from 60 degrees", "Bowl: period from 60 degrees", "s"},
     {"incline", "way down in 1 s, slipping", "Incline: way of a slipping ball in 1 s", "m"}};
 
-std::string file_of(const Contender& contender) {
+std::string work_file(const Contender& contender) {
     return "case-steps-" + contender.file + ".csv";
 }
 
@@ -43,7 +43,7 @@ void write_row(CsvRow& row, std::ostream& out, const Story& story, double dt, co
 }
 
 /// CSV: case,dt,error,failure,cpu_seconds.
-Measurement measurement_of(const Contender& contender, const Effort& effort) {
+Measurement work_measurement(const Contender& contender, const Effort& effort) {
     const auto take = [=](const std::filesystem::path& path, const Watch& watch) {
         WholeFile file(path);
         CsvRow row;
@@ -64,10 +64,10 @@ Measurement measurement_of(const Contender& contender, const Effort& effort) {
         }
         file.finish();
     };
-    return {file_of(contender), 0.2 * static_cast<double>(effort.case_steps.size()), take};
+    return {work_file(contender), 0.2 * static_cast<double>(effort.case_steps.size()), take};
 }
 
-Content show(const std::filesystem::path& data) {
+Content show_case_work(const std::filesystem::path& data) {
     Content content;
     for (const Story& story : stories) {
         Figure figure{
@@ -80,7 +80,7 @@ Content show(const std::filesystem::path& data) {
             "One point per step size; further down is more exact, further left is cheaper. A level "
             "curve is a solver whose answer does not depend on the step: more steps only cost more."};
         for (const Contender& contender : contenders()) {
-            const CsvTable table(data / file_of(contender));
+            const CsvTable table(data / work_file(contender));
             Series series = series_of(contender);
             for (std::size_t row = 0; row < table.rows(); ++row) {
                 if (table.text(row, "case") != story.name) continue;
@@ -105,9 +105,9 @@ Chapter case_work_chapter(const Effort& effort) {
                         step_text(effort.case_steps.front()) + " to " + step_text(effort.case_steps.back()) +
                         ": here the right answer is known in closed form.",
                     {},
-                    show};
+                    show_case_work};
     for (const Contender& contender : contenders())
-        chapter.measurements.push_back(measurement_of(contender, effort));
+        chapter.measurements.push_back(work_measurement(contender, effort));
     return chapter;
 }
 

@@ -101,7 +101,7 @@ std::optional<double> horizon_of(const CsvTable& table) {
     return std::nullopt;
 }
 
-Content show(const std::filesystem::path& data) {
+Content show_divergence(const std::filesystem::path& data) {
     Figure figure{
         "divergence",
         "Distance between the same balls on two engines, pinball",
@@ -132,7 +132,7 @@ Chapter divergence_chapter(const Effort& effort) {
                     "The pinball table with its script of launches and flips, at " + step_text(default_step) +
                         " a step, on two engines at a time.",
                     {},
-                    show};
+                    show_divergence};
     for (const Duel& duel : duels())
         chapter.measurements.push_back(
             {file_of(duel), 0.5, [=](const std::filesystem::path& file, const Watch& watch) {

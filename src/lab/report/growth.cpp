@@ -61,7 +61,7 @@ void measure(const RunPlan& plan, const std::filesystem::path& path, const Watch
     file.finish();
 }
 
-Content show(const Effort& effort, const std::filesystem::path& data) {
+Content show_growth(const Effort& effort, const std::filesystem::path& data) {
     Figure time{"growth-time",
                 "Rain: CPU time per ball and step",
                 {"balls", "balls", true},
@@ -104,7 +104,7 @@ Chapter growth_chapter(const Effort& effort) {
                         " s at 1/60 s a step, with more and more balls. A run that needs more than " +
                         short_number(effort.growth_limit) + " s of CPU time is given up.",
                     {},
-                    [effort](const std::filesystem::path& data) { return show(effort, data); }};
+                    [effort](const std::filesystem::path& data) { return show_growth(effort, data); }};
     for (const int balls : effort.growth_balls) {
         for (const Contender& contender : entrants()) {
             const auto take = [=](const std::filesystem::path& file, const Watch& watch) {

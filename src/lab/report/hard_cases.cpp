@@ -13,11 +13,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string file_of(const Contender& contender) {
+std::string answers_file(const Contender& contender) {
     return "cases-" + contender.file + ".json";
 }
 
-Measurement measurement_of(const Contender& contender, const Effort& effort) {
+Measurement answers_measurement(const Contender& contender, const Effort& effort) {
     const auto take = [=](const fs::path& file, const Watch& watch) {
         std::vector<CaseRun> runs;
         const auto chosen = find_cases(effort.cases);
@@ -31,7 +31,7 @@ Measurement measurement_of(const Contender& contender, const Effort& effort) {
         for (const Case* one : chosen) runs.push_back({one, run_case(*one, input)});
         write_whole_file(file, to_json(runs, input));
     };
-    return {file_of(contender), effort.case_seconds, take};
+    return {answers_file(contender), effort.case_seconds, take};
 }
 
 /// The file of a contender, as far as it is one.
@@ -140,10 +140,10 @@ Table quantity_table(const Answers& answers) {
     return table;
 }
 
-Content show(const fs::path& data) {
+Content show_hard_cases(const fs::path& data) {
     Answers answers{contenders(), {}};
     for (const Contender& contender : answers.contenders)
-        answers.files.push_back(read_cases(data / file_of(contender)));
+        answers.files.push_back(read_cases(data / answers_file(contender)));
     return {{}, {verdict_table(answers), quantity_table(answers)}};
 }
 
@@ -156,9 +156,9 @@ Chapter hard_case_chapter(const Effort& effort) {
         "Experiments whose right answer is known, at " + step_text(default_step) +
             " a step. The command flipside cases runs them one by one, on any engine at any setting.",
         {},
-        show};
+        show_hard_cases};
     for (const Contender& contender : contenders())
-        chapter.measurements.push_back(measurement_of(contender, effort));
+        chapter.measurements.push_back(answers_measurement(contender, effort));
     return chapter;
 }
 

@@ -18,7 +18,7 @@ namespace {
 constexpr double shares[] = {0.9,  0.7,   0.5,   0.3,   0.2,    0.1,    0.05,  0.02,
                              0.01, 0.005, 0.002, 0.001, 0.0005, 0.0002, 0.0001};
 
-std::string file_of(const Contender& contender) {
+std::string overlaps_file(const Contender& contender) {
     return "penetration-" + contender.file + ".csv";
 }
 
@@ -47,7 +47,7 @@ void write(std::vector<double> depths, const std::string& failure, const std::fi
     file.finish();
 }
 
-Measurement measurement_of(const RunPlan& plan) {
+Measurement overlaps_measurement(const RunPlan& plan) {
     const auto take = [plan](const std::filesystem::path& file, const Watch& watch) {
         std::vector<double> depths;
         const auto after = [&](const Session& session) {
@@ -58,10 +58,10 @@ Measurement measurement_of(const RunPlan& plan) {
         const std::string failure = run_plan(plan, after, watch);
         write(depths, failure, file);
     };
-    return {file_of(plan.contender), 4, take};
+    return {overlaps_file(plan.contender), 4, take};
 }
 
-Content show(const std::filesystem::path& data) {
+Content show_penetration(const std::filesystem::path& data) {
     Figure figure{
         "penetration",
         "Overlap in rain",
@@ -74,7 +74,7 @@ Content show(const std::filesystem::path& data) {
         "that overlaps by more than a radius has its centre on the wrong side. A cross at the upper edge is "
         "a run that its engine refused to go on with; pointing at it tells why."};
     for (const Contender& contender : contenders()) {
-        const CsvTable table(data / file_of(contender));
+        const CsvTable table(data / overlaps_file(contender));
         Series series = series_of(contender);
         for (std::size_t row = 0; row < table.rows(); ++row) {
             const std::string& failure = table.text(row, "failure");
@@ -99,9 +99,9 @@ Chapter penetration_chapter(const Effort& effort) {
             " s at 1/60 s a step. After every step each contact is asked how deep its two shapes lie in "
             "each other.",
         {},
-        show};
+        show_penetration};
     for (const Contender& contender : contenders())
-        chapter.measurements.push_back(measurement_of({rain, contender, effort.rain_seconds}));
+        chapter.measurements.push_back(overlaps_measurement({rain, contender, effort.rain_seconds}));
     return chapter;
 }
 

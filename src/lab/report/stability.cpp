@@ -10,11 +10,11 @@ namespace flipside::lab::report {
 
 namespace {
 
-std::string file_of(const Contender& contender) {
+std::string map_file(const Contender& contender) {
     return "stability-" + contender.file + ".csv";
 }
 
-Measurement measurement_of(const Contender& contender, const Effort& effort) {
+Measurement map_measurement(const Contender& contender, const Effort& effort) {
     const auto take = [contender, steps = effort.map_steps](const std::filesystem::path& path,
                                                             const Watch& watch) {
         const Entrant entrant{&engine_named(contender.engine), settings_of(contender, Scene{})};
@@ -23,7 +23,7 @@ Measurement measurement_of(const Contender& contender, const Effort& effort) {
         write_stability(file.out(), entrant, points);
         file.finish();
     };
-    return {file_of(contender), 0.5 * static_cast<double>(effort.map_steps.size()), take};
+    return {map_file(contender), 0.5 * static_cast<double>(effort.map_steps.size()), take};
 }
 
 /// One mass ratio and speed, at all steps.
@@ -71,7 +71,7 @@ Figure figure_of(const Contender& contender, const std::filesystem::path& data) 
         "energy gained, a ball "
         "out of the box, or balls left in each other. A hollow ring is no failure: the engine "
         "refuses what it cannot do exactly, here a ball pressed between another and the floor."};
-    const auto cells = cells_of(CsvTable(data / file_of(contender)));
+    const auto cells = cells_of(CsvTable(data / map_file(contender)));
     const std::size_t steps = cells.begin()->second.steps;
     const auto add = [&](Series series, auto belongs) {
         for (const auto& [place, cell] : cells)
@@ -88,7 +88,7 @@ Figure figure_of(const Contender& contender, const std::filesystem::path& data) 
     return figure;
 }
 
-Content show(const std::filesystem::path& data) {
+Content show_stability(const std::filesystem::path& data) {
     Content content;
     for (const Contender& contender : contenders()) content.figures.push_back(figure_of(contender, data));
     return content;
@@ -105,9 +105,9 @@ Chapter stability_chapter(const Effort& effort) {
                     "nothing overlaps by "
                     "more than a tenth of a radius.",
                     {},
-                    show};
+                    show_stability};
     for (const Contender& contender : contenders())
-        chapter.measurements.push_back(measurement_of(contender, effort));
+        chapter.measurements.push_back(map_measurement(contender, effort));
     return chapter;
 }
 

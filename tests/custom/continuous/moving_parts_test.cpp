@@ -11,9 +11,9 @@
 namespace flipside::custom::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
-std::unique_ptr<World> continuous(const Scene& scene) {
+std::unique_ptr<World> without_sleep(const Scene& scene) {
     return make_world(scene, {{"solver", "continuous"}, {"sleep", "off"}});
 }
 
@@ -30,7 +30,7 @@ TEST(MovingParts, GatePassesOneWay) {
             scene.rest_speed = 0;
             add_part(scene, {shape::Gate{{0, -1}, {0, 1}, {along ? 1.0 : -1.0, 0}}});
             add_ball(scene, {-0.5, 0}, {speed, 0});
-            const auto world = continuous(scene);
+            const auto world = without_sleep(scene);
             bool was_open = false;
             while (world->time() < 1 / speed) {
                 world->step(0.05 / speed);
@@ -54,7 +54,7 @@ TEST(MovingParts, NothingPassesATurningSegment) {
         add_part(scene, segment({-1, 0}, {1, 0})).motion = motion::Turn{{0, 0}, rate, true};
         const Vec2 start = 1.5 * from_angle(around), aim = 0.8 * std::sin(1.7 * i) * from_angle(2.1 * i);
         add_ball(scene, start, speed * unit(aim - start));
-        const auto world = continuous(scene);
+        const auto world = without_sleep(scene);
         double before = 0;
         const double dt = 0.2 / (60 + 40 * std::max(rate, speed / 4));
         for (int k = 0; k < 300 && !world->balls().empty(); ++k) {
@@ -81,7 +81,7 @@ TEST(MovingParts, NothingPassesARaisedFlipper) {
         const double x = 0.1 + 0.35 * (i % 37) / 36, speed = 1 + 60.0 * (i % 11) / 10;
         const double height = 0.3 + speed / 60 * 4 * (i / 1000.0);
         add_ball(scene, {x, height}, {0, -speed});
-        const auto world = continuous(scene);
+        const auto world = without_sleep(scene);
         bool hit = false;
         for (int k = 0; k < 30 && !hit; ++k) {
             if (k == 1) world->apply(control::Flip{Side::left, true});

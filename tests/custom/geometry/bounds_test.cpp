@@ -9,7 +9,7 @@
 namespace flipside::custom {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 void expect_box(const Box& box, const Box& expected) {
     EXPECT_NEAR(box.min.x, expected.min.x, 1e-15);

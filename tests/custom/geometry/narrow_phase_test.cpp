@@ -10,7 +10,7 @@
 namespace flipside::custom {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 void expect_touch(const Touch& found, Vec2 point, Vec2 normal, double separation) {
     EXPECT_NEAR(found.point.x, point.x, 1e-14);

@@ -21,8 +21,8 @@ namespace flipside::lab::sweep {
 namespace {
 
 /// A session on a scene with its own script.
-struct Scripted {
-    Scripted(const std::string& name, const std::string& engine, const std::string& settings)
+struct ScriptedRun {
+    ScriptedRun(const std::string& name, const std::string& engine, const std::string& settings)
         : scene(std::make_shared<const Scene>(load_scene(scene_file(name)))),
           session(scene, engine_named(engine),
                   settings_of({"", engine, settings, coarsest_steps, finest_steps, ""}, *scene)) {
@@ -58,9 +58,9 @@ TEST_P(ScriptedRuns, AreTheSameWhateverTheStepUpToTheHorizon) {
     constexpr double look = 0.1, longest = 3;  // s
     // Of a run whose thousand steps a second round more often than a window's.
     constexpr double horizon_here = horizon_radii / 10;
-    Scripted exact(GetParam(), "reference", "precision=113 twin=on");
-    Scripted rounded(GetParam(), "reference", "precision=53 twin=on");
-    std::vector<Scripted> ours;
+    ScriptedRun exact(GetParam(), "reference", "precision=113 twin=on");
+    ScriptedRun rounded(GetParam(), "reference", "precision=53 twin=on");
+    std::vector<ScriptedRun> ours;
     const double steps[] = {1.0 / 30, 1.0 / 60, 1.0 / 1000};
     for (std::size_t i = 0; i < std::size(steps); ++i)
         ours.emplace_back(GetParam(), "custom", "solver=continuous");
