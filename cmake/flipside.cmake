@@ -45,11 +45,14 @@ function(flipside_units target)
     endforeach()
 endfunction()
 
-# flipside_library(NAME [LINKS ...]): the sources of the current folder and below as target flipside_NAME.
+# flipside_library(NAME [LINKS ...]): the sources (all of the current folder and below) as target flipside_NAME.
 # Headers are included as "NAME/file.hpp".
 function(flipside_library name)
-    cmake_parse_arguments(ARG "" "" "LINKS;PRIVATE_LINKS" ${ARGN})
-    file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp *.hpp)
+    cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+    set(sources ${ARG_SOURCES})
+    if(NOT sources)
+        file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp *.hpp)
+    endif()
     add_library(flipside_${name} STATIC ${sources})
     flipside_units(flipside_${name} ${sources})
     target_include_directories(flipside_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)

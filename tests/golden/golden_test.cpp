@@ -10,8 +10,9 @@
 #include <boost/crc.hpp>
 #include <gtest/gtest.h>
 
+#include "custom/engine.hpp"
 #include "lab/assets.hpp"
-#include "lab/engines.hpp"
+#include "lab/run_settings.hpp"
 #include "lab/session.hpp"
 #include "world/scene_file.hpp"
 #include "world/script_file.hpp"
@@ -65,11 +66,10 @@ class Replay {
 
   private:
     [[nodiscard]] Session start(std::string_view solver, std::string_view look_ahead) const {
-        const Engine& custom = engine_named("custom");
-        Settings settings = settings_for(custom, *scene_);
+        Settings settings = settings_for(custom::engine(), *scene_);
         settings.set("solver", solver);
         if (!look_ahead.empty()) settings.set("look_ahead", look_ahead);
-        return {scene_, custom, settings};
+        return {scene_, custom::engine(), settings};
     }
 
     std::shared_ptr<const Scene> scene_;
