@@ -3,15 +3,12 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "custom/between.hpp"
 #include "world/scene_builder.hpp"
 #include "world/scene_file.hpp"
 
 namespace flipside::custom::test {
 namespace {
-
-double between(double low, double high) {
-    return low + (high - low) * *rc::gen::inRange(0, 1'000'001) / 1e6;
-}
 
 /// The clearance of a whole table: all kinds of pieces, arcs from both sides.
 struct OnPinball {

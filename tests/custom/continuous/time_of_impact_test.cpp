@@ -5,12 +5,11 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "custom/between.hpp"
+
 namespace flipside::custom::test {
 namespace {
 
-double between(double low, double high) {
-    return low + (high - low) * *rc::gen::inRange(0, 1'000'001) / 1e6;
-}
 Vec2 anywhere(double size) {
     return {between(-size, size), between(-size, size)};
 }
