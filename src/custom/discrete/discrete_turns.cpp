@@ -16,7 +16,9 @@ void DiscreteSolver::find_turns() {
     const PieceIndex first = moving_pieces();
     const auto roomy = [&](std::uint32_t i) {
         if (i < first || !moving_[i].active) return moving_[i].box;
-        return reach_of((*balls_)[i - first], settings_.search_steps * dt_);
+        // With room for rounding: what flies straight would else be at the very edge in the end.
+        const Ball& ball = (*balls_)[i - first];
+        return grown(reach_of(ball, settings_.search_steps * dt_), berth * ball.radius);
     };
     const std::span<const Pair> near = near_.find_pairs_of_checked(moving_, *broad_, roomy);
     split(near);
