@@ -13,12 +13,6 @@ Box around(Vec2 a, Vec2 b) {
     return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
 }
 
-Vec2 nearest_on(Vec2 p, Vec2 a, Vec2 b) {
-    const Vec2 along = b - a;
-    const double ahead = dot(p - a, along), l = length_squared(along);
-    return ahead <= 0 ? a : ahead >= l ? b : a + ahead / l * along;
-}
-
 /// How many points and half-planes stand for a piece.
 struct Size {
     std::uint32_t points, planes;

@@ -40,12 +40,14 @@ namespace flipside::custom {
     return {{box.min.x - margin, box.min.y - margin}, {box.max.x + margin, box.max.y + margin}};
 }
 
-/// Squared distance of a point from the stretch between a and b.
+/// Of the stretch between a and b the point nearest to p, and the squared distance from there.
+[[nodiscard]] inline Vec2 nearest_on(Vec2 p, Vec2 a, Vec2 b) {
+    const Vec2 along = b - a;
+    const double ahead = dot(p - a, along), l = length_squared(along);
+    return ahead <= 0 ? a : ahead >= l ? b : a + ahead / l * along;
+}
 [[nodiscard]] inline double distance_squared(Vec2 p, Vec2 a, Vec2 b) {
-    const Vec2 along = b - a, from_a = p - a;
-    const double ahead = dot(from_a, along), l = length_squared(along);
-    const double s = ahead <= 0 ? 0 : ahead >= l ? 1 : ahead / l;
-    return length_squared(from_a - s * along);
+    return length_squared(p - nearest_on(p, a, b));
 }
 
 }  // namespace flipside::custom
