@@ -4,6 +4,7 @@
 
 #include "custom/flight.hpp"
 #include "custom/scenes.hpp"
+#include "rapidcheck/gtest.h"
 
 namespace flipside::custom::test {
 namespace {
@@ -88,6 +89,37 @@ TEST(DiscreteTurns, SleepersWokenByAHitTouchAsTheyDid) {
         EXPECT_TRUE(touch(1, Other::ball(2))) << step;
         ASSERT_LT(++step, 4);
     }
+}
+
+// Balls of several sizes are kicked about between walls, a bumper and a turning segment.
+RC_GTEST_PROP(DiscreteTurns, HowPairsAreSoughtChangesNoBit, ()) {
+    const auto within = [](double from, double to) {
+        return from + (to - from) * *rc::gen::inRange(0, 1001) / 1000;
+    };
+    Scene scene = empty_scene({0, *rc::gen::arbitrary<bool>() ? -9.81 : 0});
+    scene.damping = *rc::gen::arbitrary<bool>() ? 0.4 : 0;
+    for (int i = *rc::gen::inRange(5, 60); i > 0; --i)
+        add_ball(scene, {within(0, 3), within(0.2, 3)}, {within(-6, 6), within(-6, 6)}, within(0.05, 0.12));
+    add_part(scene, {shape::Polyline{{{-0.3, -0.3}, {3.3, -0.3}, {3.3, 3.3}, {-0.3, 3.3}}, true}},
+             {"", 0.8, 0.1, 0});
+    add_part(scene, {shape::Circle{{1.5, 0.3}, 0.2}}, {"", 0.8, 0, 30});
+    add_part(scene, segment({2, 0.5}, {3, 0.5})).motion = motion::Turn{{2.5, 0.5}, 9, true};
+    const auto balls_with = [&](std::string_view steps, std::string_view broad_phase, bool restored) {
+        auto world = make_world(scene, {{"search_steps", steps}, {"broad_phase", broad_phase}});
+        run(*world, 0.25);
+        if (restored) {
+            const State state = world->save();
+            world = make_world(scene);
+            world->restore(state);
+        }
+        run(*world, 0.25);
+        return world->save().balls;
+    };
+    const auto expected = balls_with("1", "brute", false);
+    for (const char* broad_phase : {"quadtree", "adaptive", "grid", "sweep"})
+        RC_ASSERT(balls_with("2", broad_phase, false) == expected);
+    RC_ASSERT(balls_with("20", "grid", false) == expected);
+    RC_ASSERT(balls_with("2", "grid", true) == expected);
 }
 
 }  // namespace
