@@ -25,9 +25,12 @@ void Sleep::reserve(std::size_t balls) {
     make_room(slow_, balls, 1);
 }
 
-void Sleep::watch(std::span<const Ball> balls) {
+void Sleep::watch(std::span<const Ball> balls, double dt) {
+    const double slowest = std::max(slow(true, dt), slow(false, dt));
     before_.clear();
-    for (const Ball& ball : balls) before_.push_back({ball.number, ball.position, ball.velocity});
+    for (const Ball& ball : balls)
+        if (length_squared(ball.velocity) <= 4 * slowest * slowest)
+            before_.push_back({ball.number, ball.position, ball.velocity});
 }
 
 void Sleep::settle(std::span<Ball> balls, std::span<const Contact> contacts, double dt) {
@@ -43,8 +46,8 @@ void Sleep::settle(std::span<Ball> balls, std::span<const Contact> contacts, dou
     for (const Contact& contact : contacts) join(balls, contact);
     for (const std::uint32_t i : candidates) {
         const auto before = std::ranges::lower_bound(before_, balls[i].number, {}, &Before::number);
-        const bool joined = before == before_.end() || before->number != balls[i].number;
-        if (joined || moved(*before, balls[i], members_[i].in_company, dt))
+        const bool was_fast = before == before_.end() || before->number != balls[i].number;
+        if (was_fast || moved(*before, balls[i], members_[i].in_company, dt))
             members_[island_of(i)].moves = true;
     }
     for (const std::uint32_t i : candidates) {

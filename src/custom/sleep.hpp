@@ -26,8 +26,8 @@ class Sleep {
 
     /// Makes room for so many balls.
     void reserve(std::size_t balls);
-    /// Before a step: remembers the balls.
-    void watch(std::span<const Ball> balls);
+    /// Before a step of dt: remembers the balls that may be at rest.
+    void watch(std::span<const Ball> balls, double dt);
     /// After it: puts islands to sleep, with all velocity gone, none of whose balls moved, was driven,
     /// joined in between, or is squeezed by a contact by more than half a hundredth of its radius. An
     /// island is a ball or awake balls that touch. `contacts` are those of `balls`.

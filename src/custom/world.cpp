@@ -53,7 +53,7 @@ void CustomWorld::step(double dt) {
     record_.broad_seconds = record_.flight_seconds = record_.contact_seconds = record_.report_seconds = 0;
 
     launch();
-    sleep_.watch(balls_);
+    sleep_.watch(balls_, dt);
     const bool continuous = steps_continuously();
     if (continuous && !was_continuous_) continuous_.reset(table_, balls_);
     was_continuous_ = continuous;

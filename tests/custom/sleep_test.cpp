@@ -20,7 +20,7 @@ Ball ball_of(BallNumber number, Vec2 velocity) {
 TEST(Sleep, SlowAndUndrivenFallsAsleep) {
     Sleep sleep(0.01, 10);
     std::vector<Ball> balls{ball_of(0, {0.001, 0}), ball_of(1, {0.02, 0}), ball_of(2, {})};
-    sleep.watch(balls);
+    sleep.watch(balls, 0.01);
     balls[2].velocity = {0, -0.005};  // turning back on a slope
     sleep.settle(balls, {}, 0.01);
     EXPECT_TRUE(balls[0].asleep);
@@ -33,7 +33,7 @@ TEST(Sleep, WhatNothingHoldsSleepsOnlyIfItDoesNotMove) {
     Sleep drifting(0.01, 0);
     std::vector<Ball> balls{ball_of(0, {1e-9, 0}), ball_of(1, {}), ball_of(2, {})};
     balls[2].spin = 1e-9;
-    drifting.watch(balls);
+    drifting.watch(balls, 0.01);
     drifting.settle(balls, {}, 0.01);
     EXPECT_FALSE(balls[0].asleep);
     EXPECT_TRUE(balls[1].asleep);
@@ -41,7 +41,7 @@ TEST(Sleep, WhatNothingHoldsSleepsOnlyIfItDoesNotMove) {
 
     Sleep falling(0.01, 1e-4);
     balls = {ball_of(0, {})};
-    falling.watch(balls);
+    falling.watch(balls, 0.01);
     balls[0].velocity = {0, -1e-6};
     falling.settle(balls, {}, 0.01);
     EXPECT_FALSE(balls[0].asleep);
@@ -50,7 +50,7 @@ TEST(Sleep, WhatNothingHoldsSleepsOnlyIfItDoesNotMove) {
 TEST(Sleep, NewcomersAreLeftAlone) {
     Sleep sleep(0.01, 10);
     std::vector<Ball> balls{ball_of(3, {})};
-    sleep.watch(balls);
+    sleep.watch(balls, 0.01);
     balls = {ball_of(3, {}), ball_of(4, {})};
     sleep.settle(balls, {}, 0.01);
     EXPECT_TRUE(balls[0].asleep);
@@ -60,7 +60,7 @@ TEST(Sleep, NewcomersAreLeftAlone) {
 TEST(Sleep, ASqueezedBallStaysAwake) {
     Sleep sleep(0.01, 10);
     std::vector<Ball> balls{ball_of(0, {}), ball_of(1, {}), ball_of(2, {})};
-    sleep.watch(balls);
+    sleep.watch(balls, 0.01);
     const Contact deep{0, Other::ball(2), {}, {}, -0.01 * 0.1},
         shallow{1, Other::part(0), {}, {}, -0.001 * 0.1};
     const Contact contacts[] = {deep, shallow};

@@ -106,7 +106,15 @@ void DiscreteSolver::start_flights(std::size_t flight) {
     }
     waiting_.clear();
     engage_due(flight);
-    for (const std::uint32_t place : engaged_) start_flight(place);
+    constexpr std::size_t ahead = 8;  // they lie anywhere in memory
+    for (std::size_t i = 0; i < engaged_.size(); ++i) {
+        const std::uint32_t soon = engaged_[std::min(i + ahead, engaged_.size() - 1)];
+        fetch((*balls_)[soon]);
+        fetch(proxy_of_ball(soon));
+        fetch(so_far_[soon]);
+        fetch(reach_[soon]);
+        start_flight(engaged_[i]);
+    }
     engage_met();
 }
 
