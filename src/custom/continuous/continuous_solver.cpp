@@ -179,12 +179,12 @@ void ContinuousSolver::come_out(Place i) {
         for (const FeatureIndex f : movers_[i].near.list()) {
             if (!overlap(here, ranges_[f]) || features_[f].gate || ignores(features_[f], ball)) continue;
             if (features_[f].piece == seen) continue;
-            seen = features_[f].piece;
-            const Piece& piece = layout_.piece(seen);
+            const Piece& piece = layout_.piece(features_[f].piece);
             const Pose pose = table_->pose(piece.part);
             if (std::holds_alternative<Bow>(features_[f].is) &&
                 look(features_[f], pose.undo(ball.position), ball.radius).distance > ball.radius)
                 continue;
+            seen = features_[f].piece;
             if (!stops(*table_, piece, pose, ball)) continue;
             const Touch touch_now = touch(ball.position, ball.radius, piece, pose);
             if (touch_now.past_end || touch_now.separation >= deepest.separation) continue;
