@@ -2,6 +2,8 @@
 
 #include <fstream>
 
+#include <unistd.h>
+
 #include "app/window_fixture.hpp"
 
 namespace flipside::app {
@@ -24,7 +26,7 @@ class ReferenceWindow : public WindowTest {
         std::filesystem::remove(file);
     }
 
-    std::string file = testing::TempDir() + "/flipside-reference-scene.json";
+    std::string file = testing::TempDir() + "flipside-reference-" + std::to_string(getpid()) + ".json";
 };
 
 const Json& pane_of(const Json& state, const std::string& engine) {

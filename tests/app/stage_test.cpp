@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace flipside::app {
 namespace {
@@ -146,7 +147,7 @@ class RefusedStage : public testing::Test {
     }
     void TearDown() override { std::filesystem::remove(file); }
 
-    std::string file = testing::TempDir() + "/flipside-pile.json";
+    std::string file = testing::TempDir() + "flipside-pile-" + std::to_string(getpid()) + ".json";
 };
 
 TEST_F(RefusedStage, TheOthersGoOnAndTheReferenceIsTakenUpWhereTheyAre) {

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include "world/json_file.hpp"
 #include "world/support.hpp"
@@ -43,7 +44,8 @@ TEST(BadScenes, FilesThatCannotBeRead) {
     EXPECT_NE(load_error(folder / "nowhere.json").find("nowhere.json: there is no such file"),
               std::string::npos);
     EXPECT_NE(load_error(folder).find("not a regular file"), std::string::npos);
-    const auto huge = std::filesystem::temp_directory_path() / "flipside-huge-scene.json";
+    const auto huge = std::filesystem::temp_directory_path() /
+                      ("flipside-huge-scene-" + std::to_string(getpid()) + ".json");
     { std::ofstream(huge) << "{}"; }
     std::filesystem::resize_file(huge, 64U * 1024 * 1024 + 1);  // sparse
     EXPECT_NE(load_error(huge).find("too large; allowed are 64 MB"), std::string::npos);

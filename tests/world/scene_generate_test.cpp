@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include <unistd.h>
+
 #include "world/support.hpp"
 
 namespace flipside {
@@ -58,7 +60,8 @@ TEST(Generate, SameSeedSameFieldOtherSeedOther) {
 }
 
 TEST(Generate, CountOfTheFieldCanBeGivenAnew) {
-    const auto file = std::filesystem::temp_directory_path() / "flipside-field.json";
+    const auto file =
+        std::filesystem::temp_directory_path() / ("flipside-field-" + std::to_string(getpid()) + ".json");
     { std::ofstream(file) << field_text; }
     const Scene scene = load_scene(file, 20000);
     EXPECT_EQ(scene.balls.size(), 20000U);
