@@ -102,10 +102,18 @@ class Grid final : public BroadPhase {
         each_large_under(cells_.under(box), look_at);
         // The middles of small ones are less than half a cell inside their boxes.
         const Cells around = with_margin(box);
-        for (std::uint32_t y = around.bottom; y <= around.top; ++y)
-            for (std::uint32_t i = begin_[cells_.at(around.left, y)];
-                 i < begin_[cells_.at(around.right, y) + 1]; ++i)
-                look_at(entries_[i].handle, entries_[i].proxy);
+        for (std::uint32_t y = around.bottom; y <= around.top; ++y) {
+            const Run row{begin_[cells_.at(around.left, y)], begin_[cells_.at(around.right, y) + 1]};
+            // All are written, and the place is kept only where the boxes overlap: see sift.hpp.
+            std::size_t count = found.size();
+            found.resize(count + row.size());
+            for (std::uint32_t i = row.begin; i < row.end; ++i) {
+                found[count] = entries_[i].handle;
+                count += static_cast<std::size_t>(overlap(box, entries_[i].proxy.box));
+            }
+            found.resize(count);
+            tests_ += row.size();
+        }
     }
 
     [[nodiscard]] BroadPhaseFacts facts() const override {
@@ -165,7 +173,9 @@ class Grid final : public BroadPhase {
 
         Looking(const Entry& entry, Pair* pairs) : own(entry.proxy), handle(entry.handle), to(pairs) {}
         void at(const Entry& other) {
-            at(other.proxy, std::min(handle, other.handle), std::max(handle, other.handle));
+            // The lower handle first: changed over without a branch.
+            const Handle change = (handle ^ other.handle) & (0U - static_cast<Handle>(other.handle < handle));
+            at(other.proxy, handle ^ change, other.handle ^ change);
         }
         void at(const Proxy& other, Handle low, Handle high) {
             const bool overlapping = overlap(own.box, other.box);
@@ -216,11 +226,11 @@ class Grid final : public BroadPhase {
         }
         const auto count = static_cast<double>(moving.size());
         const double mean = sum / count, fewest = smallest_cell(4 * count + 256);
-        const auto cell_for = [&](double means) {
-            return std::max((1 + 1e-9) / fits * std::min(most, means * mean), fewest);
+        const auto cell_for = [&](double room) {
+            return std::max((1 + 1e-9) / fits * room * std::min(most, 1.8 * mean), fewest);
         };
-        const double wanted = cell_for(2.2);
-        if (cell_for(1.8) > cells_.size || 3 * wanted < cells_.size) divide(wanted);
+        const double wanted = cell_for(1.25);
+        if (cell_for(1) > cells_.size || 3 * wanted < cells_.size) divide(wanted);
     }
 
     /// Lists what is still in the smallest cells that there will be for so many moving proxies, so that no
@@ -344,7 +354,7 @@ class Grid final : public BroadPhase {
             const Run still{still_begin_[cell], still_begin_[cell + 1]};
             const Run rest{i + 1, begin[past]};
             const Cell next = cell - (left ? 1 : 0) + over;
-            const Run next_row{begin[next], above ? begin[past + over] : begin[next]};
+            const Run next_row{begin[next], begin[above ? past + over : next]};
 
             Looking<everyone> look(entry, order_.room_for(still.size() + rest.size() + next_row.size()));
             const Handle* const listed = still_listed_.data();

@@ -46,15 +46,15 @@ void DiscreteSolver::reserve(std::size_t balls) {
     make_room(so_far_, balls);
     make_room(waiting_, balls);
     for (auto* room : {&near_part_room_, &candidate_room_, &touching_room_})
-        make_room(*room, balls, contacts_per_ball);
-    for (auto* room : {&near_ball_room_, &ball_pair_room_}) make_room(*room, balls, contacts_per_ball);
+        make_room(*room, balls, pairs_per_ball);
+    for (auto* room : {&near_ball_room_, &ball_pair_room_}) make_room(*room, balls, pairs_per_ball);
     make_room(around_, layout_.size());
     make_room(found_, layout_.size() + balls);
     make_room(role_, balls);
     make_room(reach_, balls);
     make_room(turns_, balls, pairs_per_ball);
     for (auto* places : {&engaged_, &dozing_, &seeking_, &places_}) make_room(*places, balls, 1);
-    for (auto* pairs : {&pairs_, &fresh_}) make_room(*pairs, balls, contacts_per_ball);
+    for (auto* pairs : {&pairs_, &fresh_}) make_room(*pairs, balls, pairs_per_ball);
     near_.reserve(layout_.size() + balls, balls);
     make_room(deep_, layout_.size());
     make_room(pressing_, balls, contacts_per_ball);
@@ -147,15 +147,15 @@ void DiscreteSolver::start_over(std::uint32_t place) {
 }
 
 /// Into pairs of balls with parts and with balls.
-void DiscreteSolver::split(std::span<const Pair> pairs) {
+void DiscreteSolver::split_pairs() {
     const Handle first = first_ball();
     near_parts_ = sift(
-        pairs, near_part_room_, [&](Pair pair) { return pair.a < first; }, Nothing{},
+        pairs_, near_part_room_, [&](Pair pair) { return pair.a < first; }, Nothing{},
         [&](Pair pair) {
             return Candidate{pair.b - first, pair.a};
         });
     near_balls_ = sift(
-        pairs, near_ball_room_, [&](Pair pair) { return pair.a >= first; }, Nothing{},
+        pairs_, near_ball_room_, [&](Pair pair) { return pair.a >= first; }, Nothing{},
         [&](Pair pair) {
             return BallPair{pair.a - first, pair.b - first};
         });
@@ -171,8 +171,7 @@ void DiscreteSolver::find_candidates() {
         [&](const Candidate& c) { return overlap(proxy_of(c.piece).box, proxies[c.ball].box); },
         [&](const Candidate& c) { fetch(proxy_of(c.piece)); });
     const auto between_engaged = sift(near_balls_, ball_pair_room_, [&](BallPair pair) {
-        const Role a = role_[pair.a], b = role_[pair.b];
-        return ((a == Role::engaged) & (b != Role::exposed)) | ((b == Role::engaged) & (a != Role::exposed));
+        return (roles_of(pair) & (Role::free | Role::engaged)) == Role::engaged;
     });
     ball_pairs_ = sift(between_engaged, ball_pair_room_,
                        [&](BallPair pair) { return overlap(proxies[pair.a].box, proxies[pair.b].box); });

@@ -97,8 +97,6 @@ class DiscreteSolver {
     [[nodiscard]] std::size_t first_flight_to(PieceIndex piece, const Ball& ball) const;
     [[nodiscard]] Approach approach_of(const Ball& a, const Ball& b) const;
     [[nodiscard]] std::size_t flight_of(const Approach& approach) const;
-    void expose_company();
-    void list_exposed(std::span<const Pair> near);
     [[nodiscard]] Box free_way_of(const Ball& ball) const;
     void let_doze(std::uint32_t place);
     void engage(std::uint32_t place);
@@ -111,7 +109,7 @@ class DiscreteSolver {
     void start_flights(std::size_t flight);
     void start_flight(std::uint32_t place);
     void start_over(std::uint32_t place);
-    void split(std::span<const Pair> pairs);
+    void split_pairs();
     void find_candidates();
     void finish_flights(double duration);
     [[nodiscard]] PieceIndex moving_pieces() const {
@@ -188,14 +186,17 @@ class DiscreteSolver {
     NearList near_;
 
     // Scratch, kept to save allocations; nothing in it outlives a step.
-    enum class Role : std::int8_t {
-        clear,    ///< meets nobody in this step
-        exposed,  ///< may touch something or be met, but flies free until now
-        engaged,
-        asleep,
-        dozing,  ///< asleep where it may be met
+    /// A bit each, so that those of a pair are asked about together.
+    struct Role {
+        enum Is : std::uint8_t {
+            free = 1,  ///< meets nobody up to now
+            engaged = 2,
+            asleep = 4,
+            dozing = 8,  ///< asleep where it may be met
+        };
     };
-    std::vector<Role> role_;  ///< per ball
+    [[nodiscard]] unsigned roles_of(BallPair pair) const { return role_[pair.a] | unsigned{role_[pair.b]}; }
+    std::vector<Role::Is> role_;  ///< per ball
     /// When a ball may first touch something.
     struct Turn {
         std::size_t flight;
@@ -205,13 +206,12 @@ class DiscreteSolver {
     std::vector<std::uint32_t> engaged_, dozing_;  ///< places, in no order
     bool all_woken_ = false;                       ///< by a target
     bool any_asleep_ = false;                      ///< when the step began
-    std::vector<Pair> pairs_;  ///< of all but the clear with what they can meet in this step, in order
+    std::vector<Pair> pairs_;  ///< what each can meet in this step, in order; after it, of the engaged
     std::vector<Box> reach_;   ///< per engaged ball: within it in this step, unless kicked
     std::vector<std::uint32_t> seeking_;  ///< engaged, but their pairs are not all listed yet
     BoxRow strays_;                       ///< kicked or woken beyond what the search knew
     std::vector<Pair> fresh_;             ///< pairs that come to pairs_
-    /// Of the table's parts and of engaged balls for this flight; of other balls for the step. Active are
-    /// the engaged; while pairs are searched, the awake.
+    /// Of the table's parts and of engaged balls for this flight; of other balls for the step.
     std::vector<Proxy> moving_;
     std::vector<Stretch> marks_;  ///< from the start of the step to the start of each flight, and to the end
     Stretch flight_{0, 0};        ///< one motion iteration

@@ -21,11 +21,9 @@ void DiscreteSolver::find_turns() {
         return grown(reach_of(ball, settings_.search_steps * dt_), berth * ball.radius);
     };
     const std::span<const Pair> near = near_.find_pairs_of_checked(moving_, *broad_, roomy);
-    split(near);
+    pairs_.assign(near.begin(), near.end());
+    split_pairs();
     take_turns();
-    expose_company();
-    list_exposed(near);
-    split(pairs_);
 }
 
 /// Boxes that hold to the end of the step.
@@ -36,6 +34,9 @@ void DiscreteSolver::place_all() {
     role_.resize(balls.size());
     so_far_.resize(balls.size());
     reach_.resize(balls.size());
+    engaged_.clear();
+    strays_.clear();
+    dozing_.clear();
     near_.begin(moving_.size());
     for (PieceIndex i = 0; i < first; ++i) {
         const PieceIndex piece = layout_.size() - first + i;
@@ -50,7 +51,7 @@ void DiscreteSolver::place_all() {
     for (std::uint32_t i = 0; i < balls.size(); ++i) {
         const Ball& ball = balls[i];
         any_asleep_ |= ball.asleep;
-        role_[i] = ball.asleep ? Role::asleep : Role::clear;
+        role_[i] = ball.asleep ? Role::asleep : Role::free;
         moving_[first + i] = {ball.asleep ? bounds_of(ball.position, ball.radius) : reach_of(ball, dt_),
                               ball.layer, ball.collides_with, true, !ball.asleep};
         near_.check(first + i, moving_[first + i]);
@@ -62,9 +63,7 @@ void DiscreteSolver::take_turns() {
     const std::vector<Ball>& balls = *balls_;
     turns_.clear();
     const auto take = [&](std::size_t flight, std::uint32_t place) {
-        if (flight == flights()) return;
-        role_[place] = Role::exposed;
-        turns_.push_back({flight, place});
+        if (flight < flights()) turns_.push_back({flight, place});
     };
     const auto near_on_the_way = [&](const Candidate& c) {
         const Ball& ball = balls[c.ball];
@@ -82,6 +81,11 @@ void DiscreteSolver::take_turns() {
         const std::size_t flight = with_sleeper({a, b}) ? 0 : flight_of(approach_of(balls[a], balls[b]));
         for (const std::uint32_t place : {a, b})
             if (!balls[place].asleep) take(flight, place);
+    }
+    if (!any_asleep_) return;
+    for (const auto [a, b] : near_balls_) {
+        let_doze(a);
+        let_doze(b);
     }
 }
 
@@ -114,44 +118,6 @@ std::size_t DiscreteSolver::flight_of(const Approach& approach) const {
     return k;
 }
 
-/// Whoever could be met by those, wherever they are turned, and by these, is exposed too.
-void DiscreteSolver::expose_company() {
-    for (bool more = true; more;) {
-        more = false;
-        for (const auto [a, b] : near_balls_) {
-            const Role first = role_[a], second = role_[b];
-            if ((first == second) | (first == Role::asleep) | (second == Role::asleep)) continue;
-            role_[a] = role_[b] = Role::exposed;
-            more = true;
-        }
-    }
-}
-
-void DiscreteSolver::list_exposed(std::span<const Pair> near) {
-    const Handle first = first_ball();
-    pairs_.resize(sift(near, pairs_, [&](Pair pair) {
-                      const Role b = role_[pair.b - first];
-                      const Role a = role_[(pair.a < first ? pair.b : pair.a) - first];
-                      return (a == Role::exposed) | (b == Role::exposed);
-                  }).size());
-    for (const std::uint32_t place :
-         sift(Places{role_.size()}, places_, [&](std::uint32_t i) { return role_[i] == Role::exposed; })) {
-        const Ball& ball = (*balls_)[place];
-        Proxy& proxy = proxy_of_ball(place);
-        if (!ball.asleep) proxy.box = free_way_of(ball);
-        proxy.active = false;
-    }
-    engaged_.clear();
-    strays_.clear();
-    dozing_.clear();
-    if (!any_asleep_) return;
-    for (const Pair pair : pairs_) {
-        if (pair.a < first) continue;
-        let_doze(pair.a - first);
-        let_doze(pair.b - first);
-    }
-}
-
 /// Where a ball is on its free way. It strays from the straight one by at most k·t²/8 (k: acceleration).
 Box DiscreteSolver::free_way_of(const Ball& ball) const {
     const Vec2 here = ball.position, there = end_of_flight(ball, scene_.gravity, marks_.back());
@@ -160,7 +126,7 @@ Box DiscreteSolver::free_way_of(const Ball& ball) const {
     return united(bounds_of(here, room), bounds_of(there, room));
 }
 
-/// Of a ball that may be met.
+/// Of one that may be met.
 void DiscreteSolver::let_doze(std::uint32_t place) {
     if (role_[place] != Role::asleep) return;
     role_[place] = Role::dozing;
@@ -170,10 +136,7 @@ void DiscreteSolver::let_doze(std::uint32_t place) {
 /// From now on. A ball that flew free did what follows from where it was when the step began.
 void DiscreteSolver::engage(std::uint32_t place) {
     Ball& ball = (*balls_)[place];
-    if (!ball.asleep && role_[place] != Role::dozing) {
-        fly_freely(ball, scene_.gravity, Stretch(scene_.damping, span_.begin));
-        proxy_of_ball(place).active = true;
-    }
+    if (role_[place] == Role::free) fly_freely(ball, scene_.gravity, Stretch(scene_.damping, span_.begin));
     role_[place] = Role::engaged;
     reach_[place] = reach_of(ball, dt_ - span_.begin);
     engaged_.push_back(place);
@@ -182,7 +145,7 @@ void DiscreteSolver::engage(std::uint32_t place) {
 /// Those whose turn it is, and sleepers that were woken in the flight before.
 void DiscreteSolver::engage_due(std::size_t flight) {
     for (const Turn& turn : turns_)
-        if (turn.flight == flight && role_[turn.place] == Role::exposed) engage(turn.place);
+        if (turn.flight == flight && role_[turn.place] != Role::engaged) engage(turn.place);
     if (all_woken_)
         for (std::uint32_t i = 0; i < role_.size(); ++i) let_doze(i);
     all_woken_ = false;
@@ -200,18 +163,15 @@ void DiscreteSolver::engage_met() {
         known = engaged_.size();
         if (!seeking_.empty()) seek_company();
         const auto one_flies_free = [&](BallPair pair) {
-            const Role a = role_[pair.a], b = role_[pair.b];
-            return ((a == Role::engaged) & (b == Role::exposed)) |
-                   ((a == Role::exposed) & (b == Role::engaged));
+            return roles_of(pair) == (Role::free | Role::engaged);
         };
-        for (const BallPair pair : sift(near_balls_, ball_pair_room_, one_flies_free)) {
-            const std::uint32_t place = role_[pair.a] == Role::exposed ? pair.a : pair.b;
+        for (const auto [a, b] : sift(near_balls_, ball_pair_room_, one_flies_free)) {
+            const auto [met, by] = role_[a] == Role::free ? std::pair(a, b) : std::pair(b, a);
             ++record_->statistics.pair_tests;
-            if (role_[place] != Role::exposed ||
-                !overlap(proxy_of_ball(pair.a).box, proxy_of_ball(pair.b).box))
+            if (role_[met] != Role::free || !overlap(free_way_of((*balls_)[met]), proxy_of_ball(by).box))
                 continue;
-            engage(place);
-            start_flight(place);
+            engage(met);
+            start_flight(met);
         }
     }
 }
@@ -231,10 +191,10 @@ void DiscreteSolver::seek_company() {
         seek_company_of(place);
     }
     add_pairs(fresh_, pairs_);
-    split(pairs_);
+    split_pairs();
 }
 
-/// Lists all pairs of an engaged ball. Whoever is among them and has none listed is engaged too.
+/// Lists all pairs of an engaged ball.
 void DiscreteSolver::seek_company_of(std::uint32_t place) {
     const Handle first = first_ball(), own = first + place;
     const std::vector<Proxy>& still = layout_.still_proxies();
@@ -253,14 +213,9 @@ void DiscreteSolver::seek_company_of(std::uint32_t place) {
         const bool anywhere = other < first && layout_.moves(other);
         if (!may_meet(self, proxy) || !(anywhere || overlap(self.box, proxy.box))) continue;
         fresh_.push_back({std::min(own, other), std::max(own, other)});
-        if (other < first) continue;
-        const std::uint32_t met = other - first;
-        if (role_[met] == Role::asleep) start_over(met);
-        let_doze(met);
-        if (role_[met] != Role::clear) continue;
-        engage(met);
-        start_flight(met);
-        seeking_.push_back(met);
+        if (other < first || role_[other - first] != Role::asleep) continue;
+        start_over(other - first);
+        let_doze(other - first);
     }
 }
 
@@ -274,9 +229,14 @@ void DiscreteSolver::finish_step() {
             if (!proxy_of_ball(place).active) start_flight(place);
         if (!seeking_.empty()) seek_company();
     }
+    const Handle first = first_ball();
+    const auto listed = sift(pairs_, pairs_, [&](Pair pair) {
+        const std::uint32_t b = pair.b - first, a = pair.a < first ? b : pair.a - first;
+        return (roles_of({a, b}) & Role::engaged) != 0;
+    });
+    pairs_.resize(listed.size());
     for (std::size_t i = 0; i < role_.size(); ++i)
-        if (role_[i] == Role::clear || role_[i] == Role::exposed)
-            fly_freely((*balls_)[i], scene_.gravity, marks_.back());
+        if (role_[i] == Role::free) fly_freely((*balls_)[i], scene_.gravity, marks_.back());
 }
 
 }  // namespace flipside::custom
