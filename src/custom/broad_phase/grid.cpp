@@ -217,7 +217,8 @@ class Grid final : public BroadPhase {
     /// stays while boxes fit on average and it is at most three times too large, since a change lists what
     /// is still anew.
     void fit_cell(std::span<const Proxy> moving) {
-        if (moving.size() > room_) make_room(std::bit_ceil(moving.size()));
+        const bool anew = moving.size() > room_;
+        if (anew) make_room(std::bit_ceil(moving.size()));
         double sum = 0, most = 0;
         for (const Proxy& proxy : moving) {
             const double length = side(proxy.box);
@@ -226,11 +227,14 @@ class Grid final : public BroadPhase {
         }
         const auto count = static_cast<double>(moving.size());
         const double mean = sum / count, fewest = smallest_cell(4 * count + 256);
-        const auto cell_for = [&](double room) {
-            return std::max((1 + 1e-9) / fits * room * std::min(most, 1.8 * mean), fewest);
+        const auto cell_for = [&](double largest, double means) {
+            return std::max((1 + 1e-9) / fits * std::min(largest, means * mean), fewest);
         };
-        const double wanted = cell_for(1.25);
-        if (cell_for(1) > cells_.size || 3 * wanted < cells_.size) divide(wanted);
+        const double tight = cell_for(most, 2.2);
+        if (anew || 3 * tight < cells_.size)
+            divide(tight);
+        else if (cell_for(most, 1.8) > cells_.size)
+            divide(cell_for(1.25 * most, 2.2));  // what grows may grow on
     }
 
     /// Lists what is still in the smallest cells that there will be for so many moving proxies, so that no
