@@ -16,9 +16,10 @@ namespace {
 /// step that would end after 1 s.
 class Doubter final : public test::FakeWorld {
   public:
-    explicit Doubter(const Scene& scene) : FakeWorld(std::vector<Ball>(1)) {
-        balls_[0].radius = scene.balls[0].radius;
-        balls_[0].mass = scene.balls[0].mass;
+    explicit Doubter(std::shared_ptr<const Scene> scene)
+        : FakeWorld(std::vector<Ball>(1)), scene_(std::move(scene)) {
+        balls_[0].radius = scene_->balls[0].radius;
+        balls_[0].mass = scene_->balls[0].mass;
         uncertainty_[0] = 3e-14 * balls_[0].radius;
     }
     void step(double dt) override {
@@ -29,6 +30,7 @@ class Doubter final : public test::FakeWorld {
     [[nodiscard]] std::span<const double> uncertainty() const override { return uncertainty_; }
 
   private:
+    std::shared_ptr<const Scene> scene_;
     double uncertainty_[1]{};
 };
 
@@ -36,7 +38,7 @@ const Engine doubter{"doubter",
                      "For tests.",
                      {},
                      [](std::shared_ptr<const Scene> scene, const Settings&) -> std::unique_ptr<World> {
-                         return std::make_unique<Doubter>(*scene);
+                         return std::make_unique<Doubter>(std::move(scene));
                      }};
 
 Run run_of_doubter() {
