@@ -163,7 +163,7 @@ void DiscreteSolver::split_pairs() {
 
 /// Pairs of those that are engaged by now whose boxes overlap in this flight.
 void DiscreteSolver::find_candidates() {
-    const Proxy* const proxies = &moving_[moving_pieces()];
+    const Proxy* const proxies = moving_.data() + moving_pieces();
     const auto of_engaged = sift(near_parts_, candidate_room_,
                                  [&](const Candidate& c) { return role_[c.ball] == Role::engaged; });
     candidates_ = sift(
