@@ -13,16 +13,21 @@
 
 namespace flipside::custom {
 
-/// φ(x) = (x − 1 + e^(−x))/x² for 0 ≤ x ≤ ½; ½ at 0.
-inline double drag_phi(double x) {
-    // Σ (−x)^k/(k + 2)!: what is left out is below rounding.
+/// The first terms of φ(x) = Σ (−x)^k/(k + 2)!; the compiler knows how many, so that no loop is left.
+template <std::size_t terms>
+double drag_series(double x) {
     constexpr double one_over[] = {
         1 / 2.0,         1 / 6.0,          1 / 24.0,          1 / 120.0,          1 / 720.0,
         1 / 5040.0,      1 / 40320.0,      1 / 362880.0,      1 / 3628800.0,      1 / 39916800.0,
         1 / 479001600.0, 1 / 6227020800.0, 1 / 87178291200.0, 1 / 1307674368000.0};
     double sum = 0;
-    for (std::size_t k = x < 0.004 ? 6 : std::size(one_over); k-- > 0;) sum = one_over[k] - x * sum;
+    static_assert(terms <= std::size(one_over));
+    for (std::size_t k = terms; k-- > 0;) sum = one_over[k] - x * sum;
     return sum;
+}
+/// φ(x) = (x − 1 + e^(−x))/x² for 0 ≤ x ≤ ½; ½ at 0. What is left out is below rounding.
+inline double drag_phi(double x) {
+    return x < 0.004 ? drag_series<6>(x) : drag_series<14>(x);
 }
 
 /// What a stretch of time does to every flight with the same drag. Made once, it serves many balls.

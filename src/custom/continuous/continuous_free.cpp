@@ -43,11 +43,11 @@ bool ContinuousSolver::still_free(Place i) const {
 void ContinuousSolver::find_free_time(Place i) {
     Mover& mover = movers_[i];
     const Ball& ball = (*balls_)[i];
-    // What cut the last certificate short is still ahead.
     mover.clear = mover.free > 0 && ball.position == mover.left_at && ball.velocity == mover.left_with;
     mover.free = 0;
     const bool rested = mover.held != nullptr;
-    if (settings_.look_ahead <= 0 || mover.clear || rested) return;
+    // What cut the last certificate short is still ahead.
+    if (settings_.look_ahead <= 0 || (mover.clear && mover.cut) || rested) return;
     if (std::ranges::any_of(inside_, [&](const Sensed& in) { return in.ball == ball.number; })) return;
     const double way = settings_.look_ahead * ball.radius;
     const double speed = length(ball.velocity) + std::sqrt(way * length(drive_.gravity));
@@ -59,6 +59,7 @@ void ContinuousSolver::find_free_time(Place i) {
         clearance_.free_for(ball, flight, longest, dt_ / 2, statistics.pair_tests, statistics.narrow_tests);
     mover.clear = free > 0;
     if (free >= dt_) mover.free = free_of_balls(i, free);
+    mover.cut = mover.free < longest;
 }
 
 /// Until when, at most, a ball in free flight stays clear of those who take no part.

@@ -48,7 +48,8 @@ void ContinuousSolver::reset(const Table& table, std::span<const Ball> balls) {
         for (PartIndex part = 0; part < pieces_.size(); ++part)
             for (const PieceIndex piece : pieces_[part]) {
                 const bool sensor = scene_.parts[part].sensor;
-                if ((!sensor && !table.parts()[part].open) || !layers_meet(ball, scene_.parts[part]))
+                if ((!sensor && !table.parts()[part].open) || !layers_meet(ball, scene_.parts[part]) ||
+                    !layout_.may_touch(piece, ball.position, ball.radius))
                     continue;
                 const Touch found = touch(ball.position, ball.radius, layout_.piece(piece), table.pose(part));
                 if (found.separation <= 0 && !(found.past_end && !sensor))
@@ -205,9 +206,8 @@ void ContinuousSolver::find_piles() {
     for (Place i = 0; i < balls.size(); ++i) rooms_.push_back(united(movers_[i].box, touching_box(balls[i])));
     for (Place i = 0; i < balls.size(); ++i)
         for (Place j = i + 1; j < balls.size(); ++j) {
-            if (!overlap(rooms_[i], rooms_[j])) continue;
             const Mover &first = movers_[i], &second = movers_[j];
-            if (!first.active && !second.active) continue;
+            if (!((first.active | second.active) & overlap(rooms_[i], rooms_[j]))) continue;
             const Ball &a = balls[i], &b = balls[j];
             if ((first.handed_over && second.handed_over) || (a.asleep && b.asleep)) continue;
             if (!layers_meet(a, b)) continue;

@@ -53,6 +53,7 @@ class ContinuousSolver {
         bool lies = false;    ///< asleep where nothing turns
         bool handed_over = false;
         bool lost = false;
+        bool cut = false;  ///< by something ahead was the time for which it flies free
         /// s, from the end of the last step on: flies free, if it is still there and so fast.
         double free = 0;
         Vec2 left_at, left_with;
