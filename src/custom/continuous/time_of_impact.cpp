@@ -57,6 +57,8 @@ namespace {
 struct Moving {
     Vec2 at, velocity;
     double top_speed, top_acceleration;  ///< over the rest of the search
+    Vec2 acceleration{};                 ///< where there is a bound on how it changes:
+    double top_jerk = INFINITY;          ///< m/s³, over the rest of the search
 };
 
 /// What the search needs to know at one instant.
@@ -65,13 +67,29 @@ struct Gap {
     double k = 0;               ///< bound on −f'' …
     double trusted = INFINITY;  ///< … for this long, s
     double outside = 0;         ///< surely not between the feature's ends for this long, s
+    double lifting = 0;         ///< f surely stays above what it is now for this long, s
 };
+
+/// For how long the distance d from a point that is `out` away, and grows (`side` 1) or shrinks (−1), surely
+/// stays beyond what it is: 3·d″/J, where J bounds d‴ while d is above `nearest`. What lets go of an arc
+/// leaves it with t³; steps that know no more than a bound on d″ would hardly get away.
+double surely_lifts(const Moving& q, Vec2 out, double d, double side, double nearest) {
+    const double across = cross(out, q.velocity) / d;
+    const double bend = side * (dot(out, q.acceleration) + across * across) / d;
+    if (bend <= 0) return 0;
+    const double soon = nearest / q.top_speed;
+    const double speed = std::min(q.top_speed, length(q.velocity) + q.top_acceleration * soon);
+    const double whirl = speed / nearest;
+    return std::min(soon,
+                    3 * bend / (q.top_jerk + 3 * whirl * q.top_acceleration + 2 * whirl * whirl * speed));
+}
 
 Gap gap_to_disc(const Moving& q, Vec2 center, double reach) {
     const Vec2 out = q.at - center;
-    const double d = length(out);
-    return {d - reach, d > 0 ? dot(out, q.velocity) / d : 0,
-            q.top_acceleration + q.top_speed * q.top_speed / reach};
+    const double d = length(out), slope = d > 0 ? dot(out, q.velocity) / d : 0;
+    Gap gap{d - reach, slope, q.top_acceleration + q.top_speed * q.top_speed / reach};
+    if (slope > 0) gap.lifting = surely_lifts(q, out, d, 1, d);
+    return gap;
 }
 
 struct GapTo {
@@ -93,8 +111,10 @@ struct GapTo {
         const double slope = d > 0 ? side * dot(out, q.velocity) / d : -q.top_speed;
         // Inside, the distance from the centre shrinks; half of it bounds the curvature for a while.
         const double nearest = side > 0 ? bow.radius : 0.5 * std::max(d, 1e-300);
-        return {side * off - radius, slope, q.top_acceleration + q.top_speed * q.top_speed / nearest,
+        Gap gap{side * off - radius, slope, q.top_acceleration + q.top_speed * q.top_speed / nearest,
                 side > 0 ? INFINITY : nearest / q.top_speed, bow.full ? 0 : until_facing(bow, out)};
+        if (slope > 0) gap.lifting = surely_lifts(q, out, d, side, nearest);
+        return gap;
     }
     Gap operator()(const Round& round) const { return gap_to_disc(q, round.center, radius + round.radius); }
 
@@ -128,12 +148,12 @@ double search(MovingAt&& moving, GapOf&& gap_of, double radius, double rounding,
         double h = gap.outside;
         if (gap.value > tolerance) {
             const double by_curve = std::min(gap.trusted, surely_free(gap.value, gap.slope, gap.k));
-            h = std::max({h, gap.value / q.top_speed, by_curve});
+            h = std::max({h, gap.value / q.top_speed, by_curve, gap.lifting});
         } else if (gap.slope < -still) {
             if (h <= 0) return t;
         } else if (gap.slope > still) {
             const double turn = gap.slope / gap.k;
-            h = std::max(h, std::min(gap.trusted, gap.value < -tolerance ? turn : 2 * turn));
+            h = std::max({h, std::min(gap.trusted, gap.value < -tolerance ? turn : 2 * turn), gap.lifting});
         } else {
             // Sliding along: the gap is flat here, and so is what can be missed.
             const double pace = q.top_speed + std::sqrt(q.top_acceleration * radius);
@@ -152,10 +172,15 @@ double search(MovingAt&& moving, GapOf&& gap_of, double radius, double rounding,
 double search_turning(const Feature& feature, Pose begin, double rate, double begin_time, const Path& path,
                       double radius, double t0, double t1) {
     const double v = path.max_speed(t1), a = path.max_acceleration(t1), w = std::abs(rate);
+    const double drag = path.flight.drag, jerk = path.swings ? INFINITY : drag * a;
     const auto moving = [&](double t) {
         const auto [p, u] = path.at(t);
         const Pose pose{begin.pivot, begin.angle + rate * (t - begin_time)};
-        if (w == 0) return Moving{pose.undo(p), pose.angle == 0 ? u : rotated(u, -pose.angle), v, a};
+        if (w == 0) {
+            const Vec2 pull = path.flight.acceleration - drag * u;
+            if (pose.angle == 0) return Moving{pose.undo(p), u, v, a, pull, jerk};
+            return Moving{pose.undo(p), rotated(u, -pose.angle), v, a, rotated(pull, -pose.angle), jerk};
+        }
         const Vec2 relative = u - cross(rate, p - begin.pivot);
         const double far = length(p - begin.pivot) + v * (t1 - t), top = v + w * far;
         return Moving{pose.undo(p), rotated(relative, -pose.angle), top, a + 2 * w * top + w * w * far};

@@ -97,9 +97,10 @@ RC_GTEST_PROP(TimeOfImpact, SearchSkipsNothing, ()) {
     const Bow bow = bow_of({anywhere(0.5), between(0.4, 1), from, to});
     const Feature feature =
         *rc::gen::arbitrary<bool>() ? Feature{bow, 0, 0} : Feature{Line{{-1, 0.2}, {1, 0}, 2, {}, {}}, 0, 0};
-    const double rate = between(-30, 30);
+    const double rate = *rc::gen::arbitrary<bool>() ? between(-30, 30) : 0;
     const Turning turning{{{0, 0}, between(0, 6)}, rate, INFINITY, 0};
-    const Path path = random_path(anywhere(10));
+    Path path = random_path(anywhere(10));
+    path.flight.drag = *rc::gen::arbitrary<bool>() ? between(0, 5) : 0;
     const double r = between(0.02, 0.2), found = time_of_impact(feature, turning, path, r, 0, 0.5);
     const auto gap_at = [&](double t) {
         const Sight sight = look(feature, turning.pose(t).undo(path.position(t)), r);
@@ -112,6 +113,21 @@ RC_GTEST_PROP(TimeOfImpact, SearchSkipsNothing, ()) {
         // Entering from beyond an end (a jump of the gap) is the end's business.
         RC_ASSERT(gap > -1e-9 || before > 0.05 || before < -1e-9);
         before = gap;
+    }
+}
+
+// A ball that runs up the inside of a loop and lets go where gravity alone keeps it on its circle comes off
+// with t³: |p|² − R² = −g·v·cos θ·t³ + g²·t⁴/4, so it is back after t = 4·v·cos θ/g.
+TEST(TimeOfImpact, WhatLetsGoOfALoopComesBack) {
+    constexpr double g = 9.81, loop = 0.3, radius = 0.05, reach = loop - radius;
+    const Feature feature{bow_of({{0.2, -0.1}, loop, 0, 7}), 0, 0};
+    for (const double angle : {0.1, 0.5, 1.0, 1.5}) {
+        const double speed = std::sqrt(g * reach * std::sin(angle));
+        Path path;
+        path.flight = {
+            Vec2{0.2, -0.1} + reach * from_angle(angle), speed * perp(from_angle(angle)), {0, -g}, 0};
+        const double back = 4 * speed * std::cos(angle) / g;
+        EXPECT_NEAR(time_of_impact(feature, {}, path, radius, 0, 1), back, 1e-9) << angle;
     }
 }
 
