@@ -78,6 +78,10 @@ class BroadPhase {
 [[nodiscard]] std::unique_ptr<BroadPhase> make_grid(const std::vector<Proxy>& still, const Box& world,
                                                     double cell);
 
+/// For a few moving boxes among many still ones, most of them in `world`: an index of the still ones, and
+/// every pair of the moving ones.
+[[nodiscard]] std::unique_ptr<BroadPhase> make_few(const std::vector<Proxy>& still, const Box& world);
+
 /// Sweep and prune along x.
 [[nodiscard]] std::unique_ptr<BroadPhase> make_sweep(std::vector<Proxy> still);
 

@@ -27,6 +27,7 @@ void NearList::begin(std::size_t moving) {
 
 void NearList::search(BroadPhase& broad) {
     broad.find_pairs(rooms_, listed_);
+    searched_ = &broad;
     strays_.clear();
     can_mend_ = std::ranges::any_of(rooms_, &Proxy::active);
 }

@@ -42,7 +42,8 @@ class NearList {
     std::span<const Pair> find_pairs_of_checked(std::span<const Proxy> moving, BroadPhase& broad,
                                                 auto&& roomy) {
         const std::size_t strays = strays_.size() + leavers_.size();
-        if (!leavers_.empty() && (!can_mend_ || strays > most_strays(moving.size()))) {
+        const bool anew = !can_mend_ || strays > most_strays(moving.size());
+        if (&broad != searched_ || (!leavers_.empty() && anew)) {
             for (std::uint32_t i = 0; i < moving.size(); ++i) give_room(i, moving[i], roomy(i));
             search(broad);
         } else if (!leavers_.empty()) {
@@ -97,11 +98,12 @@ class NearList {
     std::vector<Proxy> rooms_;  ///< what the broad phase was last given, except for the strays
     std::vector<Pair> listed_;  ///< in order
     std::vector<std::uint32_t> leavers_;
-    BoxRow strays_;               ///< the rooms of all that left since the search
-    std::vector<Handle> around_;  ///< scratch
-    std::vector<Pair> found_;     ///< scratch
-    std::vector<Pair> hits_;      ///< scratch
-    bool can_mend_ = false;       ///< the last search was for these proxies, and one was active
+    BoxRow strays_;                         ///< the rooms of all that left since the search
+    std::vector<Handle> around_;            ///< scratch
+    std::vector<Pair> found_;               ///< scratch
+    std::vector<Pair> hits_;                ///< scratch
+    const BroadPhase* searched_ = nullptr;  ///< which one knows the rooms
+    bool can_mend_ = false;                 ///< the last search was for these proxies, and one was active
     std::uint64_t tests_ = 0;
 };
 

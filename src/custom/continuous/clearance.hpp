@@ -16,7 +16,7 @@
 #include <span>
 #include <vector>
 
-#include "custom/continuous/box_index.hpp"
+#include "custom/broad_phase/box_index.hpp"
 #include "custom/continuous/time_of_impact.hpp"
 #include "custom/flight.hpp"
 #include "custom/geometry/bounds.hpp"

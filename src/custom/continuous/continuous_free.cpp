@@ -71,9 +71,10 @@ double ContinuousSolver::free_of_balls(Place i, double until) const {
         if (j == i || movers_[j].active || !layers_meet(a, b)) continue;
         const double reach = a.radius + b.radius + clearance_margin(a) + clearance_margin(b);
         const Vec2 between = a.position - b.position, closing = a.velocity - b.velocity;
-        const double distance = length(between);
-        if (distance <= reach) return 0;
+        const double apart = length_squared(between) - reach * reach;
+        if (apart <= 0) return 0;
         if (b.asleep) {
+            const double distance = length(between);
             const double k = Flight{{}, a.velocity, drive_.gravity, drive_.drag}.max_acceleration(until);
             until = std::min(until, surely_free(distance - reach, dot(between, closing) / distance, k));
             continue;
@@ -81,9 +82,9 @@ double ContinuousSolver::free_of_balls(Place i, double until) const {
         // Seen from one another they fly straight, in a time that drag shrinks: never faster than the clock.
         const double approach = -dot(between, closing), speed_squared = length_squared(closing);
         if (approach <= 0) continue;
-        const double inside = approach * approach - speed_squared * (distance - reach) * (distance + reach);
+        const double inside = approach * approach - speed_squared * apart;
         if (inside < 0) continue;
-        const double met = (distance - reach) * (distance + reach) / (approach + std::sqrt(inside));
+        const double met = apart / (approach + std::sqrt(inside));
         if (met < movers_[j].free) until = std::min(until, met);
     }
     return until;

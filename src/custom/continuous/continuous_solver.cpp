@@ -28,6 +28,7 @@ ContinuousSolver::ContinuousSolver(const Table& table, const Layout& layout, con
       ranges_(scene_.bounds, features_.size()),
       pieces_(scene_.parts.size()),
       clearance_(scene_, layout, table),
+      few_(make_few(layout.still_proxies(), scene_.bounds)),
       turnings_(scene_.parts.size()) {
     for (FeatureIndex i = 0; i < features_.size(); ++i)
         ranges_.set(i, range_of(features_[i], layout.piece(features_[i].piece), table));
@@ -71,6 +72,8 @@ void ContinuousSolver::reserve(std::size_t balls) {
     for (auto* list : {&inside_, &inside_at_start_}) custom::make_room(*list, most, touches_per_ball);
     custom::make_room(pressings_at_start_, most, contacts_per_ball);
     custom::make_room(rooms_, most);
+    custom::make_room(active_, most);
+    while (all_.size() < most) all_.push_back(static_cast<Place>(all_.size()));
     custom::make_room(queue_, most, pairs_per_ball);
     custom::make_room(pairs_, most, pairs_per_ball);
     grips_.reserve(std::min(features_.size(), most_near));
@@ -201,34 +204,40 @@ void ContinuousSolver::come_out(Place i) {
 /// left deep in one another, which flying freely would never come apart.
 void ContinuousSolver::find_piles() {
     const std::vector<Ball>& balls = *balls_;
-    const double weight = length(scene_.gravity);
     rooms_.clear();
     for (Place i = 0; i < balls.size(); ++i) rooms_.push_back(united(movers_[i].box, touching_box(balls[i])));
+    list_active();
     for (Place i = 0; i < balls.size(); ++i)
-        for (Place j = i + 1; j < balls.size(); ++j) {
-            const Mover &first = movers_[i], &second = movers_[j];
-            if (!((first.active | second.active) & overlap(rooms_[i], rooms_[j]))) continue;
-            const Ball &a = balls[i], &b = balls[j];
-            if ((first.handed_over && second.handed_over) || (a.asleep && b.asleep)) continue;
-            if (!layers_meet(a, b)) continue;
-            if (first.handed_over || second.handed_over) {
-                if (overlap(first.box, second.box)) hand_over(i), hand_over(j);
-                continue;
-            }
-            const Vec2 between = a.position - b.position;
-            const double near = touch_distance * std::min(a.radius, b.radius);
-            const double reach = a.radius + b.radius + near;
-            if (length_squared(between) > reach * reach) continue;
-            const double out = a.radius + b.radius - deep * std::min(a.radius, b.radius);
-            if (length_squared(between) < out * out) {
-                hand_over(i), hand_over(j);
-                continue;
-            }
-            const double apart = dot(a.velocity - b.velocity, unit(between));
-            const double pressed = pressing(i, j, 0);
-            if (pressed <= 1e-9 * weight || apart < -scene_.rest_speed) continue;
-            if (apart <= 0 || apart * apart <= 2 * pressed * near) hand_over(i), hand_over(j);
-        }
+        for (const Place j : company_of(i))
+            if (j > i && overlap(rooms_[i], rooms_[j]) && piled(i, j)) hand_over(i), hand_over(j);
+}
+
+bool ContinuousSolver::piled(Place i, Place j) const {
+    const Mover &first = movers_[i], &second = movers_[j];
+    const Ball &a = (*balls_)[i], &b = (*balls_)[j];
+    if ((first.handed_over && second.handed_over) || (a.asleep && b.asleep)) return false;
+    if (!layers_meet(a, b)) return false;
+    if (first.handed_over || second.handed_over) return overlap(first.box, second.box);
+    const Vec2 between = a.position - b.position;
+    const double near = touch_distance * std::min(a.radius, b.radius);
+    const double reach = a.radius + b.radius + near;
+    if (length_squared(between) > reach * reach) return false;
+    const double out = a.radius + b.radius - deep * std::min(a.radius, b.radius);
+    if (length_squared(between) < out * out) return true;
+    const double apart = dot(a.velocity - b.velocity, unit(between));
+    const double pressed = pressing(i, j, 0);
+    if (pressed <= 1e-9 * length(scene_.gravity) || apart < -scene_.rest_speed) return false;
+    return apart <= 0 || apart * apart <= 2 * pressed * near;
+}
+
+void ContinuousSolver::list_active() {
+    active_.clear();
+    for (Place i = 0; i < movers_.size(); ++i)
+        if (movers_[i].active) active_.push_back(i);
+}
+
+auto ContinuousSolver::company_of(Place i) const -> std::span<const Place> {
+    return movers_[i].active ? std::span(all_).first(movers_.size()) : std::span(active_);
 }
 
 /// With what acceleration two balls that touch would come closer, were there no contact, m/s².
@@ -252,7 +261,10 @@ void ContinuousSolver::run_discrete(BroadPhase& broad) {
     for (Place i = 0; i < balls.size(); ++i)
         if (movers_[i].handed_over) handed_.push_back(balls[i]);
     if (handed_.empty()) return table_->pressings().clear();
-    discrete_.step(*table_, handed_, dt_, broad, *record_);
+    constexpr std::size_t few = 16;
+    const std::uint64_t tests = few_->tests();
+    discrete_.step(*table_, handed_, dt_, handed_.size() <= few ? *few_ : broad, *record_);
+    record_->statistics.pair_tests += few_->tests() - tests;
     auto next = handed_.begin();
     for (Place i = 0; i < balls.size(); ++i) {
         if (!movers_[i].handed_over) continue;
@@ -319,6 +331,7 @@ void ContinuousSolver::drop_lost() {
 void ContinuousSolver::find_pairs() {
     const std::vector<Ball>& balls = *balls_;
     rooms_.clear();
+    list_active();
     for (Place i = 0; i < balls.size(); ++i) {
         const Ball& ball = balls[i];
         const bool active = movers_[i].active;
@@ -338,10 +351,11 @@ void ContinuousSolver::find_pairs() {
                 if (pairs_.size() == first || pairs_.back() != pair) pairs_.push_back(pair);
             }
         }
-        for (Place j = 0; j < i; ++j)
-            if (overlap(box, rooms_[j]) && (active || movers_[j].active) &&
-                !(ball.asleep && balls[j].asleep) && layers_meet(ball, balls[j]))
+        for (const Place j : company_of(i)) {
+            if (j >= i) break;
+            if (overlap(box, rooms_[j]) && !(ball.asleep && balls[j].asleep) && layers_meet(ball, balls[j]))
                 pairs_.push_back({layout_.size() + j, handle});
+        }
     }
 }
 

@@ -91,6 +91,10 @@ class ContinuousSolver {
     void prepare_movers();
     void come_out(Place i);
     void find_piles();
+    [[nodiscard]] bool piled(Place i, Place j) const;
+    void list_active();
+    /// The places of those that may matter to a ball: of all, or those who take part if it does not.
+    [[nodiscard]] std::span<const Place> company_of(Place i) const;
     void run_discrete(BroadPhase& broad);
     void roll_back(std::size_t events);
     void finish();
@@ -156,6 +160,7 @@ class ContinuousSolver {
     std::vector<std::vector<PieceIndex>> pieces_;  ///< by part; of sensors and gates only
     std::vector<Sensed> inside_;                   ///< balls in sensors and open gates, in order
     Clearance clearance_;
+    std::unique_ptr<BroadPhase> few_;  ///< for what is handed over
 
     // Of the step being made.
     Table* table_ = nullptr;
@@ -174,6 +179,8 @@ class ContinuousSolver {
     std::span<Mover> movers_;        ///< the first of the pool, by place in balls_
     std::vector<Entry> queue_;       ///< a heap
     std::vector<Box> rooms_;         ///< per ball: of what it touches, and before the step of its path
+    std::vector<Place> all_;         ///< 0, 1, 2 …
+    std::vector<Place> active_;      ///< of those who take part, in order
     std::vector<Grip> grips_;
     std::vector<Ball> at_start_, handed_;
     std::vector<PartState> parts_at_start_;

@@ -48,8 +48,9 @@ TEST(NearList, SeeksThoseThatLeaveAlone) {
     constexpr double room = 0.1;
     const std::vector<Proxy> still{{{{0, 0}, {16, 1}}, 1, ~0U, false, false}};
     for (const auto& broad :
-         {make_brute_force(still), make_sweep(still), make_quadtree(still, {{}, {16, 16}}, 4),
-          make_adaptive_quadtree(still, {{}, {16, 16}}, 4, 8), make_grid(still, {{}, {16, 16}}, 0)}) {
+         {make_brute_force(still), make_sweep(still), make_few(still, {{}, {16, 16}}),
+          make_quadtree(still, {{}, {16, 16}}, 4), make_adaptive_quadtree(still, {{}, {16, 16}}, 4, 8),
+          make_grid(still, {{}, {16, 16}}, 0)}) {
         std::vector<Proxy> moving;
         for (int i = 0; i < 256; ++i)
             moving.push_back({bounds_of({0.5 + i % 16, 0.5 + i / 16}, 0.45), 1, ~0U, true, true});
@@ -72,6 +73,32 @@ TEST(NearList, SeeksThoseThatLeaveAlone) {
         if (broad->facts().name == "grid") {
             EXPECT_LT(broad->tests(), 40 * searched);
         }
+    }
+}
+
+// A search by one broad phase leaves nothing behind that another would have to know.
+RC_GTEST_PROP(NearList, BroadPhasesTakeTurns, ()) {
+    std::vector<Proxy> still, moving;
+    for (int i = *rc::gen::inRange(0, 10); i > 0; --i)
+        still.push_back(any_proxy(false)), still.back().active = false;
+    for (int i = *rc::gen::inRange(1, 30); i > 0; --i) moving.push_back(any_proxy(true));
+    const auto twin = make_brute_force(still), few = make_few(still, {{}, {16, 16}}),
+               grid = make_grid(still, {{}, {16, 16}}, 0);
+    NearList near(still);
+    std::vector<Pair> expected;
+    for (int step = 0; step < 12; ++step) {
+        Proxy& moved = moving[static_cast<std::size_t>(step) % moving.size()];
+        const Vec2 by{*rc::gen::inRange(-1, 2) * 0.125, *rc::gen::inRange(-1, 2) * 0.125};
+        moved.box = {moved.box.min + by, moved.box.max + by};
+        moved.active = true;
+        twin->find_pairs(moving, expected);
+        RC_ASSERT(near_pairs(near, moving, step % 3 == 0 ? *grid : *few, 0.1) == expected);
+        // Every room that overlaps a box is found.
+        std::vector<Handle> around;
+        near.find_around(moved.box, step % 3 == 0 ? *grid : *few, around);
+        for (Handle i = 0; i < moving.size(); ++i)
+            if (overlap(moved.box, moving[i].box))
+                RC_ASSERT(std::ranges::count(around, static_cast<Handle>(still.size()) + i) > 0);
     }
 }
 
