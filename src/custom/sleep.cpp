@@ -34,6 +34,7 @@ void Sleep::watch(std::span<const Ball> balls, double dt) {
 }
 
 void Sleep::settle(std::span<Ball> balls, std::span<const Contact> contacts, double dt) {
+    if (before_.empty()) return;  // who was fast does not sleep yet
     // Most move: they are told first, and cheaply.
     const double slowest = std::max(slow(true, dt), slow(false, dt));
     members_.resize(balls.size());

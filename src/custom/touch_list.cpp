@@ -120,10 +120,11 @@ void TouchList::refresh(const Layout& layout, const Table& table, std::span<cons
 
 void TouchList::look_at(const Layout& layout, const Table& table, std::span<const Ball> balls,
                         std::span<const Pair> candidates) {
+    narrow_tests_ = candidates.size();
+    if (candidates.empty()) return;  // and what was kept of sleepers is in order
     // Most candidates are not even near: they go first.
     constexpr double room = 1 + 2 * touch_distance;
     const Handle first_ball = layout.size();
-    narrow_tests_ = candidates.size();
     const auto with_parts = sift(candidates, sorted_, [&](Pair pair) { return pair.a < first_ball; });
     const auto near_parts = sift(
         with_parts, near_,

@@ -245,8 +245,6 @@ double Clearance::clear_until(const Obstacle& obstacle, double until, Vec2 at_un
 
 double Clearance::surely_inside_bounds(double longest) const {
     const Box& bounds = scene_.bounds;
-    const Box way = flight_->bounds(longest);
-    if (bounds.contains(way.min) && bounds.contains(way.max)) return longest;
     const Vec2 p = flight_->position, v = flight_->velocity, a = flight_->acceleration;
     if (!bounds.contains(p)) return 0;
     return std::min({longest, surely_free(p.x - bounds.min.x, v.x, slowed_ - a.x),
@@ -260,12 +258,17 @@ double Clearance::free_for(const Ball& ball, const Flight& flight, double longes
     flight_ = &flight;
     finest_ = finest;
     reach_ = ball.radius + clearance_margin(ball);
-    bend_ = flight.max_acceleration(longest);
     slowed_ = flight.drag * flight.max_speed(longest);
+    bend_ = length(flight.acceleration) + slowed_;
     shape_tests_ = 0;
-    double until = surely_inside_bounds(longest);
+    double until = longest;
     Vec2 end = flight.position + flight.displacement(until);
-    const Box box = grown(around(flight.position, end), reach_ + bend_ * until * until / 8);
+    const auto way = [&] { return grown(around(flight.position, end), bend_ * until * until / 8); };
+    if (!holds(scene_.bounds, way())) {
+        until = surely_inside_bounds(longest);
+        end = flight.position + flight.displacement(until);
+    }
+    const Box box = grown(way(), reach_);
     in_the_way_.clear();
     box_tests += boxes_.find(box, in_the_way_);
     for (const std::uint32_t i : in_the_way_) {

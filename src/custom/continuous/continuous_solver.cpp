@@ -71,7 +71,6 @@ void ContinuousSolver::reserve(std::size_t balls) {
     for (auto* list : {&at_start_, &handed_}) custom::make_room(*list, most);
     for (auto* list : {&inside_, &inside_at_start_}) custom::make_room(*list, most, touches_per_ball);
     custom::make_room(pressings_at_start_, most, contacts_per_ball);
-    custom::make_room(rooms_, most);
     custom::make_room(active_, most);
     while (all_.size() < most) all_.push_back(static_cast<Place>(all_.size()));
     custom::make_room(queue_, most, pairs_per_ball);
@@ -203,13 +202,12 @@ void ContinuousSolver::come_out(Place i) {
 /// Balls that touch, are pressed together, and neither bounce nor hop out of touch; and those that a pile
 /// left deep in one another, which flying freely would never come apart.
 void ContinuousSolver::find_piles() {
-    const std::vector<Ball>& balls = *balls_;
-    rooms_.clear();
-    for (Place i = 0; i < balls.size(); ++i) rooms_.push_back(united(movers_[i].box, touching_box(balls[i])));
     list_active();
-    for (Place i = 0; i < balls.size(); ++i)
+    for (Place i = 0; i < movers_.size(); ++i) {
+        const Box room = grown(movers_[i].box, touch_distance * (*balls_)[i].radius);
         for (const Place j : company_of(i))
-            if (j > i && overlap(rooms_[i], rooms_[j]) && piled(i, j)) hand_over(i), hand_over(j);
+            if (j > i && overlap(room, movers_[j].box) && piled(i, j)) hand_over(i), hand_over(j);
+    }
 }
 
 bool ContinuousSolver::piled(Place i, Place j) const {
@@ -330,15 +328,13 @@ void ContinuousSolver::drop_lost() {
 
 void ContinuousSolver::find_pairs() {
     const std::vector<Ball>& balls = *balls_;
-    rooms_.clear();
     list_active();
     for (Place i = 0; i < balls.size(); ++i) {
         const Ball& ball = balls[i];
-        const bool active = movers_[i].active;
         const Handle handle = layout_.size() + i;
-        const Box box = rooms_.emplace_back(touching_box(ball));
+        const Box box = touching_box(ball);
         const std::size_t first = pairs_.size();
-        if (active && !ball.asleep) {
+        if (movers_[i].active && !ball.asleep) {
             record_->statistics.pair_tests += movers_[i].near.cover(box, ranges_);
             for (const FeatureIndex f : movers_[i].near.list()) {
                 if (!overlap(box, ranges_[f]) || !layers_meet(ball, features_[f])) continue;
@@ -353,7 +349,8 @@ void ContinuousSolver::find_pairs() {
         }
         for (const Place j : company_of(i)) {
             if (j >= i) break;
-            if (overlap(box, rooms_[j]) && !(ball.asleep && balls[j].asleep) && layers_meet(ball, balls[j]))
+            if (overlap(box, touching_box(balls[j])) && !(ball.asleep && balls[j].asleep) &&
+                layers_meet(ball, balls[j]))
                 pairs_.push_back({layout_.size() + j, handle});
         }
     }

@@ -178,7 +178,6 @@ class ContinuousSolver {
     std::vector<Mover> pool_;        ///< with the room that their lists have
     std::span<Mover> movers_;        ///< the first of the pool, by place in balls_
     std::vector<Entry> queue_;       ///< a heap
-    std::vector<Box> rooms_;         ///< per ball: of what it touches, and before the step of its path
     std::vector<Place> all_;         ///< 0, 1, 2 …
     std::vector<Place> active_;      ///< of those who take part, in order
     std::vector<Grip> grips_;
