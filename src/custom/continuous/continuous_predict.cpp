@@ -259,6 +259,7 @@ void ContinuousSolver::predict_features(Place i, double time) {
 void ContinuousSolver::predict_balls(Place i, double time) {
     const std::vector<Ball>& balls = *balls_;
     Mover& mover = movers_[i];
+    if (!in_company(mover.box)) return;
     for (Place j = 0; j < balls.size(); ++j) {
         Mover& other = movers_[j];
         if (j == i || !overlap(mover.box, other.box) || !layers_meet(balls[i], balls[j]) || other.lost)

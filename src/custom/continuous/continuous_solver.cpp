@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <functional>
+#include <numeric>
+
+#include "custom/sift.hpp"
 
 namespace flipside::custom {
 
@@ -71,8 +74,7 @@ void ContinuousSolver::reserve(std::size_t balls) {
     for (auto* list : {&at_start_, &handed_}) custom::make_room(*list, most);
     for (auto* list : {&inside_, &inside_at_start_}) custom::make_room(*list, most, touches_per_ball);
     custom::make_room(pressings_at_start_, most, contacts_per_ball);
-    custom::make_room(active_, most);
-    while (all_.size() < most) all_.push_back(static_cast<Place>(all_.size()));
+    custom::make_room(active_room_, most);
     custom::make_room(queue_, most, pairs_per_ball);
     custom::make_room(pairs_, most, pairs_per_ball);
     grips_.reserve(std::min(features_.size(), most_near));
@@ -137,8 +139,8 @@ bool ContinuousSolver::attempt(BroadPhase& broad) {
     prepare_movers();
     find_piles();
     if (spoilt_) return false;
-    for (Place i = 0; i < movers_.size(); ++i)
-        if (movers_[i].active && !movers_[i].handed_over) predict(i, 0);
+    for (const Place i : active_)
+        if (!movers_[i].handed_over) predict(i, 0);
     while (!queue_.empty() && !spoilt_) {
         const Entry entry = queue_.front();
         std::ranges::pop_heap(queue_, std::greater{});
@@ -203,16 +205,18 @@ void ContinuousSolver::come_out(Place i) {
 /// left deep in one another, which flying freely would never come apart.
 void ContinuousSolver::find_piles() {
     list_active();
+    if (!any_company()) return;
     for (Place i = 0; i < movers_.size(); ++i) {
-        const Box room = grown(movers_[i].box, touch_distance * (*balls_)[i].radius);
-        for (const Place j : company_of(i))
-            if (j > i && overlap(room, movers_[j].box) && piled(i, j)) hand_over(i), hand_over(j);
+        const Box room = touching_room(i);
+        for (Place j = i + 1; j < movers_.size(); ++j)
+            if (overlap(room, movers_[j].box) && piled(i, j)) hand_over(i), hand_over(j);
     }
 }
 
 bool ContinuousSolver::piled(Place i, Place j) const {
     const Mover &first = movers_[i], &second = movers_[j];
     const Ball &a = (*balls_)[i], &b = (*balls_)[j];
+    if (!first.active && !second.active) return false;
     if ((first.handed_over && second.handed_over) || (a.asleep && b.asleep)) return false;
     if (!layers_meet(a, b)) return false;
     if (first.handed_over || second.handed_over) return overlap(first.box, second.box);
@@ -229,13 +233,21 @@ bool ContinuousSolver::piled(Place i, Place j) const {
 }
 
 void ContinuousSolver::list_active() {
-    active_.clear();
-    for (Place i = 0; i < movers_.size(); ++i)
-        if (movers_[i].active) active_.push_back(i);
+    active_ = sift(Places{movers_.size()}, active_room_, [&](Place i) { return movers_[i].active; });
 }
 
-auto ContinuousSolver::company_of(Place i) const -> std::span<const Place> {
-    return movers_[i].active ? std::span(all_).first(movers_.size()) : std::span(active_);
+bool ContinuousSolver::in_company(const Box& room) const {
+    // Itself included. Without a branch: most are alone.
+    const auto met = [&](const Mover& mover) { return static_cast<int>(overlap(room, mover.box)); };
+    return std::transform_reduce(movers_.begin(), movers_.end(), 0, std::plus{}, met) > 1;
+}
+
+bool ContinuousSolver::any_company() const {
+    return std::ranges::any_of(active_, [&](Place i) { return in_company(touching_room(i)); });
+}
+
+Box ContinuousSolver::touching_room(Place i) const {
+    return grown(movers_[i].box, touch_distance * (*balls_)[i].radius);
 }
 
 /// With what acceleration two balls that touch would come closer, were there no contact, m/s².
@@ -329,6 +341,7 @@ void ContinuousSolver::drop_lost() {
 void ContinuousSolver::find_pairs() {
     const std::vector<Ball>& balls = *balls_;
     list_active();
+    const bool company = any_company();
     for (Place i = 0; i < balls.size(); ++i) {
         const Ball& ball = balls[i];
         const Handle handle = layout_.size() + i;
@@ -347,12 +360,10 @@ void ContinuousSolver::find_pairs() {
                 if (pairs_.size() == first || pairs_.back() != pair) pairs_.push_back(pair);
             }
         }
-        for (const Place j : company_of(i)) {
-            if (j >= i) break;
-            if (overlap(box, touching_box(balls[j])) && !(ball.asleep && balls[j].asleep) &&
-                layers_meet(ball, balls[j]))
+        for (Place j = 0; company && j < i; ++j)
+            if (overlap(box, touching_box(balls[j])) && (movers_[i].active || movers_[j].active) &&
+                !(ball.asleep && balls[j].asleep) && layers_meet(ball, balls[j]))
                 pairs_.push_back({layout_.size() + j, handle});
-        }
     }
 }
 

@@ -93,8 +93,11 @@ class ContinuousSolver {
     void find_piles();
     [[nodiscard]] bool piled(Place i, Place j) const;
     void list_active();
-    /// The places of those that may matter to a ball: of all, or those who take part if it does not.
-    [[nodiscard]] std::span<const Place> company_of(Place i) const;
+    /// Whether the way of a ball, with some room, may cross another's; and that of any who takes part.
+    [[nodiscard]] bool in_company(const Box& room) const;
+    [[nodiscard]] bool any_company() const;
+    /// Around all that touches a ball on its way.
+    [[nodiscard]] Box touching_room(Place i) const;
     void run_discrete(BroadPhase& broad);
     void roll_back(std::size_t events);
     void finish();
@@ -174,12 +177,12 @@ class ContinuousSolver {
     bool spoilt_ = false;  ///< this attempt found balls to hand over
 
     // Scratch, kept to save allocations.
-    std::vector<Turning> turnings_;  ///< by part
-    std::vector<Mover> pool_;        ///< with the room that their lists have
-    std::span<Mover> movers_;        ///< the first of the pool, by place in balls_
-    std::vector<Entry> queue_;       ///< a heap
-    std::vector<Place> all_;         ///< 0, 1, 2 …
-    std::vector<Place> active_;      ///< of those who take part, in order
+    std::vector<Turning> turnings_;   ///< by part
+    std::vector<Mover> pool_;         ///< with the room that their lists have
+    std::span<Mover> movers_;         ///< the first of the pool, by place in balls_
+    std::vector<Entry> queue_;        ///< a heap
+    std::vector<Place> active_room_;  ///< scratch of active_
+    std::span<const Place> active_;   ///< of those who take part, in order
     std::vector<Grip> grips_;
     std::vector<Ball> at_start_, handed_;
     std::vector<PartState> parts_at_start_;
