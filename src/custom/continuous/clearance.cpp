@@ -150,11 +150,14 @@ bool Clearance::beside_turning(const Box& box) const {
 
 bool Clearance::apart(const Obstacle& obstacle, const Chord& chord) const {
     const double gap = chord.reach + obstacle.radius;
+    // Without a branch per plane: nothing foretells which one keeps them apart.
+    double beyond = -INFINITY;
     for (std::uint32_t i = 0; i < obstacle.planes; ++i) {
         const HalfPlane& plane = planes_[obstacle.first_plane + i];
-        if (std::min(dot(plane.normal, chord.a), dot(plane.normal, chord.b)) - plane.offset > gap)
-            return true;
+        const double nearer = std::min(dot(plane.normal, chord.a), dot(plane.normal, chord.b));
+        beyond = std::max(beyond, nearer - plane.offset);
     }
+    if (beyond > gap) return true;
     const Vec2* points = &points_[obstacle.first_point];
     if (obstacle.points == 1) {
         if (distance_squared(points[0], chord.a, chord.b) > gap * gap) return true;

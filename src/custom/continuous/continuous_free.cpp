@@ -25,9 +25,10 @@ void ContinuousSolver::find_active() {
         if (look_again || mover.lies) mover.free = 0;
         mover.active = !mover.lies && !still_free(i);
     }
-    for (Place i = 0; i < balls.size(); ++i) {
+    list_active();
+    for (const Place i : active_) {
         Mover& mover = movers_[i];
-        if (mover.active && !balls[i].asleep) find_free_time(i);
+        if (!balls[i].asleep) find_free_time(i);
         if (mover.free >= dt_) mover.active = false;
         any_active_ = any_active_ || mover.active;
     }
@@ -37,7 +38,8 @@ void ContinuousSolver::find_active() {
 bool ContinuousSolver::still_free(Place i) const {
     const Mover& mover = movers_[i];
     const Ball& ball = (*balls_)[i];
-    return mover.free >= dt_ && ball.position == mover.left_at && ball.velocity == mover.left_with;
+    const bool is_there = ball.position == mover.left_at, is_so_fast = ball.velocity == mover.left_with;
+    return (mover.free >= dt_) & is_there & is_so_fast;
 }
 
 void ContinuousSolver::find_free_time(Place i) {

@@ -339,32 +339,45 @@ void ContinuousSolver::drop_lost() {
 }
 
 void ContinuousSolver::find_pairs() {
-    const std::vector<Ball>& balls = *balls_;
     list_active();
-    const bool company = any_company();
-    for (Place i = 0; i < balls.size(); ++i) {
-        const Ball& ball = balls[i];
-        const Handle handle = layout_.size() + i;
-        const Box box = touching_box(ball);
-        const std::size_t first = pairs_.size();
-        if (movers_[i].active && !ball.asleep) {
-            record_->statistics.pair_tests += movers_[i].near.cover(box, ranges_);
-            for (const FeatureIndex f : movers_[i].near.list()) {
-                if (!overlap(box, ranges_[f]) || !layers_meet(ball, features_[f])) continue;
-                // The box of an arc is mostly empty.
-                if (std::holds_alternative<Bow>(features_[f].is) &&
-                    look(features_[f], table_->pose(features_[f].part, dt_).undo(ball.position), ball.radius)
-                            .distance > ball.radius * (1 + touch_distance))
-                    continue;
-                const Pair pair{features_[f].piece, handle};
-                if (pairs_.size() == first || pairs_.back() != pair) pairs_.push_back(pair);
-            }
-        }
-        for (Place j = 0; company && j < i; ++j)
-            if (overlap(box, touching_box(balls[j])) && (movers_[i].active || movers_[j].active) &&
-                !(ball.asleep && balls[j].asleep) && layers_meet(ball, balls[j]))
-                pairs_.push_back({layout_.size() + j, handle});
+    if (!any_company()) {
+        for (const Place i : active_) pair_with_parts(i);
+        return;
     }
+    for (Place i = 0; i < movers_.size(); ++i) {
+        if (movers_[i].active) pair_with_parts(i);
+        pair_with_balls(i);
+    }
+}
+
+void ContinuousSolver::pair_with_parts(Place i) {
+    const Ball& ball = (*balls_)[i];
+    if (ball.asleep) return;
+    const Handle handle = layout_.size() + i;
+    const Box box = touching_box(ball);
+    const std::size_t first = pairs_.size();
+    record_->statistics.pair_tests += movers_[i].near.cover(box, ranges_);
+    for (const FeatureIndex f : movers_[i].near.list()) {
+        if (!overlap(box, ranges_[f]) || !layers_meet(ball, features_[f])) continue;
+        // The box of an arc is mostly empty.
+        if (std::holds_alternative<Bow>(features_[f].is) &&
+            look(features_[f], table_->pose(features_[f].part, dt_).undo(ball.position), ball.radius)
+                    .distance > ball.radius * (1 + touch_distance))
+            continue;
+        const Pair pair{features_[f].piece, handle};
+        if (pairs_.size() == first || pairs_.back() != pair) pairs_.push_back(pair);
+    }
+}
+
+/// With those before it.
+void ContinuousSolver::pair_with_balls(Place i) {
+    const std::vector<Ball>& balls = *balls_;
+    const Ball& ball = balls[i];
+    const Box box = touching_box(ball);
+    for (Place j = 0; j < i; ++j)
+        if (overlap(box, touching_box(balls[j])) && (movers_[i].active || movers_[j].active) &&
+            !(ball.asleep && balls[j].asleep) && layers_meet(ball, balls[j]))
+            pairs_.push_back({layout_.size() + j, layout_.size() + i});
 }
 
 }  // namespace flipside::custom

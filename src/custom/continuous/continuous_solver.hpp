@@ -103,6 +103,8 @@ class ContinuousSolver {
     void finish();
     void drop_lost();
     void find_pairs();
+    void pair_with_parts(Place i);
+    void pair_with_balls(Place i);
     [[nodiscard]] double pressing(Place i, Place j, double time) const;
     void hand_over(Place i);
 
