@@ -193,6 +193,7 @@ class DiscreteSolver {
             engaged = 2,
             asleep = 4,
             dozing = 8,  ///< asleep where it may be met
+            joining = 16 | engaged,
         };
     };
     [[nodiscard]] unsigned roles_of(BallPair pair) const { return role_[pair.a] | unsigned{role_[pair.b]}; }

@@ -157,23 +157,27 @@ void DiscreteSolver::engage_due(std::size_t flight) {
     std::erase_if(dozing_, [&](std::uint32_t place) { return role_[place] == Role::engaged; });
 }
 
-/// Whoever flies free where an engaged ball may be in this flight is engaged too.
+/// Whoever flies free where an engaged ball may be in this flight is engaged too. First all ask, then those
+/// who came by that.
 void DiscreteSolver::engage_met() {
-    for (std::size_t known = engaged_.size() + 1; known != engaged_.size() || !seeking_.empty();) {
+    std::size_t joined = engaged_.size(), known;
+    unsigned asking = Role::engaged;
+    do {
         known = engaged_.size();
         if (!seeking_.empty()) seek_company();
-        const auto one_flies_free = [&](BallPair pair) {
-            return roles_of(pair) == (Role::free | Role::engaged);
-        };
+        const auto one_flies_free = [&](BallPair pair) { return roles_of(pair) == (Role::free | asking); };
         for (const auto [a, b] : sift(near_balls_, ball_pair_room_, one_flies_free)) {
             const auto [met, by] = role_[a] == Role::free ? std::pair(a, b) : std::pair(b, a);
             ++record_->statistics.pair_tests;
             if (role_[met] != Role::free || !overlap(free_way_of((*balls_)[met]), proxy_of_ball(by).box))
                 continue;
             engage(met);
+            role_[met] = Role::joining;
             start_flight(met);
         }
-    }
+        for (; joined < known; ++joined) role_[engaged_[joined]] = Role::engaged;
+        asking = Role::joining;
+    } while (known != engaged_.size() || !seeking_.empty());
 }
 
 /// An engaged ball will be outside of what it was thought to reach.
@@ -208,7 +212,7 @@ void DiscreteSolver::seek_company_of(std::uint32_t place) {
     for (const Handle other : found_) {
         if (other == own) continue;
         Proxy proxy = other < first ? proxy_of(other) : proxy_of_ball(other - first);
-        if (other >= first && role_[other - first] == Role::engaged) proxy.box = reach_[other - first];
+        if (other >= first && (role_[other - first] & Role::engaged)) proxy.box = reach_[other - first];
         // Of a moving part only the box of this flight is at hand.
         const bool anywhere = other < first && layout_.moves(other);
         if (!may_meet(self, proxy) || !(anywhere || overlap(self.box, proxy.box))) continue;
