@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <utility>
 
 #include "custom/broad_phase/room.hpp"
 
@@ -32,13 +33,14 @@ struct Nothing {
     void operator()(const auto&) const {}
 };
 
+inline constexpr std::size_t fetch_ahead = 16;  ///< items
+
 /// What passes of `items`, in order, written to `room`, which grows and never shrinks. `passes` must have no
 /// branch of its own to be of use. `prepare` is called for each item a little before, to fetch what the test
 /// will read; `as` makes of an item what is kept of it.
 template <class T, class Prepare = Nothing, class As = std::identity>
 [[nodiscard]] std::span<const T> sift(const auto& items, std::vector<T>& room, auto&& passes,
                                       const Prepare& prepare = {}, const As& as = {}) {
-    constexpr std::size_t ahead = 16;
     if (room.size() < items.size()) {
         make_room(room, items.size());
         room.resize(items.size());
@@ -47,11 +49,48 @@ template <class T, class Prepare = Nothing, class As = std::identity>
     std::size_t count = 0;
     const std::size_t size = items.size();
     for (std::size_t i = 0; i < size; ++i) {
-        prepare(items[std::min(i + ahead, size - 1)]);
+        prepare(items[std::min(i + fetch_ahead, size - 1)]);
         kept[count] = as(items[i]);
         count += static_cast<std::size_t>(passes(items[i]));
     }
     return {kept, count};
+}
+
+/// What passes, told apart: what `is_first` says of each goes to `room` or else to `other`.
+template <class T, class Prepare = Nothing>
+[[nodiscard]] std::pair<std::span<const T>, std::span<const T>> sift_apart(const auto& items,
+                                                                           std::vector<T>& room,
+                                                                           std::vector<T>& other,
+                                                                           auto&& passes, auto&& is_first,
+                                                                           const Prepare& prepare = {}) {
+    const std::size_t size = items.size();
+    for (std::vector<T>* to : {&room, &other}) {
+        if (to->size() >= size) continue;
+        make_room(*to, size);
+        to->resize(size);
+    }
+    T *const firsts = room.data(), *const others = other.data();
+    std::size_t first_count = 0, other_count = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+        prepare(items[std::min(i + fetch_ahead, size - 1)]);
+        firsts[first_count] = others[other_count] = items[i];
+        const auto passed = static_cast<std::size_t>(passes(items[i]));
+        const auto first = static_cast<std::size_t>(is_first(items[i]));
+        first_count += passed & first;
+        other_count += passed & ~first;
+    }
+    return {{firsts, first_count}, {others, other_count}};
+}
+
+/// Where in `items`, in order, those end that come before: halved without a branch.
+[[nodiscard]] std::size_t count_before(const auto& items, auto&& is_before) {
+    std::size_t count = 0;
+    for (std::size_t left = items.size(); left > 0;) {
+        const std::size_t half = left - left / 2;
+        count += is_before(items[count + half - 1]) ? half : 0;
+        left -= half;
+    }
+    return count;
 }
 
 }  // namespace flipside::custom

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <tuple>
 
 #include "custom/broad_phase/room.hpp"
@@ -50,7 +51,7 @@ void each_missing(const std::vector<T>& these, const std::vector<T>& those, auto
 void TouchList::reserve(std::size_t pieces, std::size_t balls) {
     make_room(moving_, pieces + balls);
     for (auto* list : {&before_, &now_}) make_room(*list, balls, touches_per_ball);
-    for (auto* list : {&pairs_, &sorted_, &near_}) make_room(*list, balls, contacts_per_ball);
+    for (auto* list : {&part_pairs_, &ball_pairs_, &near_}) make_room(*list, balls, contacts_per_ball);
     for (auto* list : {&sensed_before_, &sensed_}) make_room(*list, balls, touches_per_ball);
 }
 
@@ -93,7 +94,8 @@ void TouchList::clear() {
     now_.clear();
     sensed_before_.clear();
     sensed_.clear();
-    pairs_.clear();
+    part_pairs_.clear();
+    ball_pairs_.clear();
     narrow_tests_ = 0;
 }
 
@@ -105,29 +107,42 @@ void TouchList::refresh(const Layout& layout, const Table& table, std::span<cons
         return bounds_of(ball.position, ball.radius * (1 + touch_distance));
     };
     layout.place(table, balls, 0, 0, everything, box_of, moving_);
-    const auto found = near.find_pairs(moving_, broad, [&](std::size_t i) { return moving_[i].box; });
-    pairs_.assign(found.begin(), found.end());
-    look_at(layout, table, balls, pairs_);
+    tell_apart(near.find_pairs(moving_, broad, [&](std::size_t i) { return moving_[i].box; }), layout.size());
+    look_at(layout, table, balls);
 }
 
 void TouchList::refresh(const Layout& layout, const Table& table, std::span<const Ball> balls,
                         std::span<const Pair> candidates) {
     begin();
     keep_sleepers(balls);
-    pairs_.assign(candidates.begin(), candidates.end());
-    look_at(layout, table, balls, pairs_);
+    tell_apart(candidates, layout.size());
+    look_at(layout, table, balls);
 }
 
-void TouchList::look_at(const Layout& layout, const Table& table, std::span<const Ball> balls,
-                        std::span<const Pair> candidates) {
-    narrow_tests_ = candidates.size();
-    if (candidates.empty()) return;  // and what was kept of sleepers is in order
+void TouchList::refresh(const Layout& layout, const Table& table, std::span<const Ball> balls,
+                        std::span<const Pair> with_parts, std::span<const Pair> of_balls) {
+    begin();
+    keep_sleepers(balls);
+    part_pairs_.assign(with_parts.begin(), with_parts.end());
+    ball_pairs_.assign(of_balls.begin(), of_balls.end());
+    look_at(layout, table, balls);
+}
+
+void TouchList::tell_apart(std::span<const Pair> candidates, Handle first_ball) {
+    part_pairs_.clear();
+    ball_pairs_.clear();
+    std::ranges::partition_copy(candidates, std::back_inserter(part_pairs_), std::back_inserter(ball_pairs_),
+                                [&](Pair pair) { return pair.a < first_ball; });
+}
+
+void TouchList::look_at(const Layout& layout, const Table& table, std::span<const Ball> balls) {
+    narrow_tests_ = part_pairs_.size() + ball_pairs_.size();
+    if (narrow_tests_ == 0) return;  // and what was kept of sleepers is in order
     // Most candidates are not even near: they go first.
     constexpr double room = 1 + 2 * touch_distance;
     const Handle first_ball = layout.size();
-    const auto with_parts = sift(candidates, sorted_, [&](Pair pair) { return pair.a < first_ball; });
     const auto near_parts = sift(
-        with_parts, near_,
+        part_pairs_, near_,
         [&](Pair pair) {
             const Ball& ball = balls[pair.b - first_ball];
             return layout.may_touch(pair.a, ball.position, room * ball.radius);
@@ -137,10 +152,8 @@ void TouchList::look_at(const Layout& layout, const Table& table, std::span<cons
             fetch(balls[pair.b - first_ball]);
         });
     for (const Pair pair : near_parts) look(layout, table, balls[pair.b - first_ball], pair.a);
-
-    const auto of_balls = sift(candidates, sorted_, [&](Pair pair) { return pair.a >= first_ball; });
     const auto near_balls = sift(
-        of_balls, near_,
+        ball_pairs_, near_,
         [&](Pair pair) {
             const Ball &a = balls[pair.a - first_ball], &b = balls[pair.b - first_ball];
             const double reach = (a.radius + b.radius) * room;

@@ -88,7 +88,7 @@ void CustomWorld::report_discrete() {
     lose_balls();
     // The solver's pairs are by place.
     if (balls_.size() == balls)
-        touches_.refresh(layout_, table_, balls_, discrete_.pairs());
+        touches_.refresh(layout_, table_, balls_, discrete_.part_pairs(), discrete_.ball_pairs());
     else
         touches_.refresh(layout_, table_, balls_, *broad_, discrete_.near(), false);
     touches_.report_touches(time(), record_.events);
@@ -235,7 +235,8 @@ void CustomWorld::inspect(Inspector& inspector) const {
             const Piece& piece = layout_.piece(handle);
             return middle(bounds_of(piece, table_.pose(piece.part)));
         };
-        for (const Pair pair : touches_.pairs()) inspector.pair(place(pair.a), place(pair.b));
+        for (const auto pairs : {touches_.part_pairs(), touches_.ball_pairs()})
+            for (const Pair pair : pairs) inspector.pair(place(pair.a), place(pair.b));
     }
     if (inspector.wants(Topic::contacts))
         for (const Contact& contact : contacts()) inspector.contact(contact);

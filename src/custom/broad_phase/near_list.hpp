@@ -26,11 +26,12 @@ class NearList {
     std::span<const Pair> find_pairs(std::span<const Proxy> moving, BroadPhase& broad, auto&& roomy) {
         begin(moving.size());
         for (std::uint32_t i = 0; i < moving.size(); ++i) check(i, moving[i]);
-        return find_pairs_of_checked(moving, broad, roomy);
+        search_as_needed(moving, broad, roomy);
+        return sift(moving);
     }
 
     /// The same in parts, for those who have each proxy at hand anyway: begin, check every moving proxy,
-    /// find.
+    /// search, sift.
     void begin(std::size_t moving);
     void check(std::uint32_t i, const Proxy& now) {
         const Proxy& room = rooms_[i];
@@ -39,8 +40,7 @@ class NearList {
         can_mend_ &= same;
         if (!(same & holds(room.box, now.box) & (room.active >= now.active))) leavers_.push_back(i);
     }
-    std::span<const Pair> find_pairs_of_checked(std::span<const Proxy> moving, BroadPhase& broad,
-                                                auto&& roomy) {
+    void search_as_needed(std::span<const Proxy> moving, BroadPhase& broad, auto&& roomy) {
         const std::size_t strays = strays_.size() + leavers_.size();
         const bool anew = !can_mend_ || strays > most_strays(moving.size());
         if (&broad != searched_ || (!leavers_.empty() && anew)) {
@@ -50,7 +50,23 @@ class NearList {
             for (const std::uint32_t i : leavers_) give_room(i, moving[i], roomy(i));
             mend(broad);
         }
-        return sift(moving);
+    }
+    [[nodiscard]] std::span<const Pair> sift(std::span<const Proxy> moving) {
+        Sieve sieve(still_, moving);
+        const auto hits = custom::sift(
+            listed_, hits_, [&](Pair pair) { return sieve.passes(pair); },
+            [&](Pair pair) { sieve.fetch(pair); });
+        tests_ += sieve.tests;
+        return hits;
+    }
+    /// Those with handles below `first_ball`, and those between balls.
+    [[nodiscard]] auto sift_apart(std::span<const Proxy> moving, Handle first_ball) {
+        Sieve sieve(still_, moving);
+        const auto hits = custom::sift_apart(
+            listed_, hits_, ball_hits_, [&](Pair pair) { return sieve.passes(pair); },
+            [&](Pair pair) { return pair.a < first_ball; }, [&](Pair pair) { sieve.fetch(pair); });
+        tests_ += sieve.tests;
+        return hits;
     }
 
     /// Adds to `found` every proxy whose room overlaps the box, and maybe others; some may come twice. Only
@@ -73,26 +89,26 @@ class NearList {
     void search(BroadPhase& broad);
     void mend(BroadPhase& broad);
 
-    [[nodiscard]] std::span<const Pair> sift(std::span<const Proxy> moving) {
-        const auto first = static_cast<Handle>(still_.size());
-        const Proxy* const kinds[] = {still_.data(), moving.data()};
-        const Handle begins[] = {0, first};
+    /// Which of the pairs listed overlap.
+    struct Sieve {
+        const Proxy* kinds[2];
+        Handle begins[2];
         std::uint64_t tests = 0;
-        const auto first_of = [&](Pair pair) -> const Proxy& {
-            const auto kind = static_cast<std::size_t>(pair.a >= first);
+
+        Sieve(const std::vector<Proxy>& still, std::span<const Proxy> moving)
+            : kinds{still.data(), moving.data()}, begins{0, static_cast<Handle>(still.size())} {}
+        [[nodiscard]] const Proxy& first_of(Pair pair) const {
+            const auto kind = static_cast<std::size_t>(pair.a >= begins[1]);
             return kinds[kind][pair.a - begins[kind]];
-        };
-        const auto overlapping = [&](Pair pair) {
-            const Proxy &a = first_of(pair), &b = moving[pair.b - first];
+        }
+        void fetch(Pair pair) const { custom::fetch(first_of(pair)); }
+        [[nodiscard]] bool passes(Pair pair) {
+            const Proxy &a = first_of(pair), &b = kinds[1][pair.b - begins[1]];
             const bool may = a.active | b.active;
             tests += static_cast<std::uint64_t>(may);
             return may & overlap(a.box, b.box);
-        };
-        const std::span<const Pair> hits =
-            custom::sift(listed_, hits_, overlapping, [&](Pair pair) { fetch(first_of(pair)); });
-        tests_ += tests;
-        return hits;
-    }
+        }
+    };
 
     const std::vector<Proxy>& still_;
     std::vector<Proxy> rooms_;  ///< what the broad phase was last given, except for the strays
@@ -101,7 +117,7 @@ class NearList {
     BoxRow strays_;                         ///< the rooms of all that left since the search
     std::vector<Handle> around_;            ///< scratch
     std::vector<Pair> found_;               ///< scratch
-    std::vector<Pair> hits_;                ///< scratch
+    std::vector<Pair> hits_, ball_hits_;    ///< scratch
     const BroadPhase* searched_ = nullptr;  ///< which one knows the rooms
     bool can_mend_ = false;                 ///< the last search was for these proxies, and one was active
     std::uint64_t tests_ = 0;

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "custom/broad_phase/room.hpp"
+#include "custom/sift.hpp"
 
 namespace flipside::custom {
 
@@ -34,17 +35,10 @@ void PairOrder::finish(std::vector<Pair>& pairs) {
 
 namespace {
 
-/// The first of pairs in order that is not before this one. Halves without a branch: which half it is
-/// nothing foretells.
+/// The first of pairs in order that is not before this one.
 const Pair* find_place(std::span<const Pair> pairs, Pair pair) {
     const auto key = [](Pair p) { return std::uint64_t{p.b} << 32 | p.a; };
-    const Pair* first = pairs.data();
-    for (std::size_t left = pairs.size(); left > 0;) {
-        const std::size_t half = left / 2 + left % 2;
-        first += key(first[half - 1]) < key(pair) ? half : 0;
-        left -= half;
-    }
-    return first;
+    return pairs.data() + count_before(pairs, [&](Pair p) { return key(p) < key(pair); });
 }
 
 }  // namespace

@@ -136,7 +136,7 @@ Vec2 DiscreteSolver::surface_velocity(PieceIndex index, double ahead, Vec2 point
 
 bool DiscreteSolver::collide_balls() {
     bool any = false;
-    for (const BallPair pair : ball_pairs_) {
+    for (const BallPair pair : near_balls_) {
         if (!changed(pair.a) && !changed(pair.b)) continue;
         Ball &a = (*balls_)[pair.a], &b = (*balls_)[pair.b];
         if (a.asleep && b.asleep) continue;
@@ -214,10 +214,10 @@ void DiscreteSolver::keep_sides() {
 void DiscreteSolver::keep_side(std::uint32_t place) {
     Ball& ball = (*balls_)[place];
     const Vec2 from = so_far_[place].start;
-    const auto first = std::ranges::lower_bound(candidates_, place, {}, &Candidate::ball);
-    const auto last =
-        std::find_if(first, candidates_.end(), [&](const Candidate& c) { return c.ball != place; });
-    std::span<const Candidate> near(first, last);
+    const std::size_t first = count_before(candidates_, [&](const Candidate& c) { return c.ball < place; });
+    std::size_t last = first;
+    while (last < candidates_.size() && candidates_[last].ball == place) ++last;
+    std::span<const Candidate> near = candidates_.subspan(first, last - first);
     // Candidates are all that the box of the flight overlaps.
     if (!moving_[moving_pieces() + place].box.contains(ball.position))
         near = look_around(ball, length(ball.position - from));

@@ -34,7 +34,7 @@ bool DiscreteSolver::press(BallPair pair, bool left_over) const {
 /// Marks the balls that press on each other after the flight.
 void DiscreteSolver::find_piles() {
     any_pile_ = false;
-    for (const BallPair pair : ball_pairs_)
+    for (const BallPair pair : near_balls_)
         if (press(pair, false)) put_in_pile(pair);
 }
 
@@ -47,7 +47,7 @@ void DiscreteSolver::put_in_pile(BallPair pair) {
 void DiscreteSolver::solve_piles() {
     pressing_.clear();
     pressed_.clear();
-    for (const BallPair pair : ball_pairs_) {
+    for (const BallPair pair : near_balls_) {
         const bool seen = so_far_[pair.a].in_pile || so_far_[pair.b].in_pile || so_far_[pair.a].changed_in ||
                           so_far_[pair.b].changed_in;
         if (!seen || !press(pair, true)) continue;

@@ -45,16 +45,16 @@ void DiscreteSolver::reserve(std::size_t balls) {
     make_room(moving_, layout_.size() + balls);
     make_room(so_far_, balls);
     make_room(waiting_, balls);
-    for (auto* room : {&near_part_room_, &candidate_room_, &touching_room_})
-        make_room(*room, balls, pairs_per_ball);
-    for (auto* room : {&near_ball_room_, &ball_pair_room_}) make_room(*room, balls, pairs_per_ball);
+    for (auto* room : {&candidate_room_, &touching_room_}) make_room(*room, balls, pairs_per_ball);
+    make_room(near_balls_room_, balls, pairs_per_ball);
     make_room(around_, layout_.size());
     make_room(found_, layout_.size() + balls);
     make_room(role_, balls);
     make_room(reach_, balls);
     make_room(turns_, balls, pairs_per_ball);
     for (auto* places : {&engaged_, &dozing_, &seeking_, &places_}) make_room(*places, balls, 1);
-    for (auto* pairs : {&pairs_, &fresh_}) make_room(*pairs, balls, pairs_per_ball);
+    for (auto* pairs : {&part_pairs_, &ball_pairs_, &fresh_part_pairs_, &fresh_ball_pairs_, &room_})
+        make_room(*pairs, balls, pairs_per_ball);
     near_.reserve(layout_.size() + balls, balls);
     make_room(deep_, layout_.size());
     make_room(pressing_, balls, contacts_per_ball);
@@ -146,34 +146,24 @@ void DiscreteSolver::start_over(std::uint32_t place) {
     so_far_[place] = {(*balls_)[place].position, span_.duration()};
 }
 
-/// Into pairs of balls with parts and with balls.
-void DiscreteSolver::split_pairs() {
-    const Handle first = first_ball();
-    near_parts_ = sift(
-        pairs_, near_part_room_, [&](Pair pair) { return pair.a < first; }, Nothing{},
-        [&](Pair pair) {
-            return Candidate{pair.b - first, pair.a};
-        });
-    near_balls_ = sift(
-        pairs_, near_ball_room_, [&](Pair pair) { return pair.a >= first; }, Nothing{},
-        [&](Pair pair) {
-            return BallPair{pair.a - first, pair.b - first};
-        });
-}
-
 /// Pairs of those that are engaged by now whose boxes overlap in this flight.
 void DiscreteSolver::find_candidates() {
     const Proxy* const proxies = moving_.data() + moving_pieces();
-    const auto of_engaged = sift(near_parts_, candidate_room_,
-                                 [&](const Candidate& c) { return role_[c.ball] == Role::engaged; });
+    const auto of_engaged = sift(
+        part_pairs_, candidate_room_, [&](Pair pair) { return role_[place_of(pair.b)] == Role::engaged; },
+        Nothing{},
+        [&](Pair pair) {
+            return Candidate{place_of(pair.b), pair.a};
+        });
     candidates_ = sift(
         of_engaged, candidate_room_,
         [&](const Candidate& c) { return overlap(proxy_of(c.piece).box, proxies[c.ball].box); },
         [&](const Candidate& c) { fetch(proxy_of(c.piece)); });
-    const auto between_engaged = sift(near_balls_, ball_pair_room_, [&](BallPair pair) {
-        return (roles_of(pair) & (Role::free | Role::engaged)) == Role::engaged;
-    });
-    ball_pairs_ = sift(between_engaged, ball_pair_room_,
+    const auto between_engaged = sift(
+        ball_pairs_, near_balls_room_,
+        [&](Pair pair) { return (roles_of(pair) & (Role::free | Role::engaged)) == Role::engaged; },
+        Nothing{}, [&](Pair pair) { return places_of(pair); });
+    near_balls_ = sift(between_engaged, near_balls_room_,
                        [&](BallPair pair) { return overlap(proxies[pair.a].box, proxies[pair.b].box); });
     record_->statistics.pair_tests += of_engaged.size() + between_engaged.size();
     if (!any_asleep_) return;

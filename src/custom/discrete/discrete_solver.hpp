@@ -56,7 +56,8 @@ class DiscreteSolver {
     void reserve(std::size_t balls);
 
     /// All that may touch after the last step, and more: pieces and balls by handle, in order.
-    [[nodiscard]] std::span<const Pair> pairs() const { return pairs_; }
+    [[nodiscard]] std::span<const Pair> part_pairs() const { return part_pairs_; }
+    [[nodiscard]] std::span<const Pair> ball_pairs() const { return ball_pairs_; }
     /// The list that they come from.
     [[nodiscard]] NearList& near() { return near_; }
     [[nodiscard]] const NearList& near() const { return near_; }
@@ -109,7 +110,6 @@ class DiscreteSolver {
     void start_flights(std::size_t flight);
     void start_flight(std::uint32_t place);
     void start_over(std::uint32_t place);
-    void split_pairs();
     void find_candidates();
     void finish_flights(double duration);
     [[nodiscard]] PieceIndex moving_pieces() const {
@@ -120,6 +120,8 @@ class DiscreteSolver {
         return (length(ball.velocity) + pull_ * duration) * duration;
     }
     [[nodiscard]] Handle first_ball() const { return layout_.size(); }
+    [[nodiscard]] std::uint32_t place_of(Handle ball) const { return ball - first_ball(); }
+    [[nodiscard]] BallPair places_of(Pair pair) const { return {place_of(pair.a), place_of(pair.b)}; }
     [[nodiscard]] std::size_t flights() const { return marks_.size() - 1; }
     [[nodiscard]] Proxy& proxy_of_ball(std::uint32_t place) { return moving_[moving_pieces() + place]; }
     [[nodiscard]] const Proxy& proxy_of(PieceIndex piece) const {
@@ -196,7 +198,9 @@ class DiscreteSolver {
             joining = 16 | engaged,
         };
     };
-    [[nodiscard]] unsigned roles_of(BallPair pair) const { return role_[pair.a] | unsigned{role_[pair.b]}; }
+    [[nodiscard]] unsigned roles_of(Pair of_balls) const {
+        return role_[place_of(of_balls.a)] | unsigned{role_[place_of(of_balls.b)]};
+    }
     std::vector<Role::Is> role_;  ///< per ball
     /// When a ball may first touch something.
     struct Turn {
@@ -207,11 +211,13 @@ class DiscreteSolver {
     std::vector<std::uint32_t> engaged_, dozing_;  ///< places, in no order
     bool all_woken_ = false;                       ///< by a target
     bool any_asleep_ = false;                      ///< when the step began
-    std::vector<Pair> pairs_;  ///< what each can meet in this step, in order; after it, of the engaged
-    std::vector<Box> reach_;   ///< per engaged ball: within it in this step, unless kicked
+    /// What each can meet in this step, by handle and in order; after it, of the engaged.
+    std::vector<Pair> part_pairs_, ball_pairs_;
+    std::vector<Box> reach_;              ///< per engaged ball: within it in this step, unless kicked
     std::vector<std::uint32_t> seeking_;  ///< engaged, but their pairs are not all listed yet
     BoxRow strays_;                       ///< kicked or woken beyond what the search knew
-    std::vector<Pair> fresh_;             ///< pairs that come to pairs_
+    std::vector<Pair> fresh_part_pairs_, fresh_ball_pairs_;  ///< that come to these
+    std::vector<Pair> room_;                                 ///< scratch
     /// Of the table's parts and of engaged balls for this flight; of other balls for the step.
     std::vector<Proxy> moving_;
     std::vector<Stretch> marks_;  ///< from the start of the step to the start of each flight, and to the end
@@ -219,12 +225,10 @@ class DiscreteSolver {
     std::optional<Box> swept_;    ///< by moving parts, in this flight
     std::vector<std::uint32_t> places_;      ///< scratch
     std::vector<std::uint32_t> waiting_;     ///< balls whose flight a part may stop
-    std::span<const Candidate> near_parts_;  ///< of pairs_, by ball
-    std::span<const BallPair> near_balls_;   ///< of pairs_
-    std::span<const Candidate> candidates_;  ///< of those, what the boxes of the flight overlap
-    std::span<const BallPair> ball_pairs_;
-    std::vector<Candidate> near_part_room_, candidate_room_, touching_room_;
-    std::vector<BallPair> near_ball_room_, ball_pair_room_;
+    std::span<const Candidate> candidates_;  ///< of these pairs, what the boxes of the flight overlap
+    std::span<const BallPair> near_balls_;
+    std::vector<Candidate> candidate_room_, touching_room_;
+    std::vector<BallPair> near_balls_room_;
     std::vector<Candidate> around_;  ///< what look_around() found
     std::vector<Handle> found_;      ///< what the broad phase found for it
     /// What happened to a ball in this flight.

@@ -20,9 +20,10 @@ void DiscreteSolver::find_turns() {
         const Ball& ball = (*balls_)[i - first];
         return grown(reach_of(ball, settings_.search_steps * dt_), berth * ball.radius);
     };
-    const std::span<const Pair> near = near_.find_pairs_of_checked(moving_, *broad_, roomy);
-    pairs_.assign(near.begin(), near.end());
-    split_pairs();
+    near_.search_as_needed(moving_, *broad_, roomy);
+    const auto [with_parts, of_balls] = near_.sift_apart(moving_, first_ball());
+    part_pairs_.assign(with_parts.begin(), with_parts.end());
+    ball_pairs_.assign(of_balls.begin(), of_balls.end());
     take_turns();
 }
 
@@ -65,27 +66,31 @@ void DiscreteSolver::take_turns() {
     const auto take = [&](std::size_t flight, std::uint32_t place) {
         if (flight < flights()) turns_.push_back({flight, place});
     };
-    const auto near_on_the_way = [&](const Candidate& c) {
-        const Ball& ball = balls[c.ball];
+    const auto near_on_the_way = [&](Pair pair) {
+        const Ball& ball = balls[place_of(pair.b)];
         const Vec2 middle = 0.5 * (ball.position + end_of_flight(ball, scene_.gravity, marks_.back()));
-        return layout_.may_touch(c.piece, middle, (1 + berth) * ball.radius + 0.5 * way(ball, dt_));
+        return layout_.may_touch(pair.a, middle, (1 + berth) * ball.radius + 0.5 * way(ball, dt_));
     };
-    for (const auto [place, piece] : sift(near_parts_, candidate_room_, near_on_the_way))
+    for (const auto [piece, handle] : sift(part_pairs_, room_, near_on_the_way)) {
+        const std::uint32_t place = place_of(handle);
         // A part in motion may strike sleepers too.
         take(layout_.moves(piece) ? 0 : first_flight_to(piece, balls[place]), place);
+    }
     const auto with_sleeper = [&](BallPair pair) { return balls[pair.a].asleep || balls[pair.b].asleep; };
-    const auto touching = sift(near_balls_, ball_pair_room_, [&](BallPair pair) {
-        return with_sleeper(pair) || approach_of(balls[pair.a], balls[pair.b]).touches();
-    });
-    for (const auto [a, b] : touching) {
+    const auto touching = [&](Pair pair) {
+        const BallPair both = places_of(pair);
+        return with_sleeper(both) || approach_of(balls[both.a], balls[both.b]).touches();
+    };
+    for (const Pair pair : sift(ball_pairs_, room_, touching)) {
+        const auto [a, b] = places_of(pair);
         const std::size_t flight = with_sleeper({a, b}) ? 0 : flight_of(approach_of(balls[a], balls[b]));
         for (const std::uint32_t place : {a, b})
             if (!balls[place].asleep) take(flight, place);
     }
     if (!any_asleep_) return;
-    for (const auto [a, b] : near_balls_) {
-        let_doze(a);
-        let_doze(b);
+    for (const Pair pair : ball_pairs_) {
+        let_doze(place_of(pair.a));
+        let_doze(place_of(pair.b));
     }
 }
 
@@ -165,8 +170,9 @@ void DiscreteSolver::engage_met() {
     do {
         known = engaged_.size();
         if (!seeking_.empty()) seek_company();
-        const auto one_flies_free = [&](BallPair pair) { return roles_of(pair) == (Role::free | asking); };
-        for (const auto [a, b] : sift(near_balls_, ball_pair_room_, one_flies_free)) {
+        const auto one_flies_free = [&](Pair pair) { return roles_of(pair) == (Role::free | asking); };
+        for (const Pair pair : sift(ball_pairs_, room_, one_flies_free)) {
+            const auto [a, b] = places_of(pair);
             const auto [met, by] = role_[a] == Role::free ? std::pair(a, b) : std::pair(b, a);
             ++record_->statistics.pair_tests;
             if (role_[met] != Role::free || !overlap(free_way_of((*balls_)[met]), proxy_of_ball(by).box))
@@ -188,14 +194,15 @@ void DiscreteSolver::widen(std::uint32_t place, const Box& flight) {
 }
 
 void DiscreteSolver::seek_company() {
-    fresh_.clear();
+    fresh_part_pairs_.clear();
+    fresh_ball_pairs_.clear();
     while (!seeking_.empty()) {
         const std::uint32_t place = seeking_.back();
         seeking_.pop_back();
         seek_company_of(place);
     }
-    add_pairs(fresh_, pairs_);
-    split_pairs();
+    add_pairs(fresh_part_pairs_, part_pairs_);
+    add_pairs(fresh_ball_pairs_, ball_pairs_);
 }
 
 /// Lists all pairs of an engaged ball.
@@ -216,7 +223,8 @@ void DiscreteSolver::seek_company_of(std::uint32_t place) {
         // Of a moving part only the box of this flight is at hand.
         const bool anywhere = other < first && layout_.moves(other);
         if (!may_meet(self, proxy) || !(anywhere || overlap(self.box, proxy.box))) continue;
-        fresh_.push_back({std::min(own, other), std::max(own, other)});
+        (other < first ? fresh_part_pairs_ : fresh_ball_pairs_)
+            .push_back({std::min(own, other), std::max(own, other)});
         if (other < first || role_[other - first] != Role::asleep) continue;
         start_over(other - first);
         let_doze(other - first);
@@ -233,14 +241,13 @@ void DiscreteSolver::finish_step() {
             if (!proxy_of_ball(place).active) start_flight(place);
         if (!seeking_.empty()) seek_company();
     }
-    const Handle first = first_ball();
-    const auto listed = sift(pairs_, pairs_, [&](Pair pair) {
-        const std::uint32_t b = pair.b - first, a = pair.a < first ? b : pair.a - first;
-        return (roles_of({a, b}) & Role::engaged) != 0;
-    });
-    pairs_.resize(listed.size());
-    for (std::size_t i = 0; i < role_.size(); ++i)
-        if (role_[i] == Role::free) fly_freely((*balls_)[i], scene_.gravity, marks_.back());
+    const auto is_engaged = [&](Pair pair) { return (role_[place_of(pair.b)] & Role::engaged) != 0; };
+    part_pairs_.resize(sift(part_pairs_, part_pairs_, is_engaged).size());
+    const auto any_engaged = [&](Pair pair) { return (roles_of(pair) & Role::engaged) != 0; };
+    ball_pairs_.resize(sift(ball_pairs_, ball_pairs_, any_engaged).size());
+    const auto is_free = [&](std::uint32_t place) { return role_[place] == Role::free; };
+    for (const std::uint32_t place : sift(Places{role_.size()}, places_, is_free))
+        fly_freely((*balls_)[place], scene_.gravity, marks_.back());
 }
 
 }  // namespace flipside::custom
