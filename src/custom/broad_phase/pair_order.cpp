@@ -13,24 +13,27 @@ void PairOrder::start(Handle first, std::size_t moving) {
     count_ = 0;
     make_room(found_, moving, pairs_per_ball);
     found_.resize(found_.capacity());
+    make_room(by_lower_, found_.capacity());
+    make_room(end_of_lower_, first + moving);
     make_room(end_, moving);
+    end_of_lower_.assign(first + moving, 0);
     end_.assign(moving, 0);
 }
 
 void PairOrder::finish(std::vector<Pair>& pairs) {
     const std::span<const Pair> found(found_.data(), count_);
-    for (const Pair& pair : found) ++end_[pair.b - first_];
+    for (const Pair& pair : found) {
+        ++end_of_lower_[pair.a];
+        ++end_[pair.b - first_];
+    }
     // Where each one's pairs begin; filling them in moves that to where they end.
+    std::exclusive_scan(end_of_lower_.begin(), end_of_lower_.end(), end_of_lower_.begin(), 0U);
     std::exclusive_scan(end_.begin(), end_.end(), end_.begin(), 0U);
+    by_lower_.resize(count_);
+    for (const Pair& pair : found) by_lower_[end_of_lower_[pair.a]++] = pair;
     make_room(pairs, found_.capacity());
     pairs.resize(count_);
-    for (const Pair& pair : found) pairs[end_[pair.b - first_]++] = pair;
-    auto begin = pairs.begin();
-    for (const std::uint32_t end : end_) {
-        const auto next = pairs.begin() + end;
-        if (next - begin > 1) std::sort(begin, next);
-        begin = next;
-    }
+    for (const Pair& pair : by_lower_) pairs[end_[pair.b - first_]++] = pair;
 }
 
 namespace {

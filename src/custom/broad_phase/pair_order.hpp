@@ -24,15 +24,16 @@ class PairOrder {
         return found_.data() + count_;
     }
     void took(std::size_t count) { count_ += count; }
-    /// Replaces `pairs` by what was added, in order. A counting sort by the higher handle, and a short
-    /// sort among the few pairs that share one: linear where no proxy has many partners.
+    /// Replaces `pairs` by what was added, in order. A counting sort by the lower handle, and one by the
+    /// higher that keeps this order: linear, and nothing to guess.
     void finish(std::vector<Pair>& pairs);
 
   private:
     Handle first_ = 0;
     std::vector<Pair> found_;  ///< the first count_ of these
     std::size_t count_ = 0;
-    std::vector<std::uint32_t> end_;  ///< per moving proxy: where its pairs end
+    std::vector<Pair> by_lower_;                     ///< in order of the lower handle
+    std::vector<std::uint32_t> end_of_lower_, end_;  ///< per lower and per higher handle: where its pairs end
 };
 
 /// Adds `fresh` pairs, in any order and some of them twice or listed already, to `listed` ones, which are in
