@@ -13,9 +13,9 @@ Box around(Vec2 a, Vec2 b) {
     return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
 }
 
-/// How many points and half-planes stand for a piece.
+/// How many points and slabs stand for a piece.
 struct Size {
-    std::uint32_t points, planes;
+    std::uint32_t points, slabs;
 
     static Size of(const Piece& piece) {
         if (const auto* polygon = std::get_if<piece::Polygon>(&piece.is)) {
@@ -25,7 +25,7 @@ struct Size {
         if (std::holds_alternative<piece::Arc>(piece.is)) return {1, 1};
         const bool round =
             std::holds_alternative<piece::Point>(piece.is) || std::holds_alternative<piece::Circle>(piece.is);
-        return round ? Size{1, 0} : Size{2, 4};
+        return round ? Size{1, 0} : Size{2, 2};
     }
 };
 
@@ -40,11 +40,11 @@ Clearance::Clearance(const Scene& scene, const Layout& layout, const Table& tabl
         obstacle.layer = scene.parts[piece.part].layer;
         obstacle.collides_with = scene.parts[piece.part].collides_with;
         obstacle.first_point = static_cast<std::uint32_t>(points_.size());
-        obstacle.first_plane = static_cast<std::uint32_t>(planes_.size());
+        obstacle.first_slab = static_cast<std::uint32_t>(slabs_.size());
         obstacle.points = size.points;
-        obstacle.planes = size.planes;
+        obstacle.slabs = size.slabs;
         points_.resize(points_.size() + size.points);
-        planes_.resize(planes_.size() + size.planes);
+        slabs_.resize(slabs_.size() + size.slabs);
         obstacles_.push_back(obstacle);
         place(i, piece, table.pose(piece.part));
     }
@@ -92,7 +92,8 @@ void Clearance::place(std::size_t index, const Piece& piece, const Pose& pose) {
         // The arc lies beyond its chord.
         const double half = std::min((arc->to - arc->from) / 2, std::numbers::pi);
         const Vec2 back = -rotated(from_angle(arc->from + half), pose.angle);
-        planes_[obstacle.first_plane] = {back, dot(back, *point) - arc->radius * (std::cos(half) + 1)};
+        const double high = dot(back, *point) - arc->radius * (std::cos(half) + 1);
+        slabs_[obstacle.first_slab] = {back, -INFINITY, high};
         return;
     }
     if (const auto* segment = std::get_if<piece::Segment>(&piece.is)) {
@@ -109,14 +110,20 @@ void Clearance::place(std::size_t index, const Piece& piece, const Pose& pose) {
     if (obstacle.points > 1) enclose(obstacle);
 }
 
-/// Half-planes around the points of a polygon, or of a stretch: its two sides and its two ends.
+/// Slabs around the points of a polygon, one per edge and open to the inside; or of a stretch, across it and
+/// along it.
 void Clearance::enclose(const Obstacle& obstacle) {
-    HalfPlane* plane = &planes_[obstacle.first_plane];
+    Slab* slab = &slabs_[obstacle.first_slab];
     const Vec2* points = &points_[obstacle.first_point];
+    if (obstacle.points == 2) {
+        const Vec2 along = unit(points[1] - points[0]), side = perp(along);
+        slab[0] = {side, dot(side, points[0]), dot(side, points[0])};
+        slab[1] = {along, dot(along, points[0]), dot(along, points[1])};
+        return;
+    }
     for (std::uint32_t i = 0; i < obstacle.points; ++i) {
-        const Vec2 a = points[i], along = unit(points[(i + 1) % obstacle.points] - a);
-        *plane++ = {-perp(along), dot(-perp(along), a)};
-        if (obstacle.points == 2) *plane++ = {-along, dot(-along, a)};
+        const Vec2 a = points[i], out = -perp(unit(points[(i + 1) % obstacle.points] - a));
+        *slab++ = {out, -INFINITY, dot(out, a)};
     }
 }
 
@@ -150,12 +157,12 @@ bool Clearance::beside_turning(const Box& box) const {
 
 bool Clearance::apart(const Obstacle& obstacle, const Chord& chord) const {
     const double gap = chord.reach + obstacle.radius;
-    // Without a branch per plane: nothing foretells which one keeps them apart.
+    // Without a branch per slab: nothing foretells which one keeps them apart.
     double beyond = -INFINITY;
-    for (std::uint32_t i = 0; i < obstacle.planes; ++i) {
-        const HalfPlane& plane = planes_[obstacle.first_plane + i];
-        const double nearer = std::min(dot(plane.normal, chord.a), dot(plane.normal, chord.b));
-        beyond = std::max(beyond, nearer - plane.offset);
+    for (std::uint32_t i = 0; i < obstacle.slabs; ++i) {
+        const Slab& slab = slabs_[obstacle.first_slab + i];
+        const double a = dot(slab.normal, chord.a), b = dot(slab.normal, chord.b);
+        beyond = std::max({beyond, std::min(a, b) - slab.high, slab.low - std::max(a, b)});
     }
     if (beyond > gap) return true;
     const Vec2* points = &points_[obstacle.first_point];
@@ -188,8 +195,8 @@ double Clearance::surely_apart(const Obstacle& obstacle, Vec2 at, Vec2 velocity,
     const Vec2 first = points_[obstacle.first_point];
     double free = 0;
     if (obstacle.hollow) {
-        const HalfPlane& chord = planes_[obstacle.first_plane];
-        free = stays(chord.normal, dot(chord.normal, at) - chord.offset - reach);
+        const Slab& chord = slabs_[obstacle.first_slab];
+        free = stays(chord.normal, dot(chord.normal, at) - chord.high - reach);
         if (length_squared(at - first) < obstacle.radius * obstacle.radius)
             return std::max(free, surely_within(at - first, velocity, obstacle.radius - reach_, longest));
     }
@@ -205,8 +212,8 @@ Vec2 Clearance::nearest_point(const Obstacle& obstacle, Vec2 at) const {
     Vec2 nearest = at;
     double least = INFINITY;
     for (std::uint32_t i = 0; i < obstacle.points; ++i) {
-        const HalfPlane& plane = planes_[obstacle.first_plane + i];
-        if (dot(plane.normal, at) < plane.offset) continue;
+        const Slab& slab = slabs_[obstacle.first_slab + i];
+        if (dot(slab.normal, at) < slab.high) continue;
         const Vec2 on_edge = nearest_on(at, points[i], points[i + 1 < obstacle.points ? i + 1 : 0]);
         const double squared = length_squared(at - on_edge);
         if (squared >= least) continue;

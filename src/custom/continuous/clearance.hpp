@@ -50,14 +50,14 @@ class Clearance {
                                   std::uint64_t& box_tests, std::uint64_t& shape_tests);
 
   private:
-    /// All points with normal·p ≤ offset.
-    struct HalfPlane {
+    /// All points with low ≤ normal·p ≤ high.
+    struct Slab {
         Vec2 normal;  ///< unit
-        double offset = 0;
+        double low = -INFINITY, high = INFINITY;
     };
-    /// Everything within `radius` of the hull of some points; the hull lies within some half-planes.
+    /// Everything within `radius` of the hull of some points; the hull lies within some slabs.
     struct Obstacle {
-        std::uint32_t first_plane = 0, planes = 0;
+        std::uint32_t first_slab = 0, slabs = 0;
         std::uint32_t first_point = 0, points = 0;
         double radius = 0;
         bool hollow = false;  ///< only the circle itself
@@ -93,7 +93,7 @@ class Clearance {
     const Layout& layout_;
     std::vector<Obstacle> obstacles_;  ///< of pieces in their order, then of what moving parts can reach
     BoxIndex boxes_;                   ///< of obstacles; nowhere while they do not count
-    std::vector<HalfPlane> planes_;
+    std::vector<Slab> slabs_;
     std::vector<Vec2> points_;
     std::vector<Moving> moving_;
 

@@ -45,6 +45,7 @@ void ContinuousSolver::handle(Place i) {
         return;
     }
     mover.left = nullptr;
+    apart_ = false;
     switch (mover.next) {
         case Next::feature:
             if (ignores(features_[mover.met], (*balls_)[i])) return predict(i, time);

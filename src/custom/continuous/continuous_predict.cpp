@@ -233,7 +233,8 @@ void ContinuousSolver::predict_features(Place i, double time) {
     PartIndex sensed = ~0U;
     // How far from the chord of its path the ball can get, with a margin over what counts as touch.
     const double end = std::min(dt_, mover.way.until), flies = end - time;
-    const Vec2 from = path.position(time), to = path.position(end);
+    const Vec2 from = time == path.start ? path.flight.position : path.position(time);
+    const Vec2 to = path.position(end);
     const double sag = path.max_acceleration(end) * flies * flies / 8 + clearance_margin(ball);
     for (const FeatureIndex f : mover.near.list()) {
         if (!overlap(mover.box, ranges_[f])) continue;
@@ -259,7 +260,7 @@ void ContinuousSolver::predict_features(Place i, double time) {
 void ContinuousSolver::predict_balls(Place i, double time) {
     const std::vector<Ball>& balls = *balls_;
     Mover& mover = movers_[i];
-    if (!in_company(mover.box)) return;
+    if (apart_ || !in_company(mover.box)) return;
     for (Place j = 0; j < balls.size(); ++j) {
         Mover& other = movers_[j];
         if (j == i || !overlap(mover.box, other.box) || !layers_meet(balls[i], balls[j]) || other.lost)

@@ -205,7 +205,8 @@ void ContinuousSolver::come_out(Place i) {
 /// left deep in one another, which flying freely would never come apart.
 void ContinuousSolver::find_piles() {
     list_active();
-    if (!any_company()) return;
+    apart_ = !any_company();
+    if (apart_) return;
     for (Place i = 0; i < movers_.size(); ++i) {
         const Box room = touching_room(i);
         for (Place j = i + 1; j < movers_.size(); ++j)
@@ -340,7 +341,7 @@ void ContinuousSolver::drop_lost() {
 
 void ContinuousSolver::find_pairs() {
     list_active();
-    if (!any_company()) {
+    if (apart_ || !any_company()) {
         for (const Place i : active_) pair_with_parts(i);
         return;
     }

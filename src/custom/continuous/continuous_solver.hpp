@@ -177,6 +177,7 @@ class ContinuousSolver {
     bool any_active_ = false;
     std::uint64_t events_ = 0;
     bool spoilt_ = false;  ///< this attempt found balls to hand over
+    bool apart_ = false;   ///< nothing happened yet, and on their ways no two balls come near each other
 
     // Scratch, kept to save allocations.
     std::vector<Turning> turnings_;   ///< by part
