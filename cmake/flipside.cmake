@@ -19,9 +19,13 @@ target_compile_options(flipside_options INTERFACE
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(flipside_options INTERFACE -Wno-restrict)
 endif()
-# In files compiled as one, names of one shadow those of another; the builds file by file have the true warnings.
+# In files compiled as one, names of one shadow those of another, and what is local to a file looks as if it were in a
+# header; the builds file by file have the true warnings.
 if(CMAKE_UNITY_BUILD)
     target_compile_options(flipside_options INTERFACE -Wno-shadow)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        target_compile_options(flipside_options INTERFACE -Wshadow=local -Wno-subobject-linkage)
+    endif()
 endif()
 if(FLIPSIDE_SANITIZE)
     target_compile_options(flipside_options INTERFACE
@@ -33,7 +37,7 @@ if(FLIPSIDE_SANITIZE)
     target_link_options(flipside_options INTERFACE -fsanitize=address,undefined)
 endif()
 
-# flipside_units(TARGET SOURCE...): with CMAKE_UNITY_BUILD (preset sanitize) the sources of a folder are compiled as one
+# flipside_units(TARGET SOURCE...): with CMAKE_UNITY_BUILD (see the presets) the sources of a folder are compiled as one
 # unit, which reads their common headers once. Names in its anonymous namespaces must then be unique in a folder.
 function(flipside_units target)
     set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP
