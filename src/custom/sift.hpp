@@ -35,19 +35,23 @@ struct Nothing {
 
 inline constexpr std::size_t fetch_ahead = 16;  ///< items
 
+template <class T>
+void make_writable(std::vector<T>& room, std::size_t size) {
+    if (room.size() >= size) return;
+    make_room(room, size);
+    room.resize(size);
+}
+
 /// What passes of `items`, in order, written to `room`, which grows and never shrinks. `passes` must have no
 /// branch of its own to be of use. `prepare` is called for each item a little before, to fetch what the test
 /// will read; `as` makes of an item what is kept of it.
 template <class T, class Prepare = Nothing, class As = std::identity>
 [[nodiscard]] std::span<const T> sift(const auto& items, std::vector<T>& room, auto&& passes,
                                       const Prepare& prepare = {}, const As& as = {}) {
-    if (room.size() < items.size()) {
-        make_room(room, items.size());
-        room.resize(items.size());
-    }
+    const std::size_t size = items.size();
+    make_writable(room, size);
     T* const kept = room.data();
     std::size_t count = 0;
-    const std::size_t size = items.size();
     for (std::size_t i = 0; i < size; ++i) {
         prepare(items[std::min(i + fetch_ahead, size - 1)]);
         kept[count] = as(items[i]);
@@ -64,11 +68,8 @@ template <class T, class Prepare = Nothing>
                                                                            auto&& passes, auto&& is_first,
                                                                            const Prepare& prepare = {}) {
     const std::size_t size = items.size();
-    for (std::vector<T>* to : {&room, &other}) {
-        if (to->size() >= size) continue;
-        make_room(*to, size);
-        to->resize(size);
-    }
+    make_writable(room, size);
+    make_writable(other, size);
     T *const firsts = room.data(), *const others = other.data();
     std::size_t first_count = 0, other_count = 0;
     for (std::size_t i = 0; i < size; ++i) {
