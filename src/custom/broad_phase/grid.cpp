@@ -358,7 +358,7 @@ class Grid final : public BroadPhase {
             const Run still{still_begin_[cell], still_begin_[cell + 1]};
             const Run rest{i + 1, begin[past]};
             const Cell next = cell - (left ? 1 : 0) + over;
-            const Run next_row{begin[next], begin[above ? past + over : next]};
+            const Run next_row{begin[next], begin[next + (past + over - next) * Cell{above}]};
 
             Looking<everyone> look(entry, order_.room_for(still.size() + rest.size() + next_row.size()));
             const Handle* const listed = still_listed_.data();
@@ -367,8 +367,9 @@ class Grid final : public BroadPhase {
                 look.at(other.proxy, other.handle, entry.handle);
             }
             // Both runs in one loop: where a loop ends nothing foretells.
+            const std::uint32_t gap = next_row.begin - rest.end;
             for (std::uint32_t k = 0; k < rest.size() + next_row.size(); ++k)
-                look.at(entries[k < rest.size() ? rest.begin + k : next_row.begin + (k - rest.size())]);
+                look.at(entries[rest.begin + k + gap * static_cast<std::uint32_t>(k >= rest.size())]);
             tests_ += everyone ? still.size() + rest.size() + next_row.size() : look.tests;
             order_.took(look.found);
             if (!wide_.empty()) look_at_wide(entry, cell);
