@@ -10,19 +10,21 @@ namespace flipside::custom {
 
 void NearList::reserve(std::size_t moving, std::size_t balls) {
     make_room(rooms_, moving);
-    make_room(leavers_, moving, 1);
+    make_room(leavers_, moving);
     strays_.reserve(moving);
     for (auto* list : {&listed_, &found_, &hits_, &ball_hits_}) make_room(*list, balls, pairs_per_ball);
     make_room(around_, still_.size() + moving);
 }
 
-void NearList::begin(std::size_t moving) {
-    leavers_.clear();
-    if (rooms_.size() == moving) return;
-    // Nothing fits into these.
-    constexpr double far = std::numeric_limits<double>::infinity();
-    rooms_.assign(moving, {{{far, far}, {-far, -far}}});
-    can_mend_ = false;
+NearList::Check NearList::begin(std::size_t moving) {
+    if (rooms_.size() != moving) {
+        // Nothing fits into these.
+        constexpr double far = std::numeric_limits<double>::infinity();
+        rooms_.assign(moving, {{{far, far}, {-far, -far}}});
+        leavers_.resize(moving);
+        can_mend_ = false;
+    }
+    return {rooms_.data(), leavers_.data()};
 }
 
 void NearList::search(BroadPhase& broad) {
@@ -39,11 +41,11 @@ void NearList::find_around(const Box& box, BroadPhase& broad, std::vector<Handle
 }
 
 /// Adds the pairs of those that left. What is no longer near stays listed: it will be sifted out.
-void NearList::mend(BroadPhase& broad) {
+void NearList::mend(std::span<const std::uint32_t> leavers, BroadPhase& broad) {
     const auto first = static_cast<Handle>(still_.size());
     found_.clear();
-    for (const std::uint32_t i : leavers_) strays_.add(i, rooms_[i].box);
-    for (const std::uint32_t i : leavers_) {
+    for (const std::uint32_t i : leavers) strays_.add(i, rooms_[i].box);
+    for (const std::uint32_t i : leavers) {
         around_.clear();
         find_around(rooms_[i].box, broad, around_);
         for (const Handle other : around_) {

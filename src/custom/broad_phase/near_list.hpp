@@ -24,31 +24,49 @@ class NearList {
     /// are sought; where many did, all are.
     /// Cost: one box test per listed pair, and the searches.
     std::span<const Pair> find_pairs(std::span<const Proxy> moving, BroadPhase& broad, auto&& roomy) {
-        begin(moving.size());
-        for (std::uint32_t i = 0; i < moving.size(); ++i) check(i, moving[i]);
-        search_as_needed(moving, broad, roomy);
+        Check check = begin(moving.size());
+        for (const Proxy& proxy : moving) check(proxy);
+        search_as_needed(check, moving, broad, roomy);
         return sift(moving);
     }
 
+    /// Notes who has left its room: called for every moving proxy in turn.
+    class Check {
+      public:
+        void operator()(const Proxy& now) {
+            const Proxy& room = *next_++;
+            const bool same = (room.ball == now.ball) & (room.layer == now.layer) &
+                              (room.collides_with == now.collides_with);
+            all_same_ &= same;
+            leavers_[left_] = looked_at_++;
+            left_ +=
+                static_cast<std::size_t>(!(same & holds(room.box, now.box) & (room.active >= now.active)));
+        }
+
+      private:
+        friend NearList;
+        Check(const Proxy* rooms, std::uint32_t* leavers) : next_(rooms), leavers_(leavers) {}
+        const Proxy* next_;
+        std::uint32_t* leavers_;
+        std::size_t left_ = 0;
+        std::uint32_t looked_at_ = 0;
+        bool all_same_ = true;
+    };
+
     /// The same in parts, for those who have each proxy at hand anyway: begin, check every moving proxy,
     /// search, sift.
-    void begin(std::size_t moving);
-    void check(std::uint32_t i, const Proxy& now) {
-        const Proxy& room = rooms_[i];
-        const bool same =
-            (room.ball == now.ball) & (room.layer == now.layer) & (room.collides_with == now.collides_with);
-        can_mend_ &= same;
-        if (!(same & holds(room.box, now.box) & (room.active >= now.active))) leavers_.push_back(i);
-    }
-    void search_as_needed(std::span<const Proxy> moving, BroadPhase& broad, auto&& roomy) {
-        const std::size_t strays = strays_.size() + leavers_.size();
-        const bool anew = !can_mend_ || strays > most_strays(moving.size());
-        if (&broad != searched_ || (!leavers_.empty() && anew)) {
+    [[nodiscard]] Check begin(std::size_t moving);
+    void search_as_needed(const Check& checked, std::span<const Proxy> moving, BroadPhase& broad,
+                          auto&& roomy) {
+        const std::span<const std::uint32_t> leavers(leavers_.data(), checked.left_);
+        can_mend_ &= checked.all_same_;
+        const bool anew = !can_mend_ || strays_.size() + leavers.size() > most_strays(moving.size());
+        if (&broad != searched_ || (!leavers.empty() && anew)) {
             for (std::uint32_t i = 0; i < moving.size(); ++i) give_room(i, moving[i], roomy(i));
             search(broad);
-        } else if (!leavers_.empty()) {
-            for (const std::uint32_t i : leavers_) give_room(i, moving[i], roomy(i));
-            mend(broad);
+        } else if (!leavers.empty()) {
+            for (const std::uint32_t i : leavers) give_room(i, moving[i], roomy(i));
+            mend(leavers, broad);
         }
     }
     [[nodiscard]] std::span<const Pair> sift(std::span<const Proxy> moving) {
@@ -87,7 +105,7 @@ class NearList {
         rooms_[i].box = room;
     }
     void search(BroadPhase& broad);
-    void mend(BroadPhase& broad);
+    void mend(std::span<const std::uint32_t> leavers, BroadPhase& broad);
 
     /// Which of the pairs listed overlap.
     struct Sieve {
@@ -111,9 +129,9 @@ class NearList {
     };
 
     const std::vector<Proxy>& still_;
-    std::vector<Proxy> rooms_;  ///< what the broad phase was last given, except for the strays
-    std::vector<Pair> listed_;  ///< in order
-    std::vector<std::uint32_t> leavers_;
+    std::vector<Proxy> rooms_;              ///< what the broad phase was last given, except for the strays
+    std::vector<Pair> listed_;              ///< in order
+    std::vector<std::uint32_t> leavers_;    ///< room for as many as move
     BoxRow strays_;                         ///< the rooms of all that left since the search
     std::vector<Handle> around_;            ///< scratch
     std::vector<Pair> found_;               ///< scratch

@@ -93,7 +93,7 @@ class DiscreteSolver {
 
     // Who takes part (discrete_turns.cpp).
     void find_turns();
-    void place_all();
+    [[nodiscard]] NearList::Check place_all();
     void take_turns();
     [[nodiscard]] std::size_t first_flight_to(PieceIndex piece, const Ball& ball) const;
     [[nodiscard]] Approach approach_of(const Ball& a, const Ball& b) const;

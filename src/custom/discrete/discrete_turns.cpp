@@ -12,7 +12,7 @@
 namespace flipside::custom {
 
 void DiscreteSolver::find_turns() {
-    place_all();
+    const NearList::Check checked = place_all();
     const PieceIndex first = moving_pieces();
     const auto roomy = [&](std::uint32_t i) {
         if (i < first || !moving_[i].active) return moving_[i].box;
@@ -20,7 +20,7 @@ void DiscreteSolver::find_turns() {
         const Ball& ball = (*balls_)[i - first];
         return grown(reach_of(ball, settings_.search_steps * dt_), berth * ball.radius);
     };
-    near_.search_as_needed(moving_, *broad_, roomy);
+    near_.search_as_needed(checked, moving_, *broad_, roomy);
     const auto [with_parts, of_balls] = near_.sift_apart(moving_, first_ball());
     part_pairs_.assign(with_parts.begin(), with_parts.end());
     ball_pairs_.assign(of_balls.begin(), of_balls.end());
@@ -28,7 +28,7 @@ void DiscreteSolver::find_turns() {
 }
 
 /// Boxes that hold to the end of the step.
-void DiscreteSolver::place_all() {
+NearList::Check DiscreteSolver::place_all() {
     const std::vector<Ball>& balls = *balls_;
     const PieceIndex first = moving_pieces();
     moving_.resize(first + balls.size());
@@ -38,7 +38,7 @@ void DiscreteSolver::place_all() {
     engaged_.clear();
     strays_.clear();
     dozing_.clear();
-    near_.begin(moving_.size());
+    NearList::Check check = near_.begin(moving_.size());
     for (PieceIndex i = 0; i < first; ++i) {
         const PieceIndex piece = layout_.size() - first + i;
         moving_[i] = layout_.proxy(*table_, piece, 0, dt_);
@@ -46,7 +46,7 @@ void DiscreteSolver::place_all() {
             const Proxy flight = layout_.proxy(*table_, piece, marks_[k - 1].time, marks_[k].time);
             moving_[i].box = united(moving_[i].box, flight.box);
         }
-        near_.check(i, moving_[i]);
+        check(moving_[i]);
     }
     all_woken_ = any_asleep_ = false;
     for (std::uint32_t i = 0; i < balls.size(); ++i) {
@@ -55,8 +55,9 @@ void DiscreteSolver::place_all() {
         role_[i] = ball.asleep ? Role::asleep : Role::free;
         moving_[first + i] = {ball.asleep ? bounds_of(ball.position, ball.radius) : reach_of(ball, dt_),
                               ball.layer, ball.collides_with, true, !ball.asleep};
-        near_.check(first + i, moving_[first + i]);
+        check(moving_[first + i]);
     }
+    return check;
 }
 
 /// Notes for all who may touch something in which flight that can be first.
