@@ -127,7 +127,8 @@ std::size_t DiscreteSolver::flight_of(const Approach& approach) const {
 /// Where a ball is on its free way. It strays from the straight one by at most k·t²/8 (k: acceleration).
 Box DiscreteSolver::free_way_of(const Ball& ball) const {
     const Vec2 here = ball.position, there = end_of_flight(ball, scene_.gravity, marks_.back());
-    const double sag = (pull_ + scene_.damping * way(ball, dt_) / dt_) * dt_ * dt_ / 8;
+    const double slowed = scene_.damping > 0 ? scene_.damping * way(ball, dt_) / dt_ : 0;
+    const double sag = (pull_ + slowed) * dt_ * dt_ / 8;
     const double room = (1 + berth) * ball.radius + sag;
     return united(bounds_of(here, room), bounds_of(there, room));
 }
