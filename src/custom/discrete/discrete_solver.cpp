@@ -50,7 +50,6 @@ void DiscreteSolver::reserve(std::size_t balls) {
     make_room(around_, layout_.size());
     make_room(found_, layout_.size() + balls);
     make_room(role_, balls);
-    make_room(reach_, balls);
     make_room(turns_, balls, pairs_per_ball);
     for (auto* places : {&engaged_, &dozing_, &seeking_, &places_}) make_room(*places, balls, 1);
     for (auto* pairs : {&part_pairs_, &ball_pairs_, &fresh_part_pairs_, &fresh_ball_pairs_, &room_})
@@ -112,7 +111,6 @@ void DiscreteSolver::start_flights(std::size_t flight) {
         fetch((*balls_)[soon]);
         fetch(proxy_of_ball(soon));
         fetch(so_far_[soon]);
-        fetch(reach_[soon]);
         start_flight(engaged_[i]);
     }
     engage_met();
@@ -132,7 +130,7 @@ void DiscreteSolver::start_flight(std::uint32_t place) {
     Box box{{std::min(here.x, there.x) - radius, std::min(here.y, there.y) - radius},
             {std::max(here.x, there.x) + radius, std::max(here.y, there.y) + radius}};
     if (fast) box = bounds_of(here, radius + way(ball, duration));
-    if (!(proxy.active & holds(reach_[place], box))) widen(place, box);
+    if (!(proxy.active & holds(so_far_[place].reach, box))) widen(place, box);
     proxy.box = box;
     proxy.active = true;
     if (fast || (swept_ && overlap(*swept_, box)))
@@ -143,7 +141,7 @@ void DiscreteSolver::start_flight(std::uint32_t place) {
 
 /// Of a ball in this flight: nothing happened yet.
 void DiscreteSolver::start_over(std::uint32_t place) {
-    so_far_[place] = {(*balls_)[place].position, span_.duration()};
+    so_far_[place] = {so_far_[place].reach, (*balls_)[place].position, span_.duration()};
 }
 
 /// Pairs of those that are engaged by now whose boxes overlap in this flight.

@@ -213,7 +213,6 @@ class DiscreteSolver {
     bool any_asleep_ = false;                      ///< when the step began
     /// What each can meet in this step, by handle and in order; after it, of the engaged.
     std::vector<Pair> part_pairs_, ball_pairs_;
-    std::vector<Box> reach_;              ///< per engaged ball: within it in this step, unless kicked
     std::vector<std::uint32_t> seeking_;  ///< engaged, but their pairs are not all listed yet
     BoxRow strays_;                       ///< kicked or woken beyond what the search knew
     std::vector<Pair> fresh_part_pairs_, fresh_ball_pairs_;  ///< that come to these
@@ -231,8 +230,9 @@ class DiscreteSolver {
     std::vector<BallPair> near_balls_room_;
     std::vector<Candidate> around_;  ///< what look_around() found
     std::vector<Handle> found_;      ///< what the broad phase found for it
-    /// What happened to a ball in this flight.
-    struct SoFar {
+    /// What happened to an engaged ball in this flight: a line of the cache.
+    struct alignas(64) SoFar {
+        Box reach;           ///< within it in this step, unless kicked
         Vec2 start;          ///< where it was before
         double flown = 0;    ///< s of free flight up to the end
         int changed_in = 0;  ///< the last round that moved it

@@ -34,7 +34,6 @@ NearList::Check DiscreteSolver::place_all() {
     moving_.resize(first + balls.size());
     role_.resize(balls.size());
     so_far_.resize(balls.size());
-    reach_.resize(balls.size());
     engaged_.clear();
     strays_.clear();
     dozing_.clear();
@@ -145,7 +144,7 @@ void DiscreteSolver::engage(std::uint32_t place) {
     Ball& ball = (*balls_)[place];
     if (role_[place] == Role::free) fly_freely(ball, scene_.gravity, Stretch(scene_.damping, span_.begin));
     role_[place] = Role::engaged;
-    reach_[place] = reach_of(ball, dt_ - span_.begin);
+    so_far_[place].reach = reach_of(ball, dt_ - span_.begin);
     engaged_.push_back(place);
 }
 
@@ -190,8 +189,9 @@ void DiscreteSolver::engage_met() {
 
 /// An engaged ball will be outside of what it was thought to reach.
 void DiscreteSolver::widen(std::uint32_t place, const Box& flight) {
-    reach_[place] = united(flight, reach_of((*balls_)[place], dt_ - span_.begin));
-    strays_.add(place, reach_[place]);
+    Box& reach = so_far_[place].reach;
+    reach = united(flight, reach_of((*balls_)[place], dt_ - span_.begin));
+    strays_.add(place, reach);
     seeking_.push_back(place);
 }
 
@@ -212,7 +212,7 @@ void DiscreteSolver::seek_company_of(std::uint32_t place) {
     const Handle first = first_ball(), own = first + place;
     const std::vector<Proxy>& still = layout_.still_proxies();
     Proxy self = proxy_of_ball(place);
-    self.box = reach_[place];
+    self.box = so_far_[place].reach;
     found_.clear();
     near_.find_around(self.box, *broad_, found_);
     record_->statistics.pair_tests +=
@@ -221,7 +221,8 @@ void DiscreteSolver::seek_company_of(std::uint32_t place) {
     for (const Handle other : found_) {
         if (other == own) continue;
         Proxy proxy = other < first ? proxy_of(other) : proxy_of_ball(other - first);
-        if (other >= first && (role_[other - first] & Role::engaged)) proxy.box = reach_[other - first];
+        if (other >= first && (role_[other - first] & Role::engaged))
+            proxy.box = so_far_[other - first].reach;
         // Of a moving part only the box of this flight is at hand.
         const bool anywhere = other < first && layout_.moves(other);
         if (!may_meet(self, proxy) || !(anywhere || overlap(self.box, proxy.box))) continue;
