@@ -33,7 +33,7 @@ if $gates; then
     for preset in debug clang clang-debug; do
         stage "same bits: $preset"
         build "$preset" test_golden
-        "build/$preset/tests/golden/test_golden" --gtest_brief=1
+        ctest --test-dir "build/$preset" -L golden -j "$jobs" --output-on-failure
     done
     stage "sanitizer build"
     build sanitize
