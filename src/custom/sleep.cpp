@@ -26,22 +26,22 @@ void Sleep::reserve(std::size_t balls) {
 }
 
 void Sleep::watch(std::span<const Ball> balls, double dt) {
-    const double slowest = std::max(slow(true, dt), slow(false, dt));
+    const double fast = fast_squared(dt);
     before_.clear();
     for (const Ball& ball : balls)
-        if (length_squared(ball.velocity) <= 4 * slowest * slowest)
+        if (length_squared(ball.velocity) <= fast)
             before_.push_back({ball.number, ball.position, ball.velocity});
 }
 
 void Sleep::settle(std::span<Ball> balls, std::span<const Contact> contacts, double dt) {
     if (before_.empty()) return;  // who was fast does not sleep yet
     // Most move: they are told first, and cheaply.
-    const double slowest = std::max(slow(true, dt), slow(false, dt));
+    const double fast = fast_squared(dt);
     members_.resize(balls.size());
     const auto candidates = sift(Places{balls.size()}, slow_, [&](std::uint32_t i) {
-        const bool fast = length_squared(balls[i].velocity) > 4 * slowest * slowest;
-        members_[i] = {i, fast && !balls[i].asleep};
-        return !fast && !balls[i].asleep;
+        const bool is_fast = length_squared(balls[i].velocity) > fast;
+        members_[i] = {i, is_fast && !balls[i].asleep};
+        return !is_fast && !balls[i].asleep;
     });
     if (candidates.empty()) return;
     for (const Contact& contact : contacts) join(balls, contact);
@@ -93,6 +93,12 @@ void Sleep::join(std::span<const Ball> balls, const Contact& contact) {
 /// Below this a ball may be at rest, m/s.
 double Sleep::slow(bool in_company, double dt) const {
     return in_company ? std::max(speed_, island_speed * gravity_ * dt) : speed_;
+}
+
+/// Who is faster before or after a step is surely not at rest, m²/s².
+double Sleep::fast_squared(double dt) const {
+    const double slowest = std::max(slow(true, dt), slow(false, dt));
+    return 4 * slowest * slowest;
 }
 
 /// Whether a ball did over the step what rest does not allow.

@@ -47,6 +47,7 @@ class Sleep {
     void join(std::span<const Ball> balls, const Contact& contact);
     [[nodiscard]] std::size_t island_of(std::size_t i);
     [[nodiscard]] double slow(bool in_company, double dt) const;
+    [[nodiscard]] double fast_squared(double dt) const;
     [[nodiscard]] bool moved(const Before& before, const Ball& ball, bool in_company, double dt) const;
 
     double speed_, gravity_;

@@ -1,6 +1,6 @@
 // A step allocates nothing once the world has seen its busiest moment.
 
-#include "custom/allocations.hpp"
+#include "lab/allocations.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,9 +25,9 @@ TEST(Allocations, NoneInAStepAfterWarmUp) {
         const State start = world->save();
         run(*world, 3);
         world->restore(start);  // the same again needs no more room than before
-        const std::size_t before = allocations();
+        const std::uint64_t before = lab::allocations();
         run(*world, 3);
-        EXPECT_EQ(allocations(), before) << broad;
+        EXPECT_EQ(lab::allocations(), before) << broad;
     }
 }
 
@@ -40,9 +40,9 @@ TEST(Allocations, NoneInAHeapThatWasNeverSeenBefore) {
     for (const auto* broad : {"quadtree", "grid"}) {
         const auto world = make_world(scene, {{"broad_phase", broad}, {"solver", "discrete"}});
         run(*world, 0.1);
-        const std::size_t before = allocations();
+        const std::uint64_t before = lab::allocations();
         run(*world, 4);
-        EXPECT_EQ(allocations(), before) << broad;
+        EXPECT_EQ(lab::allocations(), before) << broad;
     }
 }
 

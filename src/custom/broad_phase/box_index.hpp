@@ -43,20 +43,25 @@ class BoxIndex {
         mark(ends_y, 0, y_.slab(box.max.y));
     }
 
-    /// Appends the indices of all that overlap `box`, in rising order. Returns the number of box tests; to
-    /// find its slabs counts as one.
-    std::uint64_t find(const Box& box, std::vector<std::uint32_t>& found) const {
+    /// Visits the indices of all that may overlap `box`, in rising order: to find its slabs counts as one box
+    /// test.
+    void each_near(const Box& box, auto&& visit) const {
         const std::uint64_t* const a = sets_.data() + place(begins_x, x_.slab(box.max.x));
         const std::uint64_t* const b = sets_.data() + place(begins_y, y_.slab(box.max.y));
         const std::uint64_t* const c = sets_.data() + place(ends_x, x_.slab(box.min.x));
         const std::uint64_t* const d = sets_.data() + place(ends_y, y_.slab(box.min.y));
-        std::uint64_t tests = 1;
         for (std::size_t w = 0; w < words_; ++w)
-            for (std::uint64_t near = a[w] & b[w] & c[w] & d[w]; near != 0; near &= near - 1) {
-                const std::size_t i = w * bits + static_cast<std::size_t>(std::countr_zero(near));
-                ++tests;
-                if (overlap(box, boxes_[i])) found.push_back(static_cast<std::uint32_t>(i));
-            }
+            for (std::uint64_t near = a[w] & b[w] & c[w] & d[w]; near != 0; near &= near - 1)
+                visit(
+                    static_cast<std::uint32_t>(w * bits + static_cast<std::size_t>(std::countr_zero(near))));
+    }
+    /// Appends the indices of all that overlap `box`, in rising order. Returns the number of box tests.
+    std::uint64_t find(const Box& box, std::vector<std::uint32_t>& found) const {
+        std::uint64_t tests = 1;
+        each_near(box, [&](std::uint32_t i) {
+            ++tests;
+            if (overlap(box, boxes_[i])) found.push_back(i);
+        });
         return tests;
     }
 

@@ -15,7 +15,6 @@ class Few final : public BroadPhase {
   public:
     Few(const std::vector<Proxy>& still, const Box& world) : still_(still), index_(world, still.size()) {
         for (std::size_t i = 0; i < still.size(); ++i) index_.set(i, still[i].box);
-        found_.reserve(still.size());
     }
 
     void find_pairs(std::span<const Proxy> moving, std::vector<Pair>& pairs) override {
@@ -23,16 +22,15 @@ class Few final : public BroadPhase {
         moving_ = moving;
         if (std::ranges::none_of(moving, &Proxy::active)) return;
         for (Handle b = 0; b < moving.size(); ++b) {
-            found_.clear();
-            tests_ += index_.find(moving[b].box, found_);
-            for (const Handle a : found_)
-                if (may_meet(still_[a], moving[b])) pairs.push_back({a, first_moving() + b});
-            for (Handle a = 0; a < b; ++a) {
-                if (!may_meet(moving[a], moving[b])) continue;
+            const Proxy& proxy = moving[b];
+            const auto test = [&](const Proxy& other, Handle a) {
+                if (!may_meet(other, proxy)) return;
                 ++tests_;
-                if (overlap(moving[a].box, moving[b].box))
-                    pairs.push_back({first_moving() + a, first_moving() + b});
-            }
+                if (overlap(other.box, proxy.box)) pairs.push_back({a, first_moving() + b});
+            };
+            ++tests_;  // for its slabs
+            index_.each_near(proxy.box, [&](Handle a) { test(still_[a], a); });
+            for (Handle a = 0; a < b; ++a) test(moving[a], first_moving() + a);
         }
     }
     void find_overlapping(const Box& box, std::vector<Handle>& found) override {
@@ -49,7 +47,6 @@ class Few final : public BroadPhase {
     std::vector<Proxy> still_;
     BoxIndex index_;  ///< of what is still
     std::span<const Proxy> moving_;
-    std::vector<Handle> found_;  ///< scratch
 };
 
 }  // namespace
