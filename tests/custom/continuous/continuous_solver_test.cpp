@@ -213,6 +213,21 @@ TEST(ContinuousSolver, HopsOnABendEnd) {
     }
 }
 
+// Within one step: to the wall at 10 m/s, 0.9 m away, and 1.2 m back to a ball that the way there led away
+// from.
+TEST(ContinuousSolver, WhoIsThrownBackMeetsWhoLayBehind) {
+    Scene scene = empty_scene();
+    add_ball(scene, {0, 0}, {10, 0});
+    add_ball(scene, {-0.5, 0}, {});
+    add_part(scene, segment({1, -1}, {1, 1}));
+    const auto world = continuous(scene);
+    world->step(0.3);
+    EXPECT_EQ(world->statistics().impacts, 2U);
+    EXPECT_NEAR(world->balls()[0].position.x, -0.3, 1e-12);
+    EXPECT_NEAR(world->balls()[1].position.x, -0.5 - 0.9, 1e-12);
+    EXPECT_NEAR(world->balls()[1].velocity.x, -10, 1e-12);
+}
+
 // A ball that passes over another one, too fast to lie on it, flies; one that hops on it hops. Neither is a
 // pile.
 TEST(ContinuousSolver, TouchingBallsThatPartAreNoPile) {

@@ -68,6 +68,21 @@ TEST(DiscreteTurns, KickedBallMeetsThoseThatFlewFree) {
     for (int i = 0; i < 5; ++i) EXPECT_NEAR(world->balls()[static_cast<std::size_t>(i)].velocity.y, 0, 1e-9);
 }
 
+TEST(DiscreteTurns, WhoIsMetIsMetByThoseWhoWereMet) {
+    // A row on a slant: each lies in the box of the one before, and its way touches nobody's. Within one
+    // flight the hit goes all the way through it.
+    Scene scene = empty_scene();
+    const Vec2 along = unit(Vec2{1, 1});
+    add_ball(scene, -0.21 * along, 2 * along);
+    for (int i = 0; i < 3; ++i) add_ball(scene, {0.18 * i, 0.18 * i}, {});
+    const auto world = make_world(scene, {{"motion_iterations", "1"}});
+    world->step(0.1);
+    EXPECT_EQ(world->statistics().impacts, 3U);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(length(world->balls()[i].velocity), 0, 1e-12);
+    const double gaps = 0.01 + 2 * (0.18 * std::sqrt(2.0) - 0.2);
+    EXPECT_NEAR(length(world->balls()[3].position - (Vec2{0.36, 0.36} + (0.2 - gaps) * along)), 0, 1e-12);
+}
+
 TEST(DiscreteTurns, SleepersWokenByAHitTouchAsTheyDid) {
     // Three asleep side by side on a floor. The first is hit from the side; what it touches, asleep or still,
     // it touches on.
