@@ -14,12 +14,13 @@ Layout::Layout(const Scene& scene)
         const Part& part = scene.parts[pieces_[i].part];
         still_proxies_.push_back({bounds_of(pieces_[i]), part.layer, part.collides_with, false, false});
     }
-    constexpr double far = std::numeric_limits<double>::infinity();
+    constexpr float far = std::numeric_limits<float>::infinity();
     for (PieceIndex i = 0; i < size(); ++i)
-        capsules_.push_back(moves(i) ? Capsule{{}, {}, 0, far} : capsule_around(pieces_[i]));
+        capsules_.push_back(moves(i) ? Capsule{{}, 0, 0, 0, far} : capsule_around(pieces_[i]));
     for (const Piece& piece : pieces_) {
         const Part& part = scene.parts[piece.part];
         always_stops_.push_back(!part.sensor && !part.target && gate_of(part) == nullptr);
+        material_of_.push_back(part.material);
     }
     for (const Material& a : scene.materials)
         for (const Material& b : scene.materials) mixed_.push_back(mix(a, b));
@@ -29,16 +30,15 @@ Proxy Layout::proxy(const Table& table, PieceIndex i, double begin, double end) 
     const Part& part = scene_.parts[pieces_[i].part];
     const Pose first = table.pose(pieces_[i].part, begin), last = table.pose(pieces_[i].part, end);
     const double turned = last.angle - first.angle;
-    Proxy proxy{bounds_of(pieces_[i], first), part.layer, part.collides_with, false, turned != 0};
+    Box box = bounds_of(pieces_[i], first);
     if (turned != 0) {
-        proxy.box = united(proxy.box, bounds_of(pieces_[i], last));
+        box = united(box, bounds_of(pieces_[i], last));
         // Between the two, a point at distance d bulges out by less than d·(1 − cos(turned/2)).
-        const Box& box = proxy.box;
         const double dx = std::max(box.max.x - first.pivot.x, first.pivot.x - box.min.x);
         const double dy = std::max(box.max.y - first.pivot.y, first.pivot.y - box.min.y);
-        proxy.box = grown(box, std::hypot(dx, dy) * std::min(2.0, turned * turned / 8));
+        box = grown(box, std::hypot(dx, dy) * std::min(2.0, turned * turned / 8));
     }
-    return proxy;
+    return {box, part.layer, part.collides_with, false, turned != 0};
 }
 
 bool stops(const Table& table, const Piece& piece, const Pose& pose, const Ball& ball) {

@@ -31,6 +31,8 @@ class Layout {
     [[nodiscard]] double rate(const Table& table, PieceIndex i, double ahead) const {
         return moves(i) ? table.rate(pieces_[i].part, ahead) : 0;
     }
+    /// Whether it is no sensor, target or gate.
+    [[nodiscard]] bool always_stops(PieceIndex i) const { return always_stops_[i]; }
     /// The same as stops() above; cheap for most pieces.
     [[nodiscard]] bool stops(const Table& table, PieceIndex i, const Pose& pose, const Ball& ball) const {
         return always_stops_[i] || custom::stops(table, pieces_[i], pose, ball);
@@ -61,6 +63,10 @@ class Layout {
         return mixed_[a * materials_ + b];
     }
 
+    [[nodiscard]] const Mixed& mixed(const Ball& ball, PieceIndex i) const {
+        return mixed(ball.material, material_of_[i]);
+    }
+
     /// Of a moving piece, as in place().
     [[nodiscard]] Proxy proxy(const Table& table, PieceIndex i, double begin, double end) const;
 
@@ -69,8 +75,9 @@ class Layout {
     std::vector<Piece> pieces_;
     PieceIndex still_ = 0;
     std::vector<Proxy> still_proxies_;
-    std::vector<Capsule> capsules_;   ///< per piece; without end around what moves
-    std::vector<char> always_stops_;  ///< per piece: of no sensor, target or gate
+    std::vector<Capsule> capsules_;           ///< per piece; without end around what moves
+    std::vector<char> always_stops_;          ///< per piece
+    std::vector<std::uint32_t> material_of_;  ///< per piece
     std::size_t materials_;
     std::vector<Mixed> mixed_;
 };

@@ -22,18 +22,19 @@ void fetch(const T& thing) {
     __builtin_prefetch(bytes + sizeof(T) - 1);
 }
 
-/// The places 0 … count − 1, to sift these.
+/// The places first … last − 1, to sift these.
 struct Places {
-    std::size_t count;
-    [[nodiscard]] std::size_t size() const { return count; }
-    std::uint32_t operator[](std::size_t i) const { return static_cast<std::uint32_t>(i); }
+    std::size_t first, last;
+    [[nodiscard]] std::size_t size() const { return last - first; }
+    std::uint32_t operator[](std::size_t i) const { return static_cast<std::uint32_t>(first + i); }
 };
 
 struct Nothing {
     void operator()(const auto&) const {}
 };
 
-inline constexpr std::size_t fetch_ahead = 16;  ///< items
+inline constexpr std::size_t fetch_ahead = 64;  ///< items
+inline constexpr std::size_t sift_block = 256;  ///< items
 
 template <class T>
 void make_writable(std::vector<T>& room, std::size_t size) {
@@ -42,43 +43,69 @@ void make_writable(std::vector<T>& room, std::size_t size) {
     room.resize(size);
 }
 
-/// What passes of `items`, in order, written to `room`, which grows and never shrinks. `passes` must have no
-/// branch of its own to be of use. `prepare` is called for each item a little before, to fetch what the test
-/// will read; `as` makes of an item what is kept of it.
-template <class T, class Prepare = Nothing, class As = std::identity>
-[[nodiscard]] std::span<const T> sift(const auto& items, std::vector<T>& room, auto&& passes,
-                                      const Prepare& prepare = {}, const As& as = {}) {
-    const std::size_t size = items.size();
-    make_writable(room, size);
+/// See sift(): of the items first … last − 1.
+template <class T, class Prepare, class As>
+[[nodiscard]] std::span<const T> sift_part(const auto& items, std::size_t first, std::size_t last,
+                                           std::vector<T>& room, auto&& passes, const Prepare& prepare,
+                                           const As& as) {
+    make_writable(room, last - first);
     T* const kept = room.data();
     std::size_t count = 0;
-    for (std::size_t i = 0; i < size; ++i) {
-        prepare(items[std::min(i + fetch_ahead, size - 1)]);
+    for (std::size_t i = first; i < last; ++i) {
+        prepare(items[std::min(i + fetch_ahead, items.size() - 1)]);
         kept[count] = as(items[i]);
         count += static_cast<std::size_t>(passes(items[i]));
     }
     return {kept, count};
 }
 
-/// What passes, told apart: what `is_first` says of each goes to `room` or else to `other`.
+/// What passes of `items`, in order, written to `room`, which grows and never shrinks. `passes` must have no
+/// branch of its own to be of use. `prepare` is called for each item a little before, to fetch what the test
+/// will read; `as` makes of an item what is kept of it.
+template <class T, class Prepare = Nothing, class As = std::identity>
+[[nodiscard]] std::span<const T> sift(const auto& items, std::vector<T>& room, auto&& passes,
+                                      const Prepare& prepare = {}, const As& as = {}) {
+    return sift_part(items, 0, items.size(), room, passes, prepare, as);
+}
+
+/// Visits what passes, the survivors of a block of items together. So what the tests read is still at hand
+/// then: what is done with a few has branches, and to wait for memory there costs most.
 template <class T, class Prepare = Nothing>
-[[nodiscard]] std::pair<std::span<const T>, std::span<const T>> sift_apart(const auto& items,
-                                                                           std::vector<T>& room,
-                                                                           std::vector<T>& other,
-                                                                           auto&& passes, auto&& is_first,
-                                                                           const Prepare& prepare = {}) {
-    const std::size_t size = items.size();
-    make_writable(room, size);
-    make_writable(other, size);
+void each_sifted(const auto& items, std::vector<T>& room, auto&& passes, auto&& visit,
+                 const Prepare& prepare = {}) {
+    for (std::size_t first = 0; first < items.size(); first += sift_block) {
+        const std::size_t last = std::min(first + sift_block, items.size());
+        visit(sift_part(items, first, last, room, passes, prepare, std::identity{}));
+    }
+}
+
+/// Visits all. What a visit reads lies anywhere in memory: `prepare` is called before, to fetch it.
+void each_prepared(const auto& items, const auto& prepare, auto&& visit) {
+    constexpr std::size_t ahead = 24;
+    for (std::size_t i = 0; i < std::min(ahead, items.size()); ++i) prepare(items[i]);
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (i + ahead < items.size()) prepare(items[i + ahead]);
+        visit(items[i]);
+    }
+}
+
+/// What passes of a part of the items, told apart: what `is_first` says of each goes to `room` or else to
+/// `other`.
+template <class T, class Prepare = Nothing>
+[[nodiscard]] std::pair<std::span<const T>, std::span<const T>> sift_apart(
+    const auto& items, std::size_t first, std::size_t last, std::vector<T>& room, std::vector<T>& other,
+    auto&& passes, auto&& is_first, const Prepare& prepare = {}) {
+    make_writable(room, last - first);
+    make_writable(other, last - first);
     T *const firsts = room.data(), *const others = other.data();
     std::size_t first_count = 0, other_count = 0;
-    for (std::size_t i = 0; i < size; ++i) {
-        prepare(items[std::min(i + fetch_ahead, size - 1)]);
+    for (std::size_t i = first; i < last; ++i) {
+        prepare(items[std::min(i + fetch_ahead, items.size() - 1)]);
         firsts[first_count] = others[other_count] = items[i];
         const auto passed = static_cast<std::size_t>(passes(items[i]));
-        const auto first = static_cast<std::size_t>(is_first(items[i]));
-        first_count += passed & first;
-        other_count += passed & ~first;
+        const auto is_one = static_cast<std::size_t>(is_first(items[i]));
+        first_count += passed & is_one;
+        other_count += passed & ~is_one;
     }
     return {{firsts, first_count}, {others, other_count}};
 }

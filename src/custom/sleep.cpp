@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "custom/sift.hpp"
-
 namespace flipside::custom {
 
 namespace {
@@ -17,6 +15,11 @@ constexpr double island_gain = 0.02;
 /// A ball that gains more than this part of what gravity gives in a step is not held.
 constexpr double falling = 0.5;
 
+std::size_t place_of(std::span<const Ball> balls, BallNumber number) {
+    return static_cast<std::size_t>(std::ranges::lower_bound(balls, number, {}, &Ball::number) -
+                                    balls.begin());
+}
+
 }  // namespace
 
 void Sleep::reserve(std::size_t balls) {
@@ -26,37 +29,50 @@ void Sleep::reserve(std::size_t balls) {
 }
 
 void Sleep::watch(std::span<const Ball> balls, double dt) {
-    const double fast = fast_squared(dt);
+    fast_ = fast_squared(dt);
+    if (known_for_ != fast_) {
+        begin_look(balls.size());
+        for (std::size_t i = 0; i < balls.size(); ++i) look(i, balls[i]);
+    }
     before_.clear();
-    for (const Ball& ball : balls)
-        if (length_squared(ball.velocity) <= fast)
-            before_.push_back({ball.number, ball.position, ball.velocity});
+    for (const std::uint32_t i : slow())
+        before_.push_back({balls[i].number, balls[i].position, balls[i].velocity});
 }
 
-void Sleep::settle(std::span<Ball> balls, std::span<const Contact> contacts, double dt) {
-    if (before_.empty()) return;  // who was fast does not sleep yet
-    // Most move: they are told first, and cheaply.
-    const double fast = fast_squared(dt);
-    members_.resize(balls.size());
-    const auto candidates = sift(Places{balls.size()}, slow_, [&](std::uint32_t i) {
-        const bool is_fast = length_squared(balls[i].velocity) > fast;
-        members_[i] = {i, is_fast && !balls[i].asleep};
-        return !is_fast && !balls[i].asleep;
-    });
-    if (candidates.empty()) return;
-    for (const Contact& contact : contacts) join(balls, contact);
-    for (const std::uint32_t i : candidates) {
+bool Sleep::settle(std::span<Ball> balls, std::span<const Contact> contacts, double dt) {
+    known_for_ = fast_;
+    const auto awake = [&](std::uint32_t i) { return !balls[i].asleep; };
+    if (before_.empty() || std::ranges::none_of(slow(), awake)) return false;
+    find_islands(balls, contacts);
+    for (const std::uint32_t i : slow()) {
+        if (balls[i].asleep) continue;
         const auto before = std::ranges::lower_bound(before_, balls[i].number, {}, &Before::number);
         const bool was_fast = before == before_.end() || before->number != balls[i].number;
         if (was_fast || moved(*before, balls[i], members_[i].in_company, dt))
             members_[island_of(i)].moves = true;
     }
-    for (const std::uint32_t i : candidates) {
-        if (members_[island_of(i)].moves) continue;
-        balls[i].asleep = true;
+    bool any = false;
+    for (const std::uint32_t i : slow()) {
+        if (balls[i].asleep || members_[island_of(i)].moves) continue;
+        balls[i].asleep = any = true;
         balls[i].velocity = {};
         balls[i].spin = 0;
     }
+    return any;
+}
+
+void Sleep::find_islands(std::span<const Ball> balls, std::span<const Contact> contacts) {
+    if (members_.size() < balls.size()) members_.resize(balls.size());
+    const auto alone = [&](std::size_t i) {
+        const Ball& ball = balls[i];
+        members_[i] = {i, !ball.asleep && length_squared(ball.velocity) > fast_};
+    };
+    for (const std::uint32_t i : slow()) alone(i);
+    for (const Contact& contact : contacts) {
+        alone(place_of(balls, contact.ball));
+        if (contact.other.is_ball) alone(place_of(balls, contact.other.index));
+    }
+    for (const Contact& contact : contacts) join(balls, contact);
 }
 
 /// The ball that stands for an island, by place: sets joined under the lower place, paths halved on the way
@@ -68,19 +84,15 @@ std::size_t Sleep::island_of(std::size_t i) {
 
 /// Awake balls in touch belong to one island.
 void Sleep::join(std::span<const Ball> balls, const Contact& contact) {
-    const auto place = [&](BallNumber number) {
-        return static_cast<std::size_t>(std::ranges::lower_bound(balls, number, {}, &Ball::number) -
-                                        balls.begin());
-    };
     // A sleeper's own motion is none of its neighbours' business.
     const auto squeeze = [&](std::size_t i) {
         if (-contact.separation > most_overlap * balls[i].radius && !balls[i].asleep)
             members_[island_of(i)].moves = true;
     };
-    const std::size_t a = place(contact.ball);
+    const std::size_t a = place_of(balls, contact.ball);
     squeeze(a);
     if (!contact.other.is_ball) return;
-    const std::size_t b = place(contact.other.index);
+    const std::size_t b = place_of(balls, contact.other.index);
     squeeze(b);
     members_[a].in_company = members_[b].in_company = true;
     if (balls[a].asleep || balls[b].asleep) return;

@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "custom/broad_phase/room.hpp"
+#include "custom/sift.hpp"
 #include "world/ball.hpp"
 #include "world/events.hpp"
 
@@ -26,13 +26,24 @@ class Sleep {
 
     /// Makes room for so many balls.
     void reserve(std::size_t balls);
-    /// Before a step of dt: remembers the balls that may be at rest.
+    /// Before a step of dt: remembers the balls that may be at rest. It knows them from the step before, if
+    /// nobody else has changed the balls since.
     void watch(std::span<const Ball> balls, double dt);
-    /// After it: puts islands to sleep, with all velocity gone, none of whose balls moved, was driven,
+    void forget() { known_for_ = unknown; }
+    /// After it, shows it every ball: begin_look(), then look() by rising place.
+    void begin_look(std::size_t balls) {
+        make_writable(slow_, balls);
+        slow_count_ = 0;
+    }
+    void look(std::size_t place, const Ball& ball) {
+        slow_[slow_count_] = static_cast<std::uint32_t>(place);
+        slow_count_ += static_cast<std::size_t>(length_squared(ball.velocity) <= fast_);
+    }
+    /// Then puts islands to sleep, with all velocity gone, none of whose balls moved, was driven,
     /// joined in between, or is squeezed by a contact by more than half a hundredth of its radius. An
-    /// island is a ball or awake balls that touch. `contacts` are those of `balls`.
-    /// Cost: O((balls + contacts) · log balls), nothing when all sleep.
-    void settle(std::span<Ball> balls, std::span<const Contact> contacts, double dt);
+    /// island is a ball or awake balls that touch. `contacts` are those of `balls`. Whether any fell asleep.
+    /// Cost: O((slow balls + contacts) · log balls), nothing when all sleep.
+    bool settle(std::span<Ball> balls, std::span<const Contact> contacts, double dt);
 
   private:
     struct Before {
@@ -44,6 +55,8 @@ class Sleep {
         bool moves = false;       ///< of the ball that stands for an island: any in it moves or is squeezed
         bool in_company = false;  ///< touches a ball
     };
+    [[nodiscard]] std::span<const std::uint32_t> slow() const { return {slow_.data(), slow_count_}; }
+    void find_islands(std::span<const Ball> balls, std::span<const Contact> contacts);
     void join(std::span<const Ball> balls, const Contact& contact);
     [[nodiscard]] std::size_t island_of(std::size_t i);
     [[nodiscard]] double slow(bool in_company, double dt) const;
@@ -52,8 +65,12 @@ class Sleep {
 
     double speed_, gravity_;
     std::vector<Before> before_;
-    std::vector<Member> members_;      ///< of the balls after the step
-    std::vector<std::uint32_t> slow_;  ///< places of those that may be at rest
+    std::vector<Member> members_;  ///< by place: of slow balls and of those in touch
+    static constexpr double unknown = -1;
+    double fast_ = 0;                  ///< m²/s², who is faster is surely not at rest after this step
+    double known_for_ = unknown;       ///< slow_ holds those no faster than the root of this
+    std::vector<std::uint32_t> slow_;  ///< places of those that may be at rest: so many of these
+    std::size_t slow_count_ = 0;
 };
 
 }  // namespace flipside::custom

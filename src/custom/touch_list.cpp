@@ -141,26 +141,30 @@ void TouchList::look_at(const Layout& layout, const Table& table, std::span<cons
     // Most candidates are not even near: they go first.
     constexpr double room = 1 + 2 * touch_distance;
     const Handle first_ball = layout.size();
-    const auto near_parts = sift(
+    each_sifted(
         part_pairs_, near_,
         [&](Pair pair) {
             const Ball& ball = balls[pair.b - first_ball];
             return layout.may_touch(pair.a, ball.position, room * ball.radius);
         },
+        [&](std::span<const Pair> these) {
+            for (const Pair pair : these) look(layout, table, balls[pair.b - first_ball], pair.a);
+        },
         [&](Pair pair) {
             fetch(layout.capsule(pair.a));
             fetch(balls[pair.b - first_ball]);
         });
-    for (const Pair pair : near_parts) look(layout, table, balls[pair.b - first_ball], pair.a);
-    const auto near_balls = sift(
+    each_sifted(
         ball_pairs_, near_,
         [&](Pair pair) {
             const Ball &a = balls[pair.a - first_ball], &b = balls[pair.b - first_ball];
             const double reach = (a.radius + b.radius) * room;
             return length_squared(a.position - b.position) <= reach * reach;
         },
+        [&](std::span<const Pair> these) {
+            for (const Pair pair : these) look(balls[pair.a - first_ball], balls[pair.b - first_ball]);
+        },
         [&](Pair pair) { fetch(balls[pair.a - first_ball]); });
-    for (const Pair pair : near_balls) look(balls[pair.a - first_ball], balls[pair.b - first_ball]);
     std::ranges::sort(now_, [](const Contact& a, const Contact& b) {
         return std::tie(a.ball, a.other, a.separation, a.normal.x, a.normal.y) <
                std::tie(b.ball, b.other, b.separation, b.normal.x, b.normal.y);

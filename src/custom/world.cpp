@@ -1,12 +1,12 @@
 #include "custom/world.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <tuple>
 
 #include "custom/broad_phase/choose_broad_phase.hpp"
 #include "custom/engine.hpp"
 #include "custom/geometry/enclosing.hpp"
+#include "custom/stopwatch.hpp"
 
 namespace flipside::custom {
 
@@ -30,6 +30,7 @@ CustomWorld::CustomWorld(std::shared_ptr<const Scene> scene, const Settings& set
       balls_(scene_->balls) {
     make_room();
     touches_.refresh(layout_, table_, balls_, *broad_, discrete_.near(), true);
+    any_asleep_ = std::ranges::any_of(balls_, &Ball::asleep);
     fill_statistics(0);
 }
 
@@ -53,7 +54,7 @@ void CustomWorld::step(double dt) {
     record_.broad_seconds = record_.flight_seconds = record_.contact_seconds = record_.report_seconds = 0;
 
     launch();
-    sleep_.watch(balls_, dt);
+    if (settings_.sleep) sleep_.watch(balls_, dt);
     const bool continuous = steps_continuously();
     if (continuous && !was_continuous_) continuous_.reset(table_, balls_);
     was_continuous_ = continuous;
@@ -67,12 +68,32 @@ void CustomWorld::step(double dt) {
         report_continuous();
     else
         report_discrete();
-    if (settings_.sleep) sleep_.settle(balls_, contacts(), dt);
+    any_asleep_ |= settings_.sleep && sleep_.settle(balls_, contacts(), dt);
     touches_.wake_unsupported(balls_, scene_->gravity);
     fill_statistics(box_tests() - tests_before);
 }
 
+/// Notes after the step what depends on every ball, in one look at each. Whether all are inside.
+bool CustomWorld::look_over(auto&& each_ball) {
+    bool all_inside = true;
+    any_asleep_ = false;
+    sleep_.begin_look(balls_.size());
+    each_ball([&](std::size_t place, const Ball& ball) {
+        all_inside &= scene_->bounds.contains(ball.position);
+        any_asleep_ |= ball.asleep;
+        sleep_.look(place, ball);
+    });
+    return all_inside;
+}
+
+void CustomWorld::look_over_all() {
+    look_over([&](auto&& see) {
+        for (std::size_t i = 0; i < balls_.size(); ++i) see(i, balls_[i]);
+    });
+}
+
 void CustomWorld::report_continuous() {
+    look_over_all();
     if (continuous_.quiet() && contacts().empty()) {
         touches_.clear();
         return;
@@ -83,18 +104,18 @@ void CustomWorld::report_continuous() {
 }
 
 void CustomWorld::report_discrete() {
-    const auto start = std::chrono::steady_clock::now();
-    const std::size_t balls = balls_.size();
-    lose_balls();
+    Stopwatch watch;
+    const bool all_inside = look_over([&](auto&& see) { discrete_.land(balls_, see); });
+    watch.lap(record_.flight_seconds);
     // The solver's pairs are by place.
-    if (balls_.size() == balls)
+    if (all_inside || !lose_balls())
         touches_.refresh(layout_, table_, balls_, discrete_.part_pairs(), discrete_.ball_pairs());
     else
         touches_.refresh(layout_, table_, balls_, *broad_, discrete_.near(), false);
     touches_.report_touches(time(), record_.events);
     touches_.report_sensors(time(), record_.crossed, record_.events);
     sort_events();
-    record_.report_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    watch.lap(record_.report_seconds);
 }
 
 void CustomWorld::sort_events() {
@@ -117,6 +138,7 @@ void CustomWorld::launch() {
     while (table_.launch_waiting()) {
         const auto launched = table_.launch(balls_);
         if (!launched) return;
+        sleep_.forget();
         if (launched->existing) {
             *std::ranges::lower_bound(balls_, launched->ball.number, {}, &Ball::number) = launched->ball;
         } else {
@@ -127,23 +149,26 @@ void CustomWorld::launch() {
     }
 }
 
-void CustomWorld::lose_balls() {
+/// Whether any left the list.
+bool CustomWorld::lose_balls() {
     auto& reported = table_.reported_lost();
     const auto outside = [&](const Ball& ball) { return !scene_->bounds.contains(ball.position); };
-    if (std::ranges::none_of(balls_, outside)) return;
     for (const Ball& ball : balls_) {
         if (!outside(ball) || std::ranges::find(reported, ball.number) != reported.end()) continue;
         record_.events.push_back({time(), EventKind::lost, ball.number, {}, ball.position, {}, 0, 0});
         if (scene_->keep_lost) reported.push_back(ball.number);
     }
-    if (!scene_->keep_lost) std::erase_if(balls_, outside);
+    if (scene_->keep_lost || std::erase_if(balls_, outside) == 0) return false;
+    look_over_all();
+    return true;
 }
 
 void CustomWorld::fill_statistics(std::uint64_t pair_tests) {
     Statistics& statistics = record_.statistics;
     statistics.pair_tests += pair_tests;
     statistics.narrow_tests += touches_.narrow_tests();
-    statistics.asleep = static_cast<std::uint64_t>(std::ranges::count_if(balls_, &Ball::asleep));
+    if (any_asleep_)
+        statistics.asleep = static_cast<std::uint64_t>(std::ranges::count_if(balls_, &Ball::asleep));
     for (const Contact& contact : contacts())
         statistics.max_penetration = std::max(statistics.max_penetration, -contact.separation);
     if (steps_continuously()) {
@@ -166,6 +191,7 @@ void CustomWorld::wake_all() {
 }
 
 void CustomWorld::apply(const Control& control) {
+    sleep_.forget();
     table_.apply(control);
     if (const auto* nudge = std::get_if<control::Nudge>(&control)) {
         wake_all();
@@ -178,6 +204,7 @@ void CustomWorld::apply(const Control& control) {
 }
 
 BallNumber CustomWorld::add(const Ball& ball) {
+    sleep_.forget();
     balls_.push_back(ball);
     balls_.back().number = table_.new_number();
     make_room();
@@ -188,6 +215,7 @@ BallNumber CustomWorld::add(const Ball& ball) {
 bool CustomWorld::remove(BallNumber number) {
     if (std::erase_if(balls_, [&](const Ball& ball) { return ball.number == number; }) == 0) return false;
     std::erase(table_.reported_lost(), number);
+    sleep_.forget();
     was_continuous_ = false;
     wake_all();
     touches_.refresh(layout_, table_, balls_, *broad_, discrete_.near(), false);
@@ -195,6 +223,7 @@ bool CustomWorld::remove(BallNumber number) {
 }
 
 void CustomWorld::restore(const State& state) {
+    sleep_.forget();
     table_.restore(state);
     balls_ = state.balls;
     record_.events.clear();

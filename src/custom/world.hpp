@@ -34,7 +34,9 @@ class CustomWorld final : public World {
     [[nodiscard]] std::uint64_t box_tests() const;
     void launch();
     void make_room();
-    void lose_balls();
+    bool look_over(auto&& each_ball);
+    void look_over_all();
+    bool lose_balls();
     void report_continuous();
     void report_discrete();
     void sort_events();
@@ -52,6 +54,7 @@ class CustomWorld final : public World {
     ContinuousSolver continuous_;
     bool was_continuous_ = false;  ///< the last step was, and nothing was removed or restored since
     Sleep sleep_;
+    bool any_asleep_ = false;  ///< at the end of the step
     TouchList touches_;
     std::vector<Ball> balls_;  ///< by rising number
     StepRecord record_;

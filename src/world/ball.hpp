@@ -12,13 +12,13 @@ namespace flipside {
 using BallNumber = std::uint32_t;
 
 struct Ball {
+    Vec2 position;      ///< m
+    Vec2 velocity;      ///< m/s
+    double angle = 0;   ///< rad
+    double spin = 0;    ///< rad/s, anticlockwise
+    double radius = 0;  ///< m, > 0
+    double mass = 0;    ///< kg, > 0
     BallNumber number = 0;
-    Vec2 position;                      ///< m
-    Vec2 velocity;                      ///< m/s
-    double angle = 0;                   ///< rad
-    double spin = 0;                    ///< rad/s, anticlockwise
-    double radius = 0;                  ///< m, > 0
-    double mass = 0;                    ///< kg, > 0
     std::uint32_t material = 0;         ///< index into Scene::materials
     std::uint32_t layer = 1;            ///< one bit
     std::uint32_t collides_with = ~0U;  ///< mask of layers

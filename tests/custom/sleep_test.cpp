@@ -17,12 +17,18 @@ Ball ball_of(BallNumber number, Vec2 velocity) {
     return ball;
 }
 
+bool settle(Sleep& sleep, std::vector<Ball>& balls, std::span<const Contact> contacts, double dt) {
+    sleep.begin_look(balls.size());
+    for (std::size_t i = 0; i < balls.size(); ++i) sleep.look(i, balls[i]);
+    return sleep.settle(balls, contacts, dt);
+}
+
 TEST(Sleep, SlowAndUndrivenFallsAsleep) {
     Sleep sleep(0.01, 10);
     std::vector<Ball> balls{ball_of(0, {0.001, 0}), ball_of(1, {0.02, 0}), ball_of(2, {})};
     sleep.watch(balls, 0.01);
     balls[2].velocity = {0, -0.005};  // turning back on a slope
-    sleep.settle(balls, {}, 0.01);
+    EXPECT_TRUE(settle(sleep, balls, {}, 0.01));
     EXPECT_TRUE(balls[0].asleep);
     EXPECT_EQ(balls[0].velocity, Vec2{});
     EXPECT_FALSE(balls[1].asleep);
@@ -34,7 +40,7 @@ TEST(Sleep, WhatNothingHoldsSleepsOnlyIfItDoesNotMove) {
     std::vector<Ball> balls{ball_of(0, {1e-9, 0}), ball_of(1, {}), ball_of(2, {})};
     balls[2].spin = 1e-9;
     drifting.watch(balls, 0.01);
-    drifting.settle(balls, {}, 0.01);
+    settle(drifting, balls, {}, 0.01);
     EXPECT_FALSE(balls[0].asleep);
     EXPECT_TRUE(balls[1].asleep);
     EXPECT_FALSE(balls[2].asleep);
@@ -43,8 +49,38 @@ TEST(Sleep, WhatNothingHoldsSleepsOnlyIfItDoesNotMove) {
     balls = {ball_of(0, {})};
     falling.watch(balls, 0.01);
     balls[0].velocity = {0, -1e-6};
-    falling.settle(balls, {}, 0.01);
+    EXPECT_FALSE(settle(falling, balls, {}, 0.01));
     EXPECT_FALSE(balls[0].asleep);
+}
+
+// What it saw after a step serves for the next, unless that is of another length or it was told to forget.
+TEST(Sleep, KnowsWhoIsSlowFromTheStepBefore) {
+    const std::vector<Ball> start{ball_of(0, {0.001, 0}), ball_of(1, {0.1, 0}), ball_of(2, {0.001, 0})};
+    for (const bool told : {false, true}) {
+        Sleep sleep(0.01, 10);
+        std::vector<Ball> balls = start;
+        sleep.watch(balls, 0.01);
+        balls[0].velocity.x = balls[2].velocity.x = 0.004;  // driven: nobody sleeps yet
+        EXPECT_FALSE(settle(sleep, balls, {}, 0.01));
+        if (told) {
+            balls[1].velocity.x = 0.001;
+            sleep.forget();
+        }
+        sleep.watch(balls, 0.01);
+        balls[1].velocity.x = 0.001;
+        EXPECT_TRUE(settle(sleep, balls, {}, 0.01));
+        EXPECT_TRUE(balls[0].asleep);
+        EXPECT_EQ(balls[1].asleep, told);
+        EXPECT_TRUE(balls[2].asleep);
+    }
+    // Faster than what is slow in a step of 0.01 s, slow in one of 10 s.
+    Sleep sleep(0.01, 10);
+    std::vector<Ball> balls{ball_of(0, {1, 0}), ball_of(1, {1, 0})};
+    sleep.watch(balls, 0.01);
+    EXPECT_FALSE(settle(sleep, balls, {}, 0.01));
+    sleep.watch(balls, 10);
+    const Contact touching[] = {{0, Other::ball(1), {}, {}, 0}};
+    EXPECT_TRUE(settle(sleep, balls, touching, 10));
 }
 
 TEST(Sleep, NewcomersAreLeftAlone) {
@@ -52,7 +88,7 @@ TEST(Sleep, NewcomersAreLeftAlone) {
     std::vector<Ball> balls{ball_of(3, {})};
     sleep.watch(balls, 0.01);
     balls = {ball_of(3, {}), ball_of(4, {})};
-    sleep.settle(balls, {}, 0.01);
+    settle(sleep, balls, {}, 0.01);
     EXPECT_TRUE(balls[0].asleep);
     EXPECT_FALSE(balls[1].asleep);
 }
@@ -64,7 +100,7 @@ TEST(Sleep, ASqueezedBallStaysAwake) {
     const Contact deep{0, Other::ball(2), {}, {}, -0.01 * 0.1},
         shallow{1, Other::part(0), {}, {}, -0.001 * 0.1};
     const Contact contacts[] = {deep, shallow};
-    sleep.settle(balls, contacts, 0.01);
+    settle(sleep, balls, contacts, 0.01);
     EXPECT_FALSE(balls[0].asleep);
     EXPECT_TRUE(balls[1].asleep);
     EXPECT_FALSE(balls[2].asleep);

@@ -179,7 +179,7 @@ class AdaptiveQuadtree final : public BroadPhase {
         order_.finish(pairs);
     }
 
-    void find_overlapping(const Box& box, std::vector<Handle>& found) override {
+    void find_overlapping(const SingleBox& box, std::vector<Handle>& found) override {
         const auto look_at = [&](Handle handle, const Proxy& proxy) {
             ++tests_;
             if (overlap(box, proxy.box)) found.push_back(handle);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "custom/geometry/bounds.hpp"
+#include "custom/geometry/single_box.hpp"
 #include "world/inspector.hpp"
 #include "world/statistics.hpp"
 
@@ -18,7 +19,7 @@ using Handle = std::uint32_t;
 
 /// What the broad phase sees of a thing.
 struct Proxy {
-    Box box;
+    SingleBox box;
     std::uint32_t layer = 1;            ///< one bit
     std::uint32_t collides_with = ~0U;  ///< mask of layers
     bool ball = false;                  ///< a ball, or else part of the table
@@ -49,7 +50,9 @@ class BroadPhase {
     /// Adds to `found` every still proxy, and every moving one of the last find_pairs(), whose box overlaps
     /// this one; each once, in no order. `moving` must still be there, and have had an active one. Whether
     /// one that was moved since is found is left open.
-    virtual void find_overlapping(const Box& box, std::vector<Handle>& found) = 0;
+    virtual void find_overlapping(const SingleBox& box, std::vector<Handle>& found) = 0;
+    /// Says that find_overlapping() will soon be called for this box.
+    virtual void prepare(const SingleBox&) const {}
     /// Tests of one box against another since the start, those that insertion cost included.
     [[nodiscard]] std::uint64_t tests() const { return tests_; }
     [[nodiscard]] virtual BroadPhaseFacts facts() const = 0;

@@ -22,7 +22,7 @@ class BruteForce final : public BroadPhase {
                 if (test(moving[a], moving[b])) pairs.push_back({first + a, first + b});
         }
     }
-    void find_overlapping(const Box& box, std::vector<Handle>& found) override {
+    void find_overlapping(const SingleBox& box, std::vector<Handle>& found) override {
         tests_ += still_.size() + moving_.size();
         for (Handle i = 0; i < still_.size(); ++i)
             if (overlap(box, still_[i].box)) found.push_back(i);

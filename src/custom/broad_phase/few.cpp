@@ -33,7 +33,7 @@ class Few final : public BroadPhase {
             for (Handle a = 0; a < b; ++a) test(moving[a], first_moving() + a);
         }
     }
-    void find_overlapping(const Box& box, std::vector<Handle>& found) override {
+    void find_overlapping(const SingleBox& box, std::vector<Handle>& found) override {
         tests_ += index_.find(box, found) + moving_.size();
         for (Handle i = 0; i < moving_.size(); ++i)
             if (overlap(box, moving_[i].box)) found.push_back(first_moving() + i);

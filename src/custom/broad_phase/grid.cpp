@@ -24,6 +24,7 @@
 
 #include "custom/broad_phase/pair_order.hpp"
 #include "custom/broad_phase/room.hpp"
+#include "custom/sift.hpp"
 
 namespace flipside::custom {
 
@@ -94,7 +95,7 @@ class Grid final : public BroadPhase {
         order_.finish(pairs);
     }
 
-    void find_overlapping(const Box& box, std::vector<Handle>& found) override {
+    void find_overlapping(const SingleBox& box, std::vector<Handle>& found) override {
         const auto look_at = [&](Handle handle, const Proxy& proxy) {
             ++tests_;
             if (overlap(box, proxy.box)) found.push_back(handle);
@@ -113,6 +114,19 @@ class Grid final : public BroadPhase {
             }
             found.resize(count);
             tests_ += row.size();
+        }
+    }
+
+    void prepare(const SingleBox& box) const override {
+        const Cells large = cells_.under(box);
+        for (std::uint32_t y = large.bottom; y <= large.top; ++y) {
+            const Cell left = cells_.at(large.left, y);
+            if (still_begin_[left] < still_begin_[left + 1]) fetch(still_listed_[still_begin_[left]]);
+        }
+        const Cells around = with_margin(box);
+        for (std::uint32_t y = around.bottom; y <= around.top; ++y) {
+            const Run row{begin_[cells_.at(around.left, y)], begin_[cells_.at(around.right, y) + 1]};
+            for (std::uint32_t i = row.begin; i < row.end; ++i) fetch(entries_[i]);
         }
     }
 

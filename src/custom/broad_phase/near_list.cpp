@@ -13,6 +13,7 @@ void NearList::reserve(std::size_t moving, std::size_t balls) {
     make_room(leavers_, moving);
     strays_.reserve(moving);
     for (auto* list : {&listed_, &found_, &hits_, &ball_hits_}) make_room(*list, balls, pairs_per_ball);
+    make_room(places_, balls, pairs_per_ball);
     make_room(around_, still_.size() + moving);
 }
 
@@ -34,7 +35,7 @@ void NearList::search(BroadPhase& broad) {
     can_mend_ = std::ranges::any_of(rooms_, &Proxy::active);
 }
 
-void NearList::find_around(const Box& box, BroadPhase& broad, std::vector<Handle>& found) {
+void NearList::find_around(const SingleBox& box, BroadPhase& broad, std::vector<Handle>& found) {
     broad.find_overlapping(box, found);
     const auto first = static_cast<Handle>(still_.size());
     tests_ += strays_.each_overlapping(box, [&](std::uint32_t stray) { found.push_back(first + stray); });
@@ -54,7 +55,7 @@ void NearList::mend(std::span<const std::uint32_t> leavers, BroadPhase& broad) {
                 found_.push_back({std::min(other, first + i), std::max(other, first + i)});
         }
     }
-    add_pairs(found_, listed_);
+    add_pairs(found_, listed_, places_);
 }
 
 }  // namespace flipside::custom

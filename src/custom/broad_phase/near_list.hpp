@@ -77,19 +77,22 @@ class NearList {
         tests_ += sieve.tests;
         return hits;
     }
-    /// Those with handles below `first_ball`, and those between balls.
-    [[nodiscard]] auto sift_apart(std::span<const Proxy> moving, Handle first_ball) {
+    /// The same, a block at a time: visits those with handles below `first_ball`, and those between balls.
+    void each_sifted_apart(std::span<const Proxy> moving, Handle first_ball, auto&& visit) {
         Sieve sieve(still_, moving);
-        const auto hits = custom::sift_apart(
-            listed_, hits_, ball_hits_, [&](Pair pair) { return sieve.passes(pair); },
-            [&](Pair pair) { return pair.a < first_ball; }, [&](Pair pair) { sieve.fetch(pair); });
+        for (std::size_t first = 0; first < listed_.size(); first += sift_block) {
+            const auto [with_parts, of_balls] = sift_apart(
+                listed_, first, std::min(first + sift_block, listed_.size()), hits_, ball_hits_,
+                [&](Pair pair) { return sieve.passes(pair); }, [&](Pair pair) { return pair.a < first_ball; },
+                [&](Pair pair) { sieve.fetch(pair); });
+            visit(with_parts, of_balls);
+        }
         tests_ += sieve.tests;
-        return hits;
     }
 
     /// Adds to `found` every proxy whose room overlaps the box, and maybe others; some may come twice. Only
     /// while any proxy that find_pairs() was last given is active.
-    void find_around(const Box& box, BroadPhase& broad, std::vector<Handle>& found);
+    void find_around(const SingleBox& box, BroadPhase& broad, std::vector<Handle>& found);
 
     /// Makes room for so many moving proxies, of which so many are balls.
     void reserve(std::size_t moving, std::size_t balls);
@@ -100,7 +103,7 @@ class NearList {
   private:
     /// Past these a search costs less than to seek for each alone.
     [[nodiscard]] static std::size_t most_strays(std::size_t moving) { return moving / 8; }
-    void give_room(std::size_t i, const Proxy& now, const Box& room) {
+    void give_room(std::size_t i, const Proxy& now, const SingleBox& room) {
         rooms_[i] = now;
         rooms_[i].box = room;
     }
@@ -135,6 +138,7 @@ class NearList {
     BoxRow strays_;                         ///< the rooms of all that left since the search
     std::vector<Handle> around_;            ///< scratch
     std::vector<Pair> found_;               ///< scratch
+    std::vector<std::size_t> places_;       ///< scratch
     std::vector<Pair> hits_, ball_hits_;    ///< scratch
     const BroadPhase* searched_ = nullptr;  ///< which one knows the rooms
     bool can_mend_ = false;                 ///< the last search was for these proxies, and one was active

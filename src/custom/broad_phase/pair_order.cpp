@@ -38,31 +38,43 @@ void PairOrder::finish(std::vector<Pair>& pairs) {
 
 namespace {
 
-/// The first of pairs in order that is not before this one.
-const Pair* find_place(std::span<const Pair> pairs, Pair pair) {
-    const auto key = [](Pair p) { return std::uint64_t{p.b} << 32 | p.a; };
-    return pairs.data() + count_before(pairs, [&](Pair p) { return key(p) < key(pair); });
+std::uint64_t key(Pair pair) {
+    return std::uint64_t{pair.b} << 32 | pair.a;
+}
+
+/// How many of `pairs`, in order, come before this one, which is not before the first `known` of them and
+/// likely soon after: sought in strides that double (Bentley, Yao 1976, "An almost optimal algorithm for
+/// unbounded searching"), then by halves.
+std::size_t place_after(std::size_t known, std::span<const Pair> pairs, Pair pair) {
+    const auto is_before = [&](Pair p) { return key(p) < key(pair); };
+    std::size_t stride = 8;
+    while (known + stride < pairs.size() && is_before(pairs[known + stride])) {
+        known += stride;
+        stride *= 2;
+    }
+    return known + count_before(pairs.subspan(known, std::min(stride, pairs.size() - known)), is_before);
 }
 
 }  // namespace
 
-void add_pairs(std::vector<Pair>& fresh, std::vector<Pair>& listed) {
+void add_pairs(std::vector<Pair>& fresh, std::vector<Pair>& listed, std::vector<std::size_t>& places) {
     std::ranges::sort(fresh);
     fresh.erase(std::unique(fresh.begin(), fresh.end()), fresh.end());
+    std::size_t place = 0;
+    places.clear();
     std::erase_if(fresh, [&](Pair pair) {
-        const Pair* const place = find_place(listed, pair);
-        return place != listed.data() + listed.size() && *place == pair;
+        place = place_after(place, listed, pair);
+        const bool known = place < listed.size() && listed[place] == pair;
+        if (!known) places.push_back(place);
+        return known;
     });
     // Merged from the end, in place.
     std::size_t from = listed.size();
     listed.resize(from + fresh.size());
     Pair *const pairs = listed.data(), *to = pairs + listed.size();
-    while (!fresh.empty()) {
-        const auto place = static_cast<std::size_t>(find_place({pairs, from}, fresh.back()) - pairs);
-        to = std::move_backward(pairs + place, pairs + from, to);
-        *--to = fresh.back();
-        fresh.pop_back();
-        from = place;
+    for (std::size_t i = fresh.size(); i-- > 0; from = places[i]) {
+        to = std::move_backward(pairs + places[i], pairs + from, to);
+        *--to = fresh[i];
     }
 }
 

@@ -37,7 +37,7 @@ class PairOrder {
 };
 
 /// Adds `fresh` pairs, in any order and some of them twice or listed already, to `listed` ones, which are in
-/// order. Uses them up as scratch.
-void add_pairs(std::vector<Pair>& fresh, std::vector<Pair>& listed);
+/// order. Uses them up as scratch, and `places`.
+void add_pairs(std::vector<Pair>& fresh, std::vector<Pair>& listed, std::vector<std::size_t>& places);
 
 }  // namespace flipside::custom

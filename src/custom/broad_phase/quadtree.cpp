@@ -56,7 +56,7 @@ class Quadtree final : public BroadPhase {
         order_.finish(pairs);
     }
 
-    void find_overlapping(const Box& box, std::vector<Handle>& found) override {
+    void find_overlapping(const SingleBox& box, std::vector<Handle>& found) override {
         const Leaves under = leaves_under(box);
         const auto look_at = [&](Handle handle, const Proxy& proxy, const Leaves& leaves, Node leaf) {
             if (home(leaves, under) != leaf) return;

@@ -26,7 +26,7 @@ struct Edge {
 class Sweep final : public BroadPhase {
   public:
     explicit Sweep(std::vector<Proxy> still) : still_(std::move(still)) {
-        for (Handle i = 0; i < still_.size(); ++i) still_order_.push_back({still_[i].box.min.x, i});
+        for (Handle i = 0; i < still_.size(); ++i) still_order_.push_back({still_[i].box.left(), i});
         std::ranges::sort(still_order_);
     }
 
@@ -48,7 +48,7 @@ class Sweep final : public BroadPhase {
         found_.finish(pairs);
     }
 
-    void find_overlapping(const Box& box, std::vector<Handle>& found) override {
+    void find_overlapping(const SingleBox& box, std::vector<Handle>& found) override {
         find_overlapping(box, still_order_, still_, 0, found);
         find_overlapping(box, order_, moving_, static_cast<Handle>(still_.size()), found);
     }
@@ -63,7 +63,7 @@ class Sweep final : public BroadPhase {
     void sweep(const Proxy& a, Handle handle, Place from, Place to, std::span<const Proxy> others,
                Handle first) {
         for (; from != to; ++from) {
-            if (from->left > a.box.max.x) {
+            if (from->left > a.box.right()) {
                 ++tests_;
                 return;
             }
@@ -74,11 +74,11 @@ class Sweep final : public BroadPhase {
         }
     }
 
-    void find_overlapping(const Box& box, const std::vector<Edge>& order, std::span<const Proxy> proxies,
-                          Handle first, std::vector<Handle>& found) {
+    void find_overlapping(const SingleBox& box, const std::vector<Edge>& order,
+                          std::span<const Proxy> proxies, Handle first, std::vector<Handle>& found) {
         for (const Edge& edge : order) {
             ++tests_;
-            if (edge.left > box.max.x) return;
+            if (edge.left > box.right()) return;
             if (overlap(box, proxies[edge.proxy].box)) found.push_back(first + edge.proxy);
         }
     }
@@ -89,7 +89,7 @@ class Sweep final : public BroadPhase {
             order_.resize(moving_.size());
             for (Handle i = 0; i < order_.size(); ++i) order_[i].proxy = i;
         }
-        for (Edge& edge : order_) edge.left = moving_[edge.proxy].box.min.x;
+        for (Edge& edge : order_) edge.left = moving_[edge.proxy].box.left();
         const std::uint64_t enough = tests_ + 8 * order_.size();
         for (std::size_t i = 1; i < order_.size(); ++i) {
             if (tests_ > enough) return sort_by_halves();

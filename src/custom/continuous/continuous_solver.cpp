@@ -234,7 +234,7 @@ bool ContinuousSolver::piled(Place i, Place j) const {
 }
 
 void ContinuousSolver::list_active() {
-    active_ = sift(Places{movers_.size()}, active_room_, [&](Place i) { return movers_[i].active; });
+    active_ = sift(Places{0, movers_.size()}, active_room_, [&](Place i) { return movers_[i].active; });
 }
 
 bool ContinuousSolver::in_company(const Box& room) const {
@@ -275,6 +275,7 @@ void ContinuousSolver::run_discrete(BroadPhase& broad) {
     constexpr std::size_t few = 16;
     const std::uint64_t tests = few_->tests();
     discrete_.step(*table_, handed_, dt_, handed_.size() <= few ? *few_ : broad, *record_);
+    discrete_.land(handed_, [](std::size_t, const Ball&) {});
     record_->statistics.pair_tests += few_->tests() - tests;
     auto next = handed_.begin();
     for (Place i = 0; i < balls.size(); ++i) {

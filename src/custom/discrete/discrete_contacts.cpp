@@ -18,13 +18,13 @@ void DiscreteSolver::report(const Ball& ball, Other other, const Impact& hit, Ve
 void DiscreteSolver::respond_to(Ball& ball, PieceIndex index, const Touch& touch, double at, double& flown) {
     const PartIndex part = layout_.piece(index).part;
     const double now = span_.begin + at;
-    const Impact hit = respond(ball, touch, surface_velocity(index, now, touch.point),
-                               layout_.mixed(ball.material, scene_.parts[part].material),
-                               {scene_.gravity, scene_.rest_speed, flown, span_.duration()});
+    const Impact hit =
+        respond(ball, touch, surface_velocity(index, now, touch.point), layout_.mixed(ball, index),
+                {scene_.gravity, scene_.rest_speed, flown, span_.duration()});
     if (!hit.happened) return push_out(ball, touch);
     flown = hit.ago;
     report(ball, Other::part(part), hit, touch.point, now);
-    if (scene_.parts[part].target) {
+    if (!layout_.always_stops(index) && scene_.parts[part].target) {
         table_->set_down(part, true);
         for (Ball& other : *balls_) other.asleep = false;
         all_woken_ = true;
@@ -61,12 +61,15 @@ bool DiscreteSolver::collide_parts() {
             return static_cast<bool>(!ball.asleep & layout_.may_touch(c.piece, ball.position, ball.radius));
         },
         [&](const Candidate& c) {
-            if (!changed(c.ball)) return;
+            if (round_ > 1) return;  // few are looked at again
+            fetch(so_far_[c.ball]);
             fetch((*balls_)[c.ball]);
             fetch(layout_.capsule(c.piece));
         });
     record_->statistics.narrow_tests += tests;
     for (auto first = touching.begin(); first != touching.end();) {
+        const auto soon = first + std::min<std::ptrdiff_t>(4, touching.end() - first - 1);
+        fetch(layout_.piece(soon->piece));
         const std::uint32_t place = first->ball;
         const auto last =
             std::find_if(first, touching.end(), [&](const Candidate& c) { return c.ball != place; });
@@ -136,26 +139,29 @@ Vec2 DiscreteSolver::surface_velocity(PieceIndex index, double ahead, Vec2 point
 
 bool DiscreteSolver::collide_balls() {
     bool any = false;
-    for (const BallPair pair : near_balls_) {
-        if (!changed(pair.a) && !changed(pair.b)) continue;
-        Ball &a = (*balls_)[pair.a], &b = (*balls_)[pair.b];
-        if (a.asleep && b.asleep) continue;
-        ++record_->statistics.narrow_tests;
-        if (round_ == 1 && !a.asleep && !b.asleep && turn_back(pair)) {
+    each_prepared(
+        near_balls_, [&](BallPair soon) { prepare(soon); },
+        [&](BallPair pair) {
+            if (!changed(pair.a) && !changed(pair.b)) return;
+            if (!collide(pair)) return;
             any = true;
+            so_far_[pair.a].changed_in = so_far_[pair.b].changed_in = round_;
             so_far_[pair.a].pushed = so_far_[pair.b].pushed = true;
-            continue;
-        }
-        const Vec2 between = a.position - b.position;
-        const double reach = a.radius + b.radius;
-        if (length_squared(between) >= (1 - overlap_slop) * reach * reach) continue;
-        ++record_->statistics.contacts;
-        if (!collide(pair, unit(between))) continue;
-        any = true;
-        so_far_[pair.a].changed_in = so_far_[pair.b].changed_in = round_;
-        so_far_[pair.a].pushed = so_far_[pair.b].pushed = true;
-    }
+        });
     return any;
+}
+
+/// Answers two balls that touch or passed through each other in this flight; whether they did.
+bool DiscreteSolver::collide(BallPair pair) {
+    const Ball &a = (*balls_)[pair.a], &b = (*balls_)[pair.b];
+    if (a.asleep && b.asleep) return false;
+    ++record_->statistics.narrow_tests;
+    if (round_ == 1 && !a.asleep && !b.asleep && turn_back(pair)) return true;
+    const Vec2 between = a.position - b.position;
+    const double reach = a.radius + b.radius;
+    if (length_squared(between) >= (1 - overlap_slop) * reach * reach) return false;
+    ++record_->statistics.contacts;
+    return collide(pair, unit(between));
 }
 
 /// Answers the touch of two balls that passed through each other in this flight.
@@ -172,7 +178,6 @@ bool DiscreteSolver::turn_back(BallPair pair) {
     a.position += ago * a.velocity;
     b.position += ago * b.velocity;
     so_far_[pair.a].flown = so_far_[pair.b].flown = ago;
-    so_far_[pair.a].changed_in = so_far_[pair.b].changed_in = round_;
     ++record_->statistics.contacts;
     return true;
 }
@@ -219,7 +224,7 @@ void DiscreteSolver::keep_side(std::uint32_t place) {
     while (last < candidates_.size() && candidates_[last].ball == place) ++last;
     std::span<const Candidate> near = candidates_.subspan(first, last - first);
     // Candidates are all that the box of the flight overlaps.
-    if (!moving_[moving_pieces() + place].box.contains(ball.position))
+    if (!Box(proxy_of_ball(place).box).contains(ball.position))
         near = look_around(ball, length(ball.position - from));
     constexpr int most_crossed = 4;
     for (int crossed = 0; crossed < most_crossed; ++crossed) {

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "custom/discrete/discrete_solver.hpp"
+#include "custom/sift.hpp"
 
 namespace flipside::custom {
 
@@ -34,8 +35,11 @@ bool DiscreteSolver::press(BallPair pair, bool left_over) const {
 /// Marks the balls that press on each other after the flight.
 void DiscreteSolver::find_piles() {
     any_pile_ = false;
-    for (const BallPair pair : near_balls_)
-        if (press(pair, false)) put_in_pile(pair);
+    each_prepared(
+        near_balls_, [&](BallPair soon) { prepare(soon); },
+        [&](BallPair pair) {
+            if (press(pair, false)) put_in_pile(pair);
+        });
 }
 
 void DiscreteSolver::put_in_pile(BallPair pair) {
@@ -115,12 +119,11 @@ void DiscreteSolver::pile_on_parts(std::uint32_t place, std::span<const Candidat
         if (found.separation > (corner ? 0 : leaning * ball.radius)) continue;
         if (found.separation > -overlap_slop * ball.radius && strikes(ball, deep.piece, found)) continue;
         ++record_->statistics.contacts;
-        const Part& part = scene_.parts[layout_.piece(deep.piece).part];
         const Vec2 pushed = ball.position - here;
         push_out(ball, found);
         found.separation -= dot(pushed, found.normal);
         pile_.add(place, found, surface_velocity(deep.piece, span_.end, found.point),
-                  layout_.mixed(ball.material, part.material).friction);
+                  layout_.mixed(ball, deep.piece).friction);
     }
 }
 

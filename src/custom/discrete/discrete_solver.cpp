@@ -1,29 +1,16 @@
 #include "custom/discrete/discrete_solver.hpp"
 
 #include <algorithm>
-#include <chrono>
 
 #include "custom/broad_phase/room.hpp"
 #include "custom/flight.hpp"
 #include "custom/geometry/sweep.hpp"
 #include "custom/sift.hpp"
+#include "custom/stopwatch.hpp"
 
 namespace flipside::custom {
 
 namespace {
-
-/// Adds the time since the last call to a stage.
-class Stopwatch {
-  public:
-    void lap(double& seconds) {
-        const auto now = std::chrono::steady_clock::now();
-        seconds += std::chrono::duration<double>(now - last_).count();
-        last_ = now;
-    }
-
-  private:
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 /// A swept ball stops this near to a surface, in radii.
 constexpr double stop_distance = 1e-7;
@@ -50,7 +37,8 @@ void DiscreteSolver::reserve(std::size_t balls) {
     make_room(around_, layout_.size());
     make_room(found_, layout_.size() + balls);
     make_room(role_, balls);
-    make_room(turns_, balls, pairs_per_ball);
+    for (auto* turns : {&turns_, &turn_room_}) make_room(*turns, balls, pairs_per_ball);
+    make_room(pair_places_, balls, pairs_per_ball);
     for (auto* places : {&engaged_, &dozing_, &seeking_, &places_}) make_room(*places, balls, 1);
     for (auto* pairs : {&part_pairs_, &ball_pairs_, &fresh_part_pairs_, &fresh_ball_pairs_, &room_})
         make_room(*pairs, balls, pairs_per_ball);
@@ -101,18 +89,14 @@ void DiscreteSolver::start_flights(std::size_t flight) {
     swept_.reset();
     for (PieceIndex i = 0; i < first; ++i) {
         moving_[i] = layout_.proxy(*table_, layout_.size() - first + i, span_.begin, span_.end);
-        swept_ = swept_ ? united(*swept_, moving_[i].box) : moving_[i].box;
+        const Box box = moving_[i].box;
+        swept_ = swept_ ? united(*swept_, box) : box;
     }
     waiting_.clear();
     engage_due(flight);
-    constexpr std::size_t ahead = 8;  // they lie anywhere in memory
-    for (std::size_t i = 0; i < engaged_.size(); ++i) {
-        const std::uint32_t soon = engaged_[std::min(i + ahead, engaged_.size() - 1)];
-        fetch((*balls_)[soon]);
-        fetch(proxy_of_ball(soon));
-        fetch(so_far_[soon]);
-        start_flight(engaged_[i]);
-    }
+    each_prepared(
+        engaged_, [&](std::uint32_t soon) { prepare(soon); },
+        [&](std::uint32_t place) { start_flight(place); });
     engage_met();
 }
 
@@ -130,8 +114,9 @@ void DiscreteSolver::start_flight(std::uint32_t place) {
     Box box{{std::min(here.x, there.x) - radius, std::min(here.y, there.y) - radius},
             {std::max(here.x, there.x) + radius, std::max(here.y, there.y) + radius}};
     if (fast) box = bounds_of(here, radius + way(ball, duration));
-    if (!(proxy.active & holds(so_far_[place].reach, box))) widen(place, box);
-    proxy.box = box;
+    const SingleBox flight = box;
+    if (!(proxy.active & holds(so_far_[place].reach, flight))) widen(place, box);
+    proxy.box = flight;
     proxy.active = true;
     if (fast || (swept_ && overlap(*swept_, box)))
         waiting_.push_back(place);
@@ -141,7 +126,11 @@ void DiscreteSolver::start_flight(std::uint32_t place) {
 
 /// Of a ball in this flight: nothing happened yet.
 void DiscreteSolver::start_over(std::uint32_t place) {
-    so_far_[place] = {so_far_[place].reach, (*balls_)[place].position, span_.duration()};
+    SoFar& so_far = so_far_[place];
+    so_far.start = (*balls_)[place].position;
+    so_far.flown = span_.duration();
+    so_far.changed_in = 0;
+    so_far.in_pile = so_far.pushed = false;
 }
 
 /// Pairs of those that are engaged by now whose boxes overlap in this flight.
@@ -227,7 +216,7 @@ std::span<const DiscreteSolver::Candidate> DiscreteSolver::look_around(const Bal
     const std::vector<Proxy>& still = layout_.still_proxies();
     around_.clear();
     found_.clear();
-    broad_->find_overlapping(box, found_);
+    broad_->find_overlapping(proxy.box, found_);
     for (const Handle i : found_)
         if (i < still.size() && may_meet(proxy, still[i])) around_.push_back({0, i});
     std::ranges::sort(around_, {}, &Candidate::piece);
@@ -236,7 +225,7 @@ std::span<const DiscreteSolver::Candidate> DiscreteSolver::look_around(const Bal
         const Proxy& other = moving_[i - still.size()];
         if (!may_meet(proxy, other)) continue;
         ++record_->statistics.pair_tests;
-        if (overlap(box, other.box)) around_.push_back({0, i});
+        if (overlap(proxy.box, other.box)) around_.push_back({0, i});
     }
     return around_;
 }

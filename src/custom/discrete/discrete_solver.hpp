@@ -49,8 +49,20 @@ class DiscreteSolver {
     /// Keeps references to scene and layout.
     DiscreteSolver(const Scene& scene, const Layout& layout, const SolverSettings& settings);
 
-    /// Moves the balls by dt; the table's clock stays, its gates and targets may change.
+    /// Moves the balls by dt, except for those who fly free: land() follows. The table's clock stays, its
+    /// gates and targets may change.
     void step(Table& table, std::vector<Ball>& balls, double dt, BroadPhase& broad, StepRecord& record);
+    /// Those who fly free do so, and each ball is shown to `see(place, ball)` while it is at hand.
+    void land(std::span<Ball> balls, auto&& see) {
+        constexpr std::uint32_t block = 64;
+        const auto is_free = [&](std::uint32_t place) { return role_[place] == Role::free; };
+        for (std::size_t first = 0; first < balls.size(); first += block) {
+            const std::size_t last = std::min(first + block, balls.size());
+            for (const std::uint32_t place : sift(Places{first, last}, places_, is_free))
+                fly_freely(balls[place], scene_.gravity, marks_.back());
+            for (std::size_t place = first; place < last; ++place) see(place, balls[place]);
+        }
+    }
 
     /// Makes room for so many balls.
     void reserve(std::size_t balls);
@@ -94,7 +106,7 @@ class DiscreteSolver {
     // Who takes part (discrete_turns.cpp).
     void find_turns();
     [[nodiscard]] NearList::Check place_all();
-    void take_turns();
+    void take_turns(std::span<const Pair> with_parts, std::span<const Pair> of_balls);
     [[nodiscard]] std::size_t first_flight_to(PieceIndex piece, const Ball& ball) const;
     [[nodiscard]] Approach approach_of(const Ball& a, const Ball& b) const;
     [[nodiscard]] std::size_t flight_of(const Approach& approach) const;
@@ -122,8 +134,21 @@ class DiscreteSolver {
     [[nodiscard]] Handle first_ball() const { return layout_.size(); }
     [[nodiscard]] std::uint32_t place_of(Handle ball) const { return ball - first_ball(); }
     [[nodiscard]] BallPair places_of(Pair pair) const { return {place_of(pair.a), place_of(pair.b)}; }
+    /// What a flight and its rounds will read of a ball.
+    void prepare(std::uint32_t soon) const {
+        fetch((*balls_)[soon]);
+        fetch(proxy_of_ball(soon));
+        fetch(so_far_[soon]);
+    }
+    void prepare(BallPair soon) const {
+        prepare(soon.a);
+        prepare(soon.b);
+    }
     [[nodiscard]] std::size_t flights() const { return marks_.size() - 1; }
     [[nodiscard]] Proxy& proxy_of_ball(std::uint32_t place) { return moving_[moving_pieces() + place]; }
+    [[nodiscard]] const Proxy& proxy_of_ball(std::uint32_t place) const {
+        return moving_[moving_pieces() + place];
+    }
     [[nodiscard]] const Proxy& proxy_of(PieceIndex piece) const {
         // Chosen without a branch: nothing foretells which.
         const std::vector<Proxy>& still = layout_.still_proxies();
@@ -147,6 +172,7 @@ class DiscreteSolver {
     bool collide_ball_with_parts(std::uint32_t place, std::span<const Candidate> near);
     bool collide_balls();
     void respond_to(Ball& ball, PieceIndex index, const Touch& touch, double at, double& flown);
+    bool collide(BallPair pair);
     bool turn_back(BallPair pair);
     bool collide(BallPair pair, Vec2 normal);
     void keep_sides();
@@ -207,7 +233,7 @@ class DiscreteSolver {
         std::size_t flight;
         std::uint32_t place;
     };
-    std::vector<Turn> turns_;
+    std::vector<Turn> turns_, turn_room_;
     std::vector<std::uint32_t> engaged_, dozing_;  ///< places, in no order
     bool all_woken_ = false;                       ///< by a target
     bool any_asleep_ = false;                      ///< when the step began
@@ -216,6 +242,7 @@ class DiscreteSolver {
     std::vector<std::uint32_t> seeking_;  ///< engaged, but their pairs are not all listed yet
     BoxRow strays_;                       ///< kicked or woken beyond what the search knew
     std::vector<Pair> fresh_part_pairs_, fresh_ball_pairs_;  ///< that come to these
+    std::vector<std::size_t> pair_places_;                   ///< scratch
     std::vector<Pair> room_;                                 ///< scratch
     /// Of the table's parts and of engaged balls for this flight; of other balls for the step.
     std::vector<Proxy> moving_;
@@ -232,7 +259,7 @@ class DiscreteSolver {
     std::vector<Handle> found_;      ///< what the broad phase found for it
     /// What happened to an engaged ball in this flight: a line of the cache.
     struct alignas(64) SoFar {
-        Box reach;           ///< within it in this step, unless kicked
+        SingleBox reach;     ///< within it in this step, unless kicked
         Vec2 start;          ///< where it was before
         double flown = 0;    ///< s of free flight up to the end
         int changed_in = 0;  ///< the last round that moved it

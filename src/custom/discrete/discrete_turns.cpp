@@ -14,17 +14,27 @@ namespace flipside::custom {
 void DiscreteSolver::find_turns() {
     const NearList::Check checked = place_all();
     const PieceIndex first = moving_pieces();
-    const auto roomy = [&](std::uint32_t i) {
+    const auto roomy = [&](std::uint32_t i) -> SingleBox {
         if (i < first || !moving_[i].active) return moving_[i].box;
         // With room for rounding: what flies straight would else be at the very edge in the end.
         const Ball& ball = (*balls_)[i - first];
         return grown(reach_of(ball, settings_.search_steps * dt_), berth * ball.radius);
     };
     near_.search_as_needed(checked, moving_, *broad_, roomy);
-    const auto [with_parts, of_balls] = near_.sift_apart(moving_, first_ball());
-    part_pairs_.assign(with_parts.begin(), with_parts.end());
-    ball_pairs_.assign(of_balls.begin(), of_balls.end());
-    take_turns();
+    part_pairs_.clear();
+    ball_pairs_.clear();
+    turns_.clear();
+    near_.each_sifted_apart(moving_, first_ball(),
+                            [&](std::span<const Pair> with_parts, std::span<const Pair> of_balls) {
+                                part_pairs_.insert(part_pairs_.end(), with_parts.begin(), with_parts.end());
+                                ball_pairs_.insert(ball_pairs_.end(), of_balls.begin(), of_balls.end());
+                                take_turns(with_parts, of_balls);
+                            });
+    if (!any_asleep_) return;
+    for (const Pair pair : ball_pairs_) {
+        let_doze(place_of(pair.a));
+        let_doze(place_of(pair.b));
+    }
 }
 
 /// Boxes that hold to the end of the step.
@@ -60,9 +70,16 @@ NearList::Check DiscreteSolver::place_all() {
 }
 
 /// Notes for all who may touch something in which flight that can be first.
-void DiscreteSolver::take_turns() {
+void DiscreteSolver::take_turns(std::span<const Pair> with_parts, std::span<const Pair> of_balls) {
     const std::vector<Ball>& balls = *balls_;
-    turns_.clear();
+    for (const Pair pair : with_parts) {
+        fetch(layout_.capsule(pair.a));
+        fetch(balls[place_of(pair.b)]);
+    }
+    for (const Pair pair : of_balls) {
+        fetch(balls[place_of(pair.a)]);
+        fetch(balls[place_of(pair.b)]);
+    }
     const auto take = [&](std::size_t flight, std::uint32_t place) {
         if (flight < flights()) turns_.push_back({flight, place});
     };
@@ -71,7 +88,7 @@ void DiscreteSolver::take_turns() {
         const Vec2 middle = 0.5 * (ball.position + end_of_flight(ball, scene_.gravity, marks_.back()));
         return layout_.may_touch(pair.a, middle, (1 + berth) * ball.radius + 0.5 * way(ball, dt_));
     };
-    for (const auto [piece, handle] : sift(part_pairs_, room_, near_on_the_way)) {
+    for (const auto [piece, handle] : sift(with_parts, room_, near_on_the_way)) {
         const std::uint32_t place = place_of(handle);
         // A part in motion may strike sleepers too.
         take(layout_.moves(piece) ? 0 : first_flight_to(piece, balls[place]), place);
@@ -81,16 +98,11 @@ void DiscreteSolver::take_turns() {
         const BallPair both = places_of(pair);
         return with_sleeper(both) || approach_of(balls[both.a], balls[both.b]).touches();
     };
-    for (const Pair pair : sift(ball_pairs_, room_, touching)) {
+    for (const Pair pair : sift(of_balls, room_, touching)) {
         const auto [a, b] = places_of(pair);
         const std::size_t flight = with_sleeper({a, b}) ? 0 : flight_of(approach_of(balls[a], balls[b]));
         for (const std::uint32_t place : {a, b})
             if (!balls[place].asleep) take(flight, place);
-    }
-    if (!any_asleep_) return;
-    for (const Pair pair : ball_pairs_) {
-        let_doze(place_of(pair.a));
-        let_doze(place_of(pair.b));
     }
 }
 
@@ -150,8 +162,12 @@ void DiscreteSolver::engage(std::uint32_t place) {
 
 /// Those whose turn it is, and sleepers that were woken in the flight before.
 void DiscreteSolver::engage_due(std::size_t flight) {
-    for (const Turn& turn : turns_)
-        if (turn.flight == flight && role_[turn.place] != Role::engaged) engage(turn.place);
+    const auto due = [&](const Turn& turn) { return turn.flight == flight; };
+    each_sifted(turns_, turn_room_, due, [&](std::span<const Turn> these) {
+        for (const Turn& turn : these) prepare(turn.place);
+        for (const Turn& turn : these)
+            if (role_[turn.place] != Role::engaged) engage(turn.place);
+    });
     if (all_woken_)
         for (std::uint32_t i = 0; i < role_.size(); ++i) let_doze(i);
     all_woken_ = false;
@@ -172,16 +188,21 @@ void DiscreteSolver::engage_met() {
         known = engaged_.size();
         if (!seeking_.empty()) seek_company();
         const auto one_flies_free = [&](Pair pair) { return roles_of(pair) == (Role::free | asking); };
-        for (const Pair pair : sift(ball_pairs_, room_, one_flies_free)) {
+        const auto meet = [&](Pair pair) {
             const auto [a, b] = places_of(pair);
             const auto [met, by] = role_[a] == Role::free ? std::pair(a, b) : std::pair(b, a);
             ++record_->statistics.pair_tests;
-            if (role_[met] != Role::free || !overlap(free_way_of((*balls_)[met]), proxy_of_ball(by).box))
-                continue;
+            if (role_[met] != Role::free ||
+                !overlap(SingleBox(free_way_of((*balls_)[met])), proxy_of_ball(by).box))
+                return;
             engage(met);
             role_[met] = Role::joining;
             start_flight(met);
-        }
+        };
+        each_sifted(ball_pairs_, room_, one_flies_free, [&](std::span<const Pair> these) {
+            for (const Pair pair : these) prepare(places_of(pair));
+            for (const Pair pair : these) meet(pair);
+        });
         for (; joined < known; ++joined) role_[engaged_[joined]] = Role::engaged;
         asking = Role::joining;
     } while (known != engaged_.size() || !seeking_.empty());
@@ -189,8 +210,8 @@ void DiscreteSolver::engage_met() {
 
 /// An engaged ball will be outside of what it was thought to reach.
 void DiscreteSolver::widen(std::uint32_t place, const Box& flight) {
-    Box& reach = so_far_[place].reach;
-    reach = united(flight, reach_of((*balls_)[place], dt_ - span_.begin));
+    const Box reach = united(flight, reach_of((*balls_)[place], dt_ - span_.begin));
+    so_far_[place].reach = reach;
     strays_.add(place, reach);
     seeking_.push_back(place);
 }
@@ -201,10 +222,11 @@ void DiscreteSolver::seek_company() {
     while (!seeking_.empty()) {
         const std::uint32_t place = seeking_.back();
         seeking_.pop_back();
+        if (!seeking_.empty()) broad_->prepare(so_far_[seeking_.back()].reach);
         seek_company_of(place);
     }
-    add_pairs(fresh_part_pairs_, part_pairs_);
-    add_pairs(fresh_ball_pairs_, ball_pairs_);
+    add_pairs(fresh_part_pairs_, part_pairs_, pair_places_);
+    add_pairs(fresh_ball_pairs_, ball_pairs_, pair_places_);
 }
 
 /// Lists all pairs of an engaged ball.
@@ -234,7 +256,7 @@ void DiscreteSolver::seek_company_of(std::uint32_t place) {
     }
 }
 
-/// Those that the last flight woke find their company too, so that all pairs are known; then the free fly.
+/// Those that the last flight woke find their company too, so that all pairs are known.
 void DiscreteSolver::finish_step() {
     span_ = {dt_, dt_};
     flight_ = Stretch(scene_.damping, 0);
@@ -248,9 +270,6 @@ void DiscreteSolver::finish_step() {
     part_pairs_.resize(sift(part_pairs_, part_pairs_, is_engaged).size());
     const auto any_engaged = [&](Pair pair) { return (roles_of(pair) & Role::engaged) != 0; };
     ball_pairs_.resize(sift(ball_pairs_, ball_pairs_, any_engaged).size());
-    const auto is_free = [&](std::uint32_t place) { return role_[place] == Role::free; };
-    for (const std::uint32_t place : sift(Places{role_.size()}, places_, is_free))
-        fly_freely((*balls_)[place], scene_.gravity, marks_.back());
 }
 
 }  // namespace flipside::custom

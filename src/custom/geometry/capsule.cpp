@@ -1,6 +1,8 @@
 #include "custom/geometry/capsule.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "custom/geometry/enclosing.hpp"
 
@@ -8,12 +10,22 @@ namespace flipside::custom {
 
 namespace {
 
+/// Not smaller than it.
+float rounded_up(double positive) {
+    constexpr float most = std::numeric_limits<float>::max();
+    if (positive > most) return std::numeric_limits<float>::infinity();
+    return std::nextafter(static_cast<float>(positive), std::numeric_limits<float>::infinity());
+}
+
 Capsule around(Vec2 from, Vec2 to, double radius) {
+    const double size = length(from) + length(to) + radius, core = length(to - from);
+    const double room = radius + 1e-12 * size + 1e-6 * core;
+    // A core that single precision can't hold is left to the radius.
+    const bool holds = core > 1e-15 && core < 1e15;
+    if (!holds) return {from, 0, 0, 0, rounded_up(room + core)};
     const Vec2 along = to - from;
-    const double square = length_squared(along);
-    constexpr double rounding = 1e-12;
-    const double size = length(from) + length(to) + radius;
-    return {from, along, square > 0 ? 1 / square : 0, radius + rounding * size};
+    return {from, static_cast<float>(along.x), static_cast<float>(along.y),
+            static_cast<float>(1 / (core * core)), rounded_up(room)};
 }
 
 Capsule around(const Piece& piece) {

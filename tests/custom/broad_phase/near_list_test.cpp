@@ -15,6 +15,10 @@ Proxy any_proxy(bool ball) {
     return {bounds_of({x, y}, 0.5), 1, ~0U, ball, *rc::gen::inRange(0, 4) > 0};
 }
 
+Box moved_by(const Box& box, Vec2 way) {
+    return {box.min + way, box.max + way};
+}
+
 std::vector<Pair> near_pairs(NearList& near, const std::vector<Proxy>& moving, BroadPhase& broad,
                              double room) {
     const auto found =
@@ -34,7 +38,7 @@ RC_GTEST_PROP(NearList, AnswersAsTheBroadPhase, ()) {
     for (int step = 0; step < 8; ++step) {
         for (Proxy& proxy : moving) {
             const Vec2 by{*rc::gen::inRange(-1, 2) * 0.125, *rc::gen::inRange(-1, 2) * 0.125};
-            proxy.box = {proxy.box.min + by, proxy.box.max + by};
+            proxy.box = moved_by(proxy.box, by);
             proxy.active = *rc::gen::inRange(0, 8) > 0;
         }
         twin->find_pairs(moving, expected);
@@ -62,7 +66,7 @@ TEST(NearList, SeeksThoseThatLeaveAlone) {
             for (const int mover : {7, 100, 100 + step % 3}) {
                 Proxy& moved = moving[static_cast<std::size_t>(mover)];
                 const Vec2 by{0.3 * std::sin(mover + step), 0.25 * std::cos(2.0 * step)};
-                moved.box = {moved.box.min + by, moved.box.max + by};
+                moved.box = moved_by(moved.box, by);
             }
             twin->find_pairs(moving, expected);
             EXPECT_EQ(near_pairs(near, moving, *broad, room), expected)
@@ -89,7 +93,7 @@ RC_GTEST_PROP(NearList, BroadPhasesTakeTurns, ()) {
     for (int step = 0; step < 12; ++step) {
         Proxy& moved = moving[static_cast<std::size_t>(step) % moving.size()];
         const Vec2 by{*rc::gen::inRange(-1, 2) * 0.125, *rc::gen::inRange(-1, 2) * 0.125};
-        moved.box = {moved.box.min + by, moved.box.max + by};
+        moved.box = moved_by(moved.box, by);
         moved.active = true;
         twin->find_pairs(moving, expected);
         RC_ASSERT(near_pairs(near, moving, step % 3 == 0 ? *grid : *few, 0.1) == expected);
