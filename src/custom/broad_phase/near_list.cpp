@@ -46,7 +46,7 @@ void NearList::mend(std::span<const std::uint32_t> leavers, BroadPhase& broad) {
     const auto first = static_cast<Handle>(still_.size());
     found_.clear();
     for (const std::uint32_t i : leavers) strays_.add(i, rooms_[i].box);
-    for (const std::uint32_t i : leavers) {
+    const auto seek = [&](std::uint32_t i) {
         around_.clear();
         find_around(rooms_[i].box, broad, around_);
         for (const Handle other : around_) {
@@ -54,7 +54,9 @@ void NearList::mend(std::span<const std::uint32_t> leavers, BroadPhase& broad) {
             if (other != first + i && may_meet(rooms_[i], proxy))
                 found_.push_back({std::min(other, first + i), std::max(other, first + i)});
         }
-    }
+    };
+    each_prepared(
+        leavers, [&](std::uint32_t soon) { broad.prepare(rooms_[soon].box); }, seek);
     add_pairs(found_, listed_, places_);
 }
 

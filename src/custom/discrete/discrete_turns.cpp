@@ -219,12 +219,10 @@ void DiscreteSolver::widen(std::uint32_t place, const Box& flight) {
 void DiscreteSolver::seek_company() {
     fresh_part_pairs_.clear();
     fresh_ball_pairs_.clear();
-    while (!seeking_.empty()) {
-        const std::uint32_t place = seeking_.back();
-        seeking_.pop_back();
-        if (!seeking_.empty()) broad_->prepare(so_far_[seeking_.back()].reach);
-        seek_company_of(place);
-    }
+    each_prepared(
+        seeking_, [&](std::uint32_t soon) { broad_->prepare(so_far_[soon].reach); },
+        [&](std::uint32_t place) { seek_company_of(place); });
+    seeking_.clear();
     add_pairs(fresh_part_pairs_, part_pairs_, pair_places_);
     add_pairs(fresh_ball_pairs_, ball_pairs_, pair_places_);
 }
