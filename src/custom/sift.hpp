@@ -19,7 +19,7 @@ template <class T>
 void fetch(const T& thing) {
     const auto* bytes = reinterpret_cast<const char*>(&thing);
     __builtin_prefetch(bytes);
-    __builtin_prefetch(bytes + sizeof(T) - 1);
+    if constexpr (alignof(T) < sizeof(T)) __builtin_prefetch(bytes + sizeof(T) - 1);  // maybe another line
 }
 
 /// The places first … last − 1, to sift these.

@@ -17,8 +17,8 @@ namespace flipside::custom {
 /// find_pairs().
 using Handle = std::uint32_t;
 
-/// What the broad phase sees of a thing.
-struct Proxy {
+/// What the broad phase sees of a thing. Half a line of the cache, and never in two of them.
+struct alignas(32) Proxy {
     SingleBox box;
     std::uint32_t layer = 1;            ///< one bit
     std::uint32_t collides_with = ~0U;  ///< mask of layers
