@@ -19,7 +19,8 @@ template <class T>
 void fetch(const T& thing) {
     const auto* bytes = reinterpret_cast<const char*>(&thing);
     __builtin_prefetch(bytes);
-    if constexpr (alignof(T) < sizeof(T)) __builtin_prefetch(bytes + sizeof(T) - 1);  // maybe another line
+    constexpr std::size_t size = sizeof(T), alignment = alignof(T);
+    if constexpr (alignment < size) __builtin_prefetch(bytes + size - 1);  // maybe another line
 }
 
 /// The places first … last − 1, to sift these.
