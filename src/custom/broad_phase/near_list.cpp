@@ -12,7 +12,8 @@ void NearList::reserve(std::size_t moving, std::size_t balls) {
     make_room(rooms_, moving);
     make_room(leavers_, moving);
     strays_.reserve(moving);
-    for (auto* list : {&listed_, &found_, &hits_, &ball_hits_}) make_room(*list, balls, pairs_per_ball);
+    for (auto* list : {&listed_, &found_, &hits_}) make_room(*list, balls, pairs_per_ball);
+    make_room(ball_hits_, sift_block);
     make_room(places_, balls, pairs_per_ball);
     make_room(around_, still_.size() + moving);
 }

@@ -37,7 +37,8 @@ void DiscreteSolver::reserve(std::size_t balls) {
     make_room(around_, layout_.size());
     make_room(found_, layout_.size() + balls);
     make_room(role_, balls);
-    for (auto* turns : {&turns_, &turn_room_}) make_room(*turns, balls, pairs_per_ball);
+    make_room(turns_, balls, pairs_per_ball);
+    make_room(turn_room_, sift_block);
     make_room(pair_places_, balls, pairs_per_ball);
     for (auto* places : {&engaged_, &dozing_, &seeking_, &places_}) make_room(*places, balls, 1);
     for (auto* pairs : {&part_pairs_, &ball_pairs_, &fresh_part_pairs_, &fresh_ball_pairs_, &room_})

@@ -37,7 +37,6 @@ class SingleBox {
     [[nodiscard]] friend bool holds(const SingleBox& outer, const SingleBox& inner) {
         return all(outer.sides_ <= inner.sides_);
     }
-    friend bool operator==(const SingleBox& a, const SingleBox& b) { return all(a.sides_ == b.sides_); }
 
   private:
     using Sides = float __attribute__((vector_size(16)));
