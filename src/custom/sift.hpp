@@ -10,18 +10,9 @@
 #include <utility>
 
 #include "custom/broad_phase/room.hpp"
+#include "custom/fetch.hpp"
 
 namespace flipside::custom {
-
-/// Tells the processor that a thing will be read soon: what lies elsewhere in memory takes a hundred times
-/// longer to come than what lies next.
-template <class T>
-void fetch(const T& thing) {
-    const auto* bytes = reinterpret_cast<const char*>(&thing);
-    __builtin_prefetch(bytes);
-    constexpr std::size_t size = sizeof(T), alignment = alignof(T);
-    if constexpr (alignment < size) __builtin_prefetch(bytes + size - 1);  // maybe another line
-}
 
 /// The places first … last − 1, to sift these.
 struct Places {
@@ -77,16 +68,6 @@ void each_sifted(const auto& items, std::vector<T>& room, auto&& passes, auto&& 
     for (std::size_t first = 0; first < items.size(); first += sift_block) {
         const std::size_t last = std::min(first + sift_block, items.size());
         visit(sift_part(items, first, last, room, passes, prepare, std::identity{}));
-    }
-}
-
-/// Visits all. What a visit reads lies anywhere in memory: `prepare` is called before, to fetch it.
-void each_prepared(const auto& items, const auto& prepare, auto&& visit) {
-    constexpr std::size_t ahead = 24;
-    for (std::size_t i = 0; i < std::min(ahead, items.size()); ++i) prepare(items[i]);
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        if (i + ahead < items.size()) prepare(items[i + ahead]);
-        visit(items[i]);
     }
 }
 

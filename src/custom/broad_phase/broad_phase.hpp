@@ -27,7 +27,7 @@ struct alignas(32) Proxy {
 };
 
 /// Whether two proxies are worth a test of their boxes: one is active, one is a ball, and layers meet.
-[[nodiscard]] constexpr bool may_meet(const Proxy& a, const Proxy& b) {
+[[nodiscard]] constexpr bool may_meet(const auto& a, const auto& b) {
     return (a.active || b.active) && (a.ball || b.ball) && layers_meet(a, b);
 }
 

@@ -110,7 +110,7 @@ class Grid final : public BroadPhase {
             found.resize(count + row.size());
             for (std::uint32_t i = row.begin; i < row.end; ++i) {
                 found[count] = entries_[i].handle;
-                count += static_cast<std::size_t>(overlap(box, entries_[i].proxy.box));
+                count += static_cast<std::size_t>(overlap(box, entries_[i].box));
             }
             found.resize(count);
             tests_ += row.size();
@@ -160,11 +160,13 @@ class Grid final : public BroadPhase {
         Handle handle = 0;
         Cells listed;  ///< with the margin
     };
-    /// A small proxy, in order of cells.
-    struct Entry {
-        Proxy proxy;
-        Handle handle = 0;
-        std::uint32_t column = 0, row = 0;
+    /// A small proxy, in order of cells. Packed: half a line of the cache.
+    struct alignas(32) Entry {
+        SingleBox box;
+        std::uint32_t layer, collides_with;
+        Handle handle;
+        Cell cell : 30;
+        std::uint32_t ball : 1, active : 1;
     };
     /// A moving proxy that does not fit into a cell.
     struct Wide {
@@ -180,18 +182,18 @@ class Grid final : public BroadPhase {
     /// Tests of one small proxy against others, without a branch: nothing would foretell what is near.
     template <bool everyone>
     struct Looking {
-        const Proxy& own;
-        Handle handle;
+        const Entry& own;
         Pair* to;
         std::uint32_t found = 0, tests = 0;
 
-        Looking(const Entry& entry, Pair* pairs) : own(entry.proxy), handle(entry.handle), to(pairs) {}
+        Looking(const Entry& entry, Pair* pairs) : own(entry), to(pairs) {}
         void at(const Entry& other) {
             // The lower handle first: changed over without a branch.
-            const Handle change = (handle ^ other.handle) & (0U - static_cast<Handle>(other.handle < handle));
-            at(other.proxy, handle ^ change, other.handle ^ change);
+            const Handle change =
+                (own.handle ^ other.handle) & (0U - static_cast<Handle>(other.handle < own.handle));
+            at(other, own.handle ^ change, other.handle ^ change);
         }
-        void at(const Proxy& other, Handle low, Handle high) {
+        void at(const auto& other, Handle low, Handle high) {
             const bool overlapping = overlap(own.box, other.box);
             to[found] = {low, high};
             if (everyone) {
@@ -210,6 +212,12 @@ class Grid final : public BroadPhase {
         std::uint32_t next;
     };
 
+    [[nodiscard]] Entry entry_of(Handle i, Cell cell) const {
+        const Proxy& proxy = moving_[i];
+        constexpr Cell all_bits = ~Cell{0} >> 2;
+        return {proxy.box,       proxy.layer, proxy.collides_with, first_moving() + i,
+                cell & all_bits, proxy.ball,  proxy.active};
+    }
     [[nodiscard]] Handle first_moving() const { return static_cast<Handle>(still_.size()); }
     [[nodiscard]] const Proxy& proxy(const Wide& wide) const { return moving_[wide.handle - first_moving()]; }
     [[nodiscard]] Cells with_margin(const Box& box) const {
@@ -319,13 +327,13 @@ class Grid final : public BroadPhase {
             const Vec2 size = box.max - box.min;
             if (!(size.x <= fits * cells_.size && size.y <= fits * cells_.size)) {
                 list_wide(first_moving() + i, box);
-                home_.push_back({nobody, nobody});
+                home_.push_back(nobody);
                 continue;
             }
             largest = {std::max(largest.x, size.x), std::max(largest.y, size.y)};
-            home_.push_back({cells_.column(0.5 * box.min.x + 0.5 * box.max.x),
-                             cells_.row(0.5 * box.min.y + 0.5 * box.max.y)});
-            ++begin_[cells_.at(home_.back().column, home_.back().row)];
+            home_.push_back(cells_.at(cells_.column(0.5 * box.min.x + 0.5 * box.max.x),
+                                      cells_.row(0.5 * box.min.y + 0.5 * box.max.y)));
+            ++begin_[home_.back()];
         }
         reach_ = 0.5 * largest + 1e-6 * Vec2{cells_.size, cells_.size};
         std::uint32_t sum = 0, most = 0;
@@ -335,17 +343,21 @@ class Grid final : public BroadPhase {
         }
         most_in_cell_ = static_cast<int>(most);
         entries_.resize(sum);
-        for (Handle i = static_cast<Handle>(moving_.size()); i-- > 0;)
-            if (const auto [column, row] = home_[i]; column != nobody)
-                entries_[--begin_[cells_.at(column, row)]] = {moving_[i], first_moving() + i, column, row};
+        // Their places lie anywhere in memory.
+        const auto prepare = [&](std::uint32_t i) {
+            if (home_[i] != nobody) fetch(entries_[begin_[home_[i]]]);
+        };
+        each_prepared(Places{0, moving_.size()}, prepare, [&](std::uint32_t i) {
+            if (home_[i] != nobody) entries_[--begin_[home_[i]]] = entry_of(i, home_[i]);
+        });
     }
 
     [[nodiscard]] bool everyone_meets() const {
         if (entries_.empty()) return false;
-        const Proxy& one = entries_.front().proxy;
+        const Entry& one = entries_.front();
         const auto alike = [&](const Entry& entry) {
-            const Proxy& p = entry.proxy;
-            return p.active & p.ball & (p.layer == one.layer) & (p.collides_with == one.collides_with);
+            return ((entry.active & entry.ball) != 0) & (entry.layer == one.layer) &
+                   (entry.collides_with == one.collides_with);
         };
         return layers_meet(one, one) && (one.layer & masks_of_still_) != 0 &&
                (layers_of_still_ & ~one.collides_with) == 0 && std::ranges::all_of(entries_, alike);
@@ -358,16 +370,19 @@ class Grid final : public BroadPhase {
         const Entry* const entries = entries_.data();
         const std::uint32_t* const begin = begin_.data();
         const auto count = static_cast<std::uint32_t>(entries_.size());
+        std::uint32_t row = 0;
+        Cell past_row = cells_.columns;
         for (std::uint32_t i = 0; i < count; ++i) {
             const Entry& entry = entries[i];
-            const Cell cell = cells_.at(entry.column, entry.row);
+            const Cell cell = entry.cell;
+            for (; cell >= past_row; past_row += cells_.columns) ++row;
+            const std::uint32_t column = cell + cells_.columns - past_row;
             // Neighbours whose middles the largest small box around can have.
-            const Box& box = entry.proxy.box;
-            const Vec2 low = cells_.corner(entry.column, entry.row);
-            const bool left = (entry.column > 0) & (box.min.x - reach_.x <= low.x);
-            const bool right =
-                (entry.column + 1 < cells_.columns) & (box.max.x + reach_.x >= low.x + cells_.size);
-            const bool above = (entry.row + 1 < cells_.rows) & (box.max.y + reach_.y >= low.y + cells_.size);
+            const Box& box = entry.box;
+            const Vec2 low = cells_.corner(column, row);
+            const bool left = (column > 0) & (box.min.x - reach_.x <= low.x);
+            const bool right = (column + 1 < cells_.columns) & (box.max.x + reach_.x >= low.x + cells_.size);
+            const bool above = (row + 1 < cells_.rows) & (box.max.y + reach_.y >= low.y + cells_.size);
             const Cell past = cell + (right ? 2 : 1), over = above ? cells_.columns : 0;
             const Run still{still_begin_[cell], still_begin_[cell + 1]};
             const Run rest{i + 1, begin[past]};
@@ -393,7 +408,7 @@ class Grid final : public BroadPhase {
     void look_at_wide(const Entry& entry, Cell cell) {
         for (std::uint32_t k = first_wide_[cell]; k != nobody; k = listings_[k].next) {
             const Wide& wide = wide_[listings_[k].wide];
-            test(entry.proxy, entry.handle, proxy(wide), wide.handle);
+            test(entry, entry.handle, proxy(wide), wide.handle);
         }
     }
 
@@ -420,7 +435,7 @@ class Grid final : public BroadPhase {
         });
     }
 
-    void test(const Proxy& a, Handle handle_a, const Proxy& b, Handle handle_b) {
+    void test(const auto& a, Handle handle_a, const Proxy& b, Handle handle_b) {
         if (!may_meet(a, b)) return;
         ++tests_;
         if (overlap(a.box, b.box)) order_.add(handle_a, handle_b);
@@ -436,11 +451,8 @@ class Grid final : public BroadPhase {
     std::vector<std::uint32_t> still_begin_;   ///< per cell and one more: where its part begins of
     std::vector<std::uint32_t> still_listed_;  ///< into still_
 
-    struct Home {
-        std::uint32_t column, row;
-    };
     std::span<const Proxy> moving_;
-    std::vector<Home> home_;            ///< per moving proxy; nobody for the wide
+    std::vector<Cell> home_;            ///< per moving proxy; nobody's for the wide
     std::vector<std::uint32_t> begin_;  ///< per cell and one more: where its part of entries_ begins
     std::vector<Entry> entries_;
     Vec2 reach_;  ///< half of the largest small box, and room for rounding
