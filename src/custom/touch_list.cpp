@@ -152,7 +152,7 @@ void TouchList::look_at(const Layout& layout, const Table& table, std::span<cons
         },
         [&](Pair pair) {
             fetch(layout.capsule(pair.a));
-            fetch(balls[pair.b - first_ball]);
+            fetch_motion(balls[pair.b - first_ball]);
         });
     each_sifted(
         ball_pairs_, near_,
@@ -164,7 +164,7 @@ void TouchList::look_at(const Layout& layout, const Table& table, std::span<cons
         [&](std::span<const Pair> these) {
             for (const Pair pair : these) look(balls[pair.a - first_ball], balls[pair.b - first_ball]);
         },
-        [&](Pair pair) { fetch(balls[pair.a - first_ball]); });
+        [&](Pair pair) { fetch_motion(balls[pair.a - first_ball]); });
     std::ranges::sort(now_, [](const Contact& a, const Contact& b) {
         return std::tie(a.ball, a.other, a.separation, a.normal.x, a.normal.y) <
                std::tie(b.ball, b.other, b.separation, b.normal.x, b.normal.y);

@@ -11,18 +11,19 @@ namespace flipside {
 /// scene are numbered from 0 in the order of the file, later ones follow.
 using BallNumber = std::uint32_t;
 
+/// What says where it is and how it moves comes first: who only asks for that reads less memory.
 struct Ball {
     Vec2 position;      ///< m
     Vec2 velocity;      ///< m/s
-    double angle = 0;   ///< rad
-    double spin = 0;    ///< rad/s, anticlockwise
     double radius = 0;  ///< m, > 0
-    double mass = 0;    ///< kg, > 0
     BallNumber number = 0;
+    bool asleep = false;
+    double angle = 0;                   ///< rad
+    double spin = 0;                    ///< rad/s, anticlockwise
+    double mass = 0;                    ///< kg, > 0
     std::uint32_t material = 0;         ///< index into Scene::materials
     std::uint32_t layer = 1;            ///< one bit
     std::uint32_t collides_with = ~0U;  ///< mask of layers
-    bool asleep = false;
 
     friend bool operator==(const Ball&, const Ball&) = default;
 };

@@ -46,7 +46,7 @@ void DiscreteSolver::collide() {
 }
 
 bool DiscreteSolver::changed(std::uint32_t place) const {
-    return so_far_[place].changed_in + 1 >= round_;
+    return rounds_[place].changed_in + 1 >= round_;
 }
 
 bool DiscreteSolver::collide_parts() {
@@ -62,8 +62,7 @@ bool DiscreteSolver::collide_parts() {
         },
         [&](const Candidate& c) {
             if (round_ > 1) return;  // few are looked at again
-            fetch(so_far_[c.ball]);
-            fetch((*balls_)[c.ball]);
+            fetch_motion((*balls_)[c.ball]);
             fetch(layout_.capsule(c.piece));
         });
     record_->statistics.narrow_tests += tests;
@@ -74,7 +73,7 @@ bool DiscreteSolver::collide_parts() {
         const auto last =
             std::find_if(first, touching.end(), [&](const Candidate& c) { return c.ball != place; });
         if (collide_ball_with_parts(place, {first, last})) {
-            so_far_[place].changed_in = round_;
+            rounds_[place].changed_in = static_cast<std::uint8_t>(round_);
             any = true;
         }
         first = last;
@@ -107,14 +106,14 @@ bool DiscreteSolver::collide_ball_with_parts(std::uint32_t place, std::span<cons
     bool any = false;
     for (const Deep& deep : deep_) {
         const Touch found = touch_at_end(ball, deep.piece);
-        if (found.separation >= 0 || (so_far_[place].in_pile && !strikes(ball, deep.piece, found))) continue;
+        if (found.separation >= 0 || (rounds_[place].in_pile && !strikes(ball, deep.piece, found))) continue;
         ++record_->statistics.contacts;
         respond_to(ball, deep.piece, found, span_.duration(), so_far_[place].flown);
         any = true;
-        if (deep_.size() > 1 || layout_.moves(deep.piece)) so_far_[place].pushed = true;
+        if (deep_.size() > 1 || layout_.moves(deep.piece)) rounds_[place].pushed = true;
     }
     // Thrown back so far it may meet the next part.
-    if (length_squared(ball.position - was) > 0.25 * ball.radius * ball.radius) so_far_[place].pushed = true;
+    if (length_squared(ball.position - was) > 0.25 * ball.radius * ball.radius) rounds_[place].pushed = true;
     return any;
 }
 
@@ -145,8 +144,8 @@ bool DiscreteSolver::collide_balls() {
             if (!changed(pair.a) && !changed(pair.b)) return;
             if (!collide(pair)) return;
             any = true;
-            so_far_[pair.a].changed_in = so_far_[pair.b].changed_in = round_;
-            so_far_[pair.a].pushed = so_far_[pair.b].pushed = true;
+            rounds_[pair.a].changed_in = rounds_[pair.b].changed_in = static_cast<std::uint8_t>(round_);
+            rounds_[pair.a].pushed = rounds_[pair.b].pushed = true;
         });
     return any;
 }
@@ -203,7 +202,7 @@ bool DiscreteSolver::collide(BallPair pair, Vec2 normal) {
         if (held_a) hit.normal = -hit.normal;
         report(a, Other::ball(b.number), hit, b.position + b.radius * hit.normal, span_.end);
     }
-    if (!so_far_[pair.a].in_pile && !so_far_[pair.b].in_pile) push_out(free, other, other.asleep);
+    if (!rounds_[pair.a].in_pile && !rounds_[pair.b].in_pile) push_out(free, other, other.asleep);
     return true;
 }
 
@@ -213,7 +212,7 @@ bool DiscreteSolver::collide(BallPair pair, Vec2 normal) {
 void DiscreteSolver::keep_sides() {
     for (const auto* places : {&engaged_, &dozing_})
         for (const std::uint32_t place : *places)
-            if (so_far_[place].pushed) keep_side(place);
+            if (rounds_[place].pushed) keep_side(place);
 }
 
 void DiscreteSolver::keep_side(std::uint32_t place) {
@@ -224,7 +223,7 @@ void DiscreteSolver::keep_side(std::uint32_t place) {
     while (last < candidates_.size() && candidates_[last].ball == place) ++last;
     std::span<const Candidate> near = candidates_.subspan(first, last - first);
     // Candidates are all that the box of the flight overlaps.
-    if (!Box(proxy_of_ball(place).box).contains(ball.position))
+    if (!Box(so_far_[place].box).contains(ball.position))
         near = look_around(ball, length(ball.position - from));
     constexpr int most_crossed = 4;
     for (int crossed = 0; crossed < most_crossed; ++crossed) {

@@ -36,14 +36,18 @@ bool DiscreteSolver::press(BallPair pair, bool left_over) const {
 void DiscreteSolver::find_piles() {
     any_pile_ = false;
     each_prepared(
-        near_balls_, [&](BallPair soon) { prepare(soon); },
+        near_balls_,
+        [&](BallPair soon) {
+            fetch_motion((*balls_)[soon.a]);
+            fetch_motion((*balls_)[soon.b]);
+        },
         [&](BallPair pair) {
             if (press(pair, false)) put_in_pile(pair);
         });
 }
 
 void DiscreteSolver::put_in_pile(BallPair pair) {
-    so_far_[pair.a].in_pile = so_far_[pair.b].in_pile = true;
+    rounds_[pair.a].in_pile = rounds_[pair.b].in_pile = true;
     any_pile_ = true;
 }
 
@@ -52,8 +56,8 @@ void DiscreteSolver::solve_piles() {
     pressing_.clear();
     pressed_.clear();
     for (const BallPair pair : near_balls_) {
-        const bool seen = so_far_[pair.a].in_pile || so_far_[pair.b].in_pile || so_far_[pair.a].changed_in ||
-                          so_far_[pair.b].changed_in;
+        const bool seen = rounds_[pair.a].in_pile || rounds_[pair.b].in_pile || rounds_[pair.a].changed_in ||
+                          rounds_[pair.b].changed_in;
         if (!seen || !press(pair, true)) continue;
         put_in_pile(pair);
         pressing_.push_back(pair);
@@ -63,11 +67,11 @@ void DiscreteSolver::solve_piles() {
         places_.clear();
         for (const auto* places : {&engaged_, &dozing_})
             std::ranges::copy_if(*places, std::back_inserter(places_),
-                                 [&](std::uint32_t place) { return so_far_[place].in_pile; });
+                                 [&](std::uint32_t place) { return rounds_[place].in_pile; });
         std::ranges::sort(places_);
         for (const std::uint32_t place : places_) {
             pile_.join(place);
-            so_far_[place].pushed = true;
+            rounds_[place].pushed = true;
         }
         pile_balls_on_balls();
         pile_balls_on_parts();
@@ -98,7 +102,7 @@ void DiscreteSolver::pile_balls_on_parts() {
         const std::uint32_t place = first->ball;
         const auto last =
             std::find_if(first, candidates_.end(), [&](const Candidate& c) { return c.ball != place; });
-        if (so_far_[place].in_pile && !(*balls_)[place].asleep) pile_on_parts(place, {first, last});
+        if (rounds_[place].in_pile && !(*balls_)[place].asleep) pile_on_parts(place, {first, last});
         first = last;
     }
 }

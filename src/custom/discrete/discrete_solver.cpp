@@ -31,12 +31,16 @@ DiscreteSolver::DiscreteSolver(const Scene& scene, const Layout& layout, const S
 void DiscreteSolver::reserve(std::size_t balls) {
     make_room(moving_, layout_.size() + balls);
     make_room(so_far_, balls);
+    make_room(rounds_, balls);
     make_room(waiting_, balls);
     for (auto* room : {&candidate_room_, &touching_room_}) make_room(*room, balls, pairs_per_ball);
     make_room(near_balls_room_, balls, pairs_per_ball);
     make_room(around_, layout_.size());
     make_room(found_, layout_.size() + balls);
     make_room(role_, balls);
+    make_room(first_link_, balls);
+    make_room(links_, balls, 2 * pairs_per_ball);
+    make_room(meetings_, balls, pairs_per_ball);
     make_room(turns_, balls, pairs_per_ball);
     make_room(turn_room_, sift_block);
     make_room(pair_places_, balls, pairs_per_ball);
@@ -105,7 +109,7 @@ void DiscreteSolver::start_flight(std::uint32_t place) {
     Ball& ball = (*balls_)[place];
     start_over(place);
     if (ball.asleep) return;
-    Proxy& proxy = proxy_of_ball(place);
+    SoFar& so_far = so_far_[place];
     const double radius = ball.radius, duration = flight_.time;
     const Vec2 here = ball.position, there = end_of_flight(ball, scene_.gravity, flight_);
     // What may sink in deep: way(ball, duration) > deep, without the root. It may be turned round in
@@ -115,10 +119,8 @@ void DiscreteSolver::start_flight(std::uint32_t place) {
     Box box{{std::min(here.x, there.x) - radius, std::min(here.y, there.y) - radius},
             {std::max(here.x, there.x) + radius, std::max(here.y, there.y) + radius}};
     if (fast) box = bounds_of(here, radius + way(ball, duration));
-    const SingleBox flight = box;
-    if (!(proxy.active & holds(so_far_[place].reach, flight))) widen(place, box);
-    proxy.box = flight;
-    proxy.active = true;
+    so_far.box = box;
+    if (!(so_far.is_known & holds(so_far.reach, so_far.box))) widen(place, box);
     if (fast || (swept_ && overlap(*swept_, box)))
         waiting_.push_back(place);
     else
@@ -130,13 +132,11 @@ void DiscreteSolver::start_over(std::uint32_t place) {
     SoFar& so_far = so_far_[place];
     so_far.start = (*balls_)[place].position;
     so_far.flown = span_.duration();
-    so_far.changed_in = 0;
-    so_far.in_pile = so_far.pushed = false;
+    rounds_[place] = {};
 }
 
 /// Pairs of those that are engaged by now whose boxes overlap in this flight.
 void DiscreteSolver::find_candidates() {
-    const Proxy* const proxies = moving_.data() + moving_pieces();
     const auto of_engaged = sift(
         part_pairs_, candidate_room_, [&](Pair pair) { return role_[place_of(pair.b)] == Role::engaged; },
         Nothing{},
@@ -145,14 +145,14 @@ void DiscreteSolver::find_candidates() {
         });
     candidates_ = sift(
         of_engaged, candidate_room_,
-        [&](const Candidate& c) { return overlap(proxy_of(c.piece).box, proxies[c.ball].box); },
+        [&](const Candidate& c) { return overlap(proxy_of(c.piece).box, so_far_[c.ball].box); },
         [&](const Candidate& c) { fetch(proxy_of(c.piece)); });
     const auto between_engaged = sift(
         ball_pairs_, near_balls_room_,
         [&](Pair pair) { return (roles_of(pair) & (Role::free | Role::engaged)) == Role::engaged; },
         Nothing{}, [&](Pair pair) { return places_of(pair); });
     near_balls_ = sift(between_engaged, near_balls_room_,
-                       [&](BallPair pair) { return overlap(proxies[pair.a].box, proxies[pair.b].box); });
+                       [&](BallPair pair) { return overlap(so_far_[pair.a].box, so_far_[pair.b].box); });
     record_->statistics.pair_tests += of_engaged.size() + between_engaged.size();
     if (!any_asleep_) return;
     std::vector<Ball>& balls = *balls_;

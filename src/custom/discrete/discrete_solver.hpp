@@ -112,9 +112,12 @@ class DiscreteSolver {
     [[nodiscard]] std::size_t flight_of(const Approach& approach) const;
     [[nodiscard]] Box free_way_of(const Ball& ball) const;
     void let_doze(std::uint32_t place);
+    void lie_still(std::uint32_t place);
     void engage(std::uint32_t place);
     void engage_due(std::size_t flight);
     void engage_met();
+    void meet(std::uint32_t met, std::uint32_t by);
+    void link(std::span<const Pair> of_balls);
     void widen(std::uint32_t place, const Box& flight);
     void seek_company();
     void seek_company_of(std::uint32_t place);
@@ -136,8 +139,7 @@ class DiscreteSolver {
     [[nodiscard]] BallPair places_of(Pair pair) const { return {place_of(pair.a), place_of(pair.b)}; }
     /// What a flight and its rounds will read of a ball.
     void prepare(std::uint32_t soon) const {
-        fetch((*balls_)[soon]);
-        fetch(proxy_of_ball(soon));
+        fetch_flight((*balls_)[soon]);
         fetch(so_far_[soon]);
     }
     void prepare(BallPair soon) const {
@@ -145,7 +147,6 @@ class DiscreteSolver {
         prepare(soon.b);
     }
     [[nodiscard]] std::size_t flights() const { return marks_.size() - 1; }
-    [[nodiscard]] Proxy& proxy_of_ball(std::uint32_t place) { return moving_[moving_pieces() + place]; }
     [[nodiscard]] const Proxy& proxy_of_ball(std::uint32_t place) const {
         return moving_[moving_pieces() + place];
     }
@@ -221,7 +222,6 @@ class DiscreteSolver {
             engaged = 2,
             asleep = 4,
             dozing = 8,  ///< asleep where it may be met
-            joining = 16 | engaged,
         };
     };
     [[nodiscard]] unsigned roles_of(Pair of_balls) const {
@@ -239,13 +239,21 @@ class DiscreteSolver {
     bool any_asleep_ = false;                      ///< when the step began
     /// What each can meet in this step, by handle and in order; after it, of the engaged.
     std::vector<Pair> part_pairs_, ball_pairs_;
+    /// The pairs of balls once more, for each ball a list of its own.
+    struct Link {
+        std::uint32_t other;  ///< place
+        std::uint32_t next;   ///< into links_, or no_link
+    };
+    static constexpr std::uint32_t no_link = ~0U;
+    std::vector<std::uint32_t> first_link_;  ///< per ball
+    std::vector<Link> links_;
+    std::vector<BallPair> meetings_;      ///< scratch
     std::vector<std::uint32_t> seeking_;  ///< engaged, but their pairs are not all listed yet
     BoxRow strays_;                       ///< kicked or woken beyond what the search knew
     std::vector<Pair> fresh_part_pairs_, fresh_ball_pairs_;  ///< that come to these
     std::vector<std::size_t> pair_places_;                   ///< scratch
     std::vector<Pair> room_;                                 ///< scratch
-    /// Of the table's parts and of engaged balls for this flight; of other balls for the step.
-    std::vector<Proxy> moving_;
+    std::vector<Proxy> moving_;   ///< of the table's parts for this flight; of balls for the step
     std::vector<Stretch> marks_;  ///< from the start of the step to the start of each flight, and to the end
     Stretch flight_{0, 0};        ///< one motion iteration
     std::optional<Box> swept_;    ///< by moving parts, in this flight
@@ -259,14 +267,20 @@ class DiscreteSolver {
     std::vector<Handle> found_;      ///< what the broad phase found for it
     /// What happened to an engaged ball in this flight: a line of the cache.
     struct alignas(64) SoFar {
-        SingleBox reach;     ///< within it in this step, unless kicked
-        Vec2 start;          ///< where it was before
-        double flown = 0;    ///< s of free flight up to the end
-        int changed_in = 0;  ///< the last round that moved it
+        SingleBox reach;        ///< within it in this step, unless kicked
+        SingleBox box;          ///< within it in this flight
+        Vec2 start;             ///< where it was before
+        double flown = 0;       ///< s of free flight up to the end
+        bool is_known = false;  ///< its pairs are listed, as far as it reaches
+    };
+    std::vector<SoFar> so_far_;  ///< per ball
+    /// What the rounds did to it: asked so often that it is kept small and together.
+    struct Rounds {
+        std::uint8_t changed_in = 0;  ///< the last one that moved it
         bool in_pile = false;
         bool pushed = false;  ///< by what may not have heeded what lies behind it
     };
-    std::vector<SoFar> so_far_;  ///< per ball
+    std::vector<Rounds> rounds_;  ///< per ball
     /// An overlap with a part; the deepest come first.
     struct Deep {
         double separation;

@@ -28,6 +28,7 @@ void DiscreteSolver::find_turns() {
                             [&](std::span<const Pair> with_parts, std::span<const Pair> of_balls) {
                                 part_pairs_.insert(part_pairs_.end(), with_parts.begin(), with_parts.end());
                                 ball_pairs_.insert(ball_pairs_.end(), of_balls.begin(), of_balls.end());
+                                link(of_balls);
                                 take_turns(with_parts, of_balls);
                             });
     if (!any_asleep_) return;
@@ -44,6 +45,9 @@ NearList::Check DiscreteSolver::place_all() {
     moving_.resize(first + balls.size());
     role_.resize(balls.size());
     so_far_.resize(balls.size());
+    rounds_.resize(balls.size());
+    first_link_.assign(balls.size(), no_link);
+    links_.clear();
     engaged_.clear();
     strays_.clear();
     dozing_.clear();
@@ -74,11 +78,11 @@ void DiscreteSolver::take_turns(std::span<const Pair> with_parts, std::span<cons
     const std::vector<Ball>& balls = *balls_;
     for (const Pair pair : with_parts) {
         fetch(layout_.capsule(pair.a));
-        fetch(balls[place_of(pair.b)]);
+        fetch_motion(balls[place_of(pair.b)]);
     }
     for (const Pair pair : of_balls) {
-        fetch(balls[place_of(pair.a)]);
-        fetch(balls[place_of(pair.b)]);
+        fetch_motion(balls[place_of(pair.a)]);
+        fetch_motion(balls[place_of(pair.b)]);
     }
     const auto take = [&](std::size_t flight, std::uint32_t place) {
         if (flight < flights()) turns_.push_back({flight, place});
@@ -148,13 +152,25 @@ Box DiscreteSolver::free_way_of(const Ball& ball) const {
 void DiscreteSolver::let_doze(std::uint32_t place) {
     if (role_[place] != Role::asleep) return;
     role_[place] = Role::dozing;
+    lie_still(place);
     dozing_.push_back(place);
+}
+
+/// It is where it slept when the step began.
+void DiscreteSolver::lie_still(std::uint32_t place) {
+    so_far_[place].box = proxy_of_ball(place).box;
+    so_far_[place].is_known = false;
 }
 
 /// From now on. A ball that flew free did what follows from where it was when the step began.
 void DiscreteSolver::engage(std::uint32_t place) {
     Ball& ball = (*balls_)[place];
-    if (role_[place] == Role::free) fly_freely(ball, scene_.gravity, Stretch(scene_.damping, span_.begin));
+    if (role_[place] == Role::free) {
+        fly_freely(ball, scene_.gravity, Stretch(scene_.damping, span_.begin));
+        so_far_[place].is_known = true;
+    } else {
+        lie_still(place);
+    }
     role_[place] = Role::engaged;
     so_far_[place].reach = reach_of(ball, dt_ - span_.begin);
     engaged_.push_back(place);
@@ -182,36 +198,55 @@ void DiscreteSolver::engage_due(std::size_t flight) {
 /// Whoever flies free where an engaged ball may be in this flight is engaged too. First all ask, then those
 /// who came by that.
 void DiscreteSolver::engage_met() {
-    std::size_t joined = engaged_.size(), known;
-    unsigned asking = Role::engaged;
-    do {
-        known = engaged_.size();
-        if (!seeking_.empty()) seek_company();
-        const auto one_flies_free = [&](Pair pair) { return roles_of(pair) == (Role::free | asking); };
-        const auto meet = [&](Pair pair) {
+    std::size_t asked = engaged_.size();
+    if (!seeking_.empty()) seek_company();
+    const auto one_flies_free = [&](Pair pair) { return roles_of(pair) == (Role::free | Role::engaged); };
+    each_sifted(ball_pairs_, room_, one_flies_free, [&](std::span<const Pair> these) {
+        for (const Pair pair : these) prepare(places_of(pair));
+        for (const Pair pair : these) {
             const auto [a, b] = places_of(pair);
-            const auto [met, by] = role_[a] == Role::free ? std::pair(a, b) : std::pair(b, a);
-            ++record_->statistics.pair_tests;
-            if (role_[met] != Role::free ||
-                !overlap(SingleBox(free_way_of((*balls_)[met])), proxy_of_ball(by).box))
-                return;
-            engage(met);
-            role_[met] = Role::joining;
-            start_flight(met);
-        };
-        each_sifted(ball_pairs_, room_, one_flies_free, [&](std::span<const Pair> these) {
-            for (const Pair pair : these) prepare(places_of(pair));
-            for (const Pair pair : these) meet(pair);
-        });
-        for (; joined < known; ++joined) role_[engaged_[joined]] = Role::engaged;
-        asking = Role::joining;
-    } while (known != engaged_.size() || !seeking_.empty());
+            role_[a] == Role::free ? meet(a, b) : meet(b, a);
+        }
+    });
+    while (asked < engaged_.size()) {
+        const std::size_t known = engaged_.size();
+        if (!seeking_.empty()) seek_company();
+        meetings_.clear();
+        for (; asked < known; ++asked) {
+            const std::uint32_t by = engaged_[asked];
+            for (std::uint32_t i = first_link_[by]; i != no_link; i = links_[i].next)
+                if (role_[links_[i].other] == Role::free) meetings_.push_back({links_[i].other, by});
+        }
+        each_prepared(
+            meetings_, [&](BallPair soon) { prepare(soon.a); }, [&](BallPair pair) { meet(pair.a, pair.b); });
+    }
+}
+
+/// Engages a ball that flies free if it may meet this engaged one.
+void DiscreteSolver::meet(std::uint32_t met, std::uint32_t by) {
+    ++record_->statistics.pair_tests;
+    if (role_[met] != Role::free || !overlap(SingleBox(free_way_of((*balls_)[met])), so_far_[by].box)) return;
+    engage(met);
+    start_flight(met);
+}
+
+void DiscreteSolver::link(std::span<const Pair> of_balls) {
+    const auto put = [&](std::uint32_t place, std::uint32_t other) {
+        links_.push_back({other, first_link_[place]});
+        first_link_[place] = static_cast<std::uint32_t>(links_.size() - 1);
+    };
+    for (const Pair pair : of_balls) {
+        const auto [a, b] = places_of(pair);
+        put(a, b);
+        put(b, a);
+    }
 }
 
 /// An engaged ball will be outside of what it was thought to reach.
 void DiscreteSolver::widen(std::uint32_t place, const Box& flight) {
     const Box reach = united(flight, reach_of((*balls_)[place], dt_ - span_.begin));
     so_far_[place].reach = reach;
+    so_far_[place].is_known = true;
     strays_.add(place, reach);
     seeking_.push_back(place);
 }
@@ -225,6 +260,7 @@ void DiscreteSolver::seek_company() {
     seeking_.clear();
     add_pairs(fresh_part_pairs_, part_pairs_, pair_places_);
     add_pairs(fresh_ball_pairs_, ball_pairs_, pair_places_);
+    link(fresh_ball_pairs_);
 }
 
 /// Lists all pairs of an engaged ball.
@@ -233,6 +269,7 @@ void DiscreteSolver::seek_company_of(std::uint32_t place) {
     const std::vector<Proxy>& still = layout_.still_proxies();
     Proxy self = proxy_of_ball(place);
     self.box = so_far_[place].reach;
+    self.active = true;
     found_.clear();
     near_.find_around(self.box, *broad_, found_);
     record_->statistics.pair_tests +=
@@ -261,7 +298,7 @@ void DiscreteSolver::finish_step() {
     if (any_asleep_) {
         engage_due(flights());
         for (const std::uint32_t place : engaged_)
-            if (!proxy_of_ball(place).active) start_flight(place);
+            if (!so_far_[place].is_known) start_flight(place);
         if (!seeking_.empty()) seek_company();
     }
     const auto is_engaged = [&](Pair pair) { return (role_[place_of(pair.b)] & Role::engaged) != 0; };
