@@ -116,6 +116,49 @@ bool all_asleep(const World& world) {
     return std::ranges::all_of(world.balls(), &Ball::asleep);
 }
 
+// Whoever is at rest after a change from outside sleeps one step later, as in a world that knows nothing of
+// what was before.
+TEST(Sleep, AChangeFromOutsideIsHeededInTheNextStep) {
+    Scene scene = empty_scene({});
+    add_ball(scene, {0, 0}, {1, 0});
+    add_ball(scene, {0, 5}, {0, 1});
+    const auto lone = [&](const char* solver) {
+        auto world = make_world(scene, {{"solver", solver}});
+        run(*world, 0.1);
+        EXPECT_EQ(std::ranges::count_if(world->balls(), &Ball::asleep), 0);
+        return world;
+    };
+    for (const char* solver : {"discrete", "continuous"}) {
+        SCOPED_TRACE(solver);
+        const auto nudged = lone(solver);
+        nudged->apply(control::Nudge{{-1, 0}});
+        nudged->step(0.01);
+        EXPECT_TRUE(nudged->balls()[0].asleep);
+        EXPECT_FALSE(nudged->balls()[1].asleep);
+
+        Ball still = scene.balls[0];
+        still.position = {3, 0};
+        still.velocity = {};
+        const auto joined = lone(solver);
+        joined->add(still);
+        joined->step(0.01);
+        EXPECT_TRUE(joined->balls()[2].asleep);
+        // Now in another place.
+        EXPECT_TRUE(joined->remove(0));
+        joined->step(0.01);
+        EXPECT_FALSE(joined->balls()[0].asleep);
+        EXPECT_TRUE(joined->balls()[1].asleep);
+
+        const auto restored = lone(solver);
+        State state = restored->save();
+        state.balls[1].velocity = {};
+        restored->restore(state);
+        restored->step(0.01);
+        EXPECT_FALSE(restored->balls()[0].asleep);
+        EXPECT_TRUE(restored->balls()[1].asleep);
+    }
+}
+
 TEST(Sleep, TableOfAHundredSleepersMakesNoTests) {
     for (const auto* broad : {"brute", "quadtree", "adaptive", "grid", "sweep"}) {
         const auto world = make_world(row_of_balls(100), {{"broad_phase", broad}});

@@ -120,8 +120,9 @@ class Grid final : public BroadPhase {
     void prepare(const SingleBox& box) const override {
         const Cells large = cells_.under(box);
         for (std::uint32_t y = large.bottom; y <= large.top; ++y) {
-            const Cell left = cells_.at(large.left, y);
-            if (still_begin_[left] < still_begin_[left + 1]) fetch(still_listed_[still_begin_[left]]);
+            const Run row{still_begin_[cells_.at(large.left, y)],
+                          still_begin_[cells_.at(large.right, y) + 1]};
+            for (std::uint32_t i = row.begin; i < row.end; ++i) fetch(still_[still_listed_[i]]);
         }
         const Cells around = with_margin(box);
         for (std::uint32_t y = around.bottom; y <= around.top; ++y) {

@@ -69,6 +69,8 @@ bool DiscreteSolver::collide_parts() {
     for (auto first = touching.begin(); first != touching.end();) {
         const auto soon = first + std::min<std::ptrdiff_t>(4, touching.end() - first - 1);
         fetch(layout_.piece(soon->piece));
+        fetch((*balls_)[soon->ball].material);
+        fetch(so_far_[soon->ball]);
         const std::uint32_t place = first->ball;
         const auto last =
             std::find_if(first, touching.end(), [&](const Candidate& c) { return c.ball != place; });

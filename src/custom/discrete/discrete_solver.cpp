@@ -32,7 +32,8 @@ void DiscreteSolver::reserve(std::size_t balls) {
     make_room(moving_, layout_.size() + balls);
     make_room(so_far_, balls);
     make_room(rounds_, balls);
-    make_room(waiting_, balls);
+    waiting_.reserve(balls);
+    all_engaged_.reserve(balls);
     for (auto* room : {&candidate_room_, &touching_room_}) make_room(*room, balls, pairs_per_ball);
     make_room(near_balls_room_, balls, pairs_per_ball);
     make_room(around_, layout_.size());
@@ -97,10 +98,11 @@ void DiscreteSolver::start_flights(std::size_t flight) {
         const Box box = moving_[i].box;
         swept_ = swept_ ? united(*swept_, box) : box;
     }
-    waiting_.clear();
+    waiting_.start(balls_->size());
     engage_due(flight);
+    all_engaged_.list(places_);
     each_prepared(
-        engaged_, [&](std::uint32_t soon) { prepare(soon); },
+        places_, [&](std::uint32_t soon) { prepare(soon); },
         [&](std::uint32_t place) { start_flight(place); });
     engage_met();
 }
@@ -122,7 +124,7 @@ void DiscreteSolver::start_flight(std::uint32_t place) {
     so_far.box = box;
     if (!(so_far.is_known & holds(so_far.reach, so_far.box))) widen(place, box);
     if (fast || (swept_ && overlap(*swept_, box)))
-        waiting_.push_back(place);
+        waiting_.add(place);
     else
         fly_freely(ball, scene_.gravity, flight_);
 }
@@ -159,21 +161,23 @@ void DiscreteSolver::find_candidates() {
     for (const auto [b, piece] : candidates_) {
         if (!balls[b].asleep) continue;
         balls[b].asleep = false;  // only a part in motion is paired with a sleeper
-        waiting_.push_back(b);
+        waiting_.add(b);
     }
 }
 
 /// Flies those that wait.
 void DiscreteSolver::finish_flights(double duration) {
-    if (!std::ranges::is_sorted(waiting_)) std::ranges::sort(waiting_);
     auto next = candidates_.begin();
-    for (const std::uint32_t place : waiting_) {
-        next = std::find_if(next, candidates_.end(), [&](const Candidate& c) { return c.ball >= place; });
-        const auto last =
-            std::find_if(next, candidates_.end(), [&](const Candidate& c) { return c.ball > place; });
-        fly((*balls_)[place], {next, last}, duration);
-        next = last;
-    }
+    waiting_.list(places_);
+    each_prepared(
+        places_, [&](std::uint32_t soon) { fetch_flight((*balls_)[soon]); },
+        [&](std::uint32_t place) {
+            next = std::find_if(next, candidates_.end(), [&](const Candidate& c) { return c.ball >= place; });
+            const auto last =
+                std::find_if(next, candidates_.end(), [&](const Candidate& c) { return c.ball > place; });
+            fly((*balls_)[place], {next, last}, duration);
+            next = last;
+        });
 }
 
 /// Whether something closing in at `approach` m/s can get too deep during `duration`.

@@ -21,6 +21,7 @@
 #include "custom/discrete/pile.hpp"
 #include "custom/flight.hpp"
 #include "custom/layout.hpp"
+#include "custom/discrete/place_set.hpp"
 #include "custom/response.hpp"
 #include "custom/settings.hpp"
 #include "custom/touch_list.hpp"
@@ -258,7 +259,8 @@ class DiscreteSolver {
     Stretch flight_{0, 0};        ///< one motion iteration
     std::optional<Box> swept_;    ///< by moving parts, in this flight
     std::vector<std::uint32_t> places_;      ///< scratch
-    std::vector<std::uint32_t> waiting_;     ///< balls whose flight a part may stop
+    PlaceSet waiting_;                       ///< balls whose flight a part may stop
+    PlaceSet all_engaged_;                   ///< the same as engaged_, in order
     std::span<const Candidate> candidates_;  ///< of these pairs, what the boxes of the flight overlap
     std::span<const BallPair> near_balls_;
     std::vector<Candidate> candidate_room_, touching_room_;

@@ -49,6 +49,7 @@ NearList::Check DiscreteSolver::place_all() {
     first_link_.assign(balls.size(), no_link);
     links_.clear();
     engaged_.clear();
+    all_engaged_.start(balls.size());
     strays_.clear();
     dozing_.clear();
     NearList::Check check = near_.begin(moving_.size());
@@ -174,6 +175,7 @@ void DiscreteSolver::engage(std::uint32_t place) {
     role_[place] = Role::engaged;
     so_far_[place].reach = reach_of(ball, dt_ - span_.begin);
     engaged_.push_back(place);
+    all_engaged_.add(place);
 }
 
 /// Those whose turn it is, and sleepers that were woken in the flight before.
