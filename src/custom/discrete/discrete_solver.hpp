@@ -19,9 +19,9 @@
 
 #include "custom/broad_phase/near_list.hpp"
 #include "custom/discrete/pile.hpp"
+#include "custom/discrete/place_set.hpp"
 #include "custom/flight.hpp"
 #include "custom/layout.hpp"
-#include "custom/discrete/place_set.hpp"
 #include "custom/response.hpp"
 #include "custom/settings.hpp"
 #include "custom/touch_list.hpp"
@@ -240,7 +240,7 @@ class DiscreteSolver {
     bool any_asleep_ = false;                      ///< when the step began
     /// What each can meet in this step, by handle and in order; after it, of the engaged.
     std::vector<Pair> part_pairs_, ball_pairs_;
-    /// The pairs of balls once more, for each ball a list of its own.
+    /// The pairs of balls once more, as the search found them: for each ball a list of its own.
     struct Link {
         std::uint32_t other;  ///< place
         std::uint32_t next;   ///< into links_, or no_link

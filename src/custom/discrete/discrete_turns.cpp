@@ -232,6 +232,7 @@ void DiscreteSolver::meet(std::uint32_t met, std::uint32_t by) {
     start_flight(met);
 }
 
+/// Only those listed when the step begins: who joins late was not kicked yet.
 void DiscreteSolver::link(std::span<const Pair> of_balls) {
     const auto put = [&](std::uint32_t place, std::uint32_t other) {
         links_.push_back({other, first_link_[place]});
@@ -262,7 +263,6 @@ void DiscreteSolver::seek_company() {
     seeking_.clear();
     add_pairs(fresh_part_pairs_, part_pairs_, pair_places_);
     add_pairs(fresh_ball_pairs_, ball_pairs_, pair_places_);
-    link(fresh_ball_pairs_);
 }
 
 /// Lists all pairs of an engaged ball.

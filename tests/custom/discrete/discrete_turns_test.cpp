@@ -106,6 +106,31 @@ TEST(DiscreteTurns, SleepersWokenByAHitTouchAsTheyDid) {
     }
 }
 
+TEST(DiscreteTurns, SleepersStruckByAPartStrikeOthers) {
+    // A segment turns into a ball that sleeps since the scene began, which flies on into another: all within
+    // one step, before the segment is there again.
+    constexpr double rate = 9;
+    Scene scene = empty_scene({});
+    add_part(scene, segment({0, 0}, {1, 0})).motion = motion::Turn{{0, 0}, rate, true};
+    add_ball(scene, {0.8, 0.15}).asleep = true;
+    add_ball(scene, {0.8, 0.36}).asleep = true;
+    // e = 1: the ball leaves with twice the speed of the segment, which touches it at this distance.
+    const double away = std::sqrt(0.8 * 0.8 + 0.15 * 0.15 - 0.1 * 0.1);
+    const double angle = std::atan2(0.15, 0.8) - std::atan2(0.1, away), speed = 2 * rate * away;
+    for (const int iterations : {8, 64}) {
+        const auto world = make_world(scene, {{"motion_iterations", std::to_string(iterations)}});
+        world->step(0.008);
+        const Ball &struck = world->balls()[0], &other = world->balls()[1];
+        EXPECT_FALSE(struck.asleep);
+        EXPECT_FALSE(other.asleep);
+        EXPECT_EQ(world->statistics().impacts, 2U);
+        const Vec2 both = struck.velocity + other.velocity;
+        // The segment answers as it stands when the flight ends.
+        const double turned = rate * 0.008 / iterations;
+        EXPECT_NEAR(length(both - speed * perp(from_angle(angle))), 0, speed * turned);
+    }
+}
+
 // Balls of several sizes are kicked about between walls, a bumper and a turning segment.
 RC_GTEST_PROP(DiscreteTurns, HowPairsAreSoughtChangesNoBit, ()) {
     const auto within = [](double from, double to) {
