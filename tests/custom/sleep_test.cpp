@@ -143,11 +143,14 @@ TEST(Sleep, AChangeFromOutsideIsHeededInTheNextStep) {
         joined->add(still);
         joined->step(0.01);
         EXPECT_TRUE(joined->balls()[2].asleep);
-        // Now in another place.
-        EXPECT_TRUE(joined->remove(0));
+        still.position = {6, 0};
+        still.velocity = {0, 1};
+        joined->add(still);
         joined->step(0.01);
-        EXPECT_FALSE(joined->balls()[0].asleep);
+        EXPECT_TRUE(joined->remove(0));  // each is in the place of another now, and awake
+        joined->step(0.01);
         EXPECT_TRUE(joined->balls()[1].asleep);
+        EXPECT_EQ(std::ranges::count_if(joined->balls(), &Ball::asleep), 1);
 
         const auto restored = lone(solver);
         State state = restored->save();

@@ -111,9 +111,10 @@ TEST(DiscreteTurns, SleepersStruckByAPartStrikeOthers) {
     // one step, before the segment is there again.
     constexpr double rate = 9;
     Scene scene = empty_scene({});
-    add_part(scene, segment({0, 0}, {1, 0})).motion = motion::Turn{{0, 0}, rate, true};
-    add_ball(scene, {0.8, 0.15}).asleep = true;
-    add_ball(scene, {0.8, 0.36}).asleep = true;
+    const Vec2 pivot{5, 0};
+    add_part(scene, segment(pivot, pivot + Vec2{1, 0})).motion = motion::Turn{pivot, rate, true};
+    add_ball(scene, pivot + Vec2{0.8, 0.15}).asleep = true;
+    add_ball(scene, pivot + Vec2{0.8, 0.36}).asleep = true;
     // e = 1: the ball leaves with twice the speed of the segment, which touches it at this distance.
     const double away = std::sqrt(0.8 * 0.8 + 0.15 * 0.15 - 0.1 * 0.1);
     const double angle = std::atan2(0.15, 0.8) - std::atan2(0.1, away), speed = 2 * rate * away;
