@@ -56,6 +56,14 @@ Process::Process(const std::vector<std::string>& command, int fd) {
     _exit(127);
 }
 
+void Process::hold() const {
+    kill(pid_, SIGSTOP);
+}
+
+void Process::go_on() const {
+    kill(pid_, SIGCONT);
+}
+
 bool Process::running() {
     if (pid_ <= 0) return false;
     if (waitpid(pid_, &status_, WNOHANG) != pid_) return true;

@@ -30,6 +30,9 @@ class Process {
     }
 
     void stop();
+    /// It stands still until go_on().
+    void hold() const;
+    void go_on() const;
     [[nodiscard]] bool running();
     /// Waits for its end; its exit code, or -1 if it goes on for more than `seconds`.
     int wait(double seconds);

@@ -179,6 +179,24 @@ TEST_F(Window, HelpOpensAndEscapeClosesItAndThenTheWindow) {
     EXPECT_EQ(window->program().wait(60), 0);
 }
 
+// Each counts, and where the mouse was.
+TEST_F(Window, ClicksWithinOneFrameAllCount) {
+    open("drop", "single");
+    const Json controls = settled()["controls"];
+    std::string clicks;
+    for (const char* name : {"Boxes", "Pairs", "Cells"}) {
+        const Json rect = controls[name];
+        clicks += " mousemove " + std::to_string(rect[0].get<int>() + 8) + ' ' +
+                  std::to_string(rect[1].get<int>() + 8) + " click 1";
+    }
+    window->program().hold();
+    window->xdotool(clicks);
+    window->program().go_on();
+    window->wait("all three", [](const Json& s) {
+        return s["show"]["boxes"] == true && s["show"]["pairs"] == true && s["show"]["cells"] == true;
+    });
+}
+
 TEST_F(Window, ClicksOnThePanelDoWhatTheySay) {
     open();
     click("Boxes");

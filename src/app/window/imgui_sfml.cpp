@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include <SFML/Window/Event.hpp>
-#include <SFML/Window/Mouse.hpp>
 #include <backends/imgui_impl_opengl2.h>
 
 #include "app/window/theme.hpp"
@@ -111,11 +109,13 @@ void Imgui::process(const sf::Event& event) {
     ImGuiIO& io = ImGui::GetIO();
     switch (event.type) {
         case sf::Event::MouseMoved:
-            io.MousePos = {static_cast<float>(event.mouseMove.x), static_cast<float>(event.mouseMove.y)};
-            break;
         case sf::Event::MouseButtonPressed:
-            if (event.mouseButton.button < 3) pressed_[event.mouseButton.button] = true;
-            io.MousePos = {static_cast<float>(event.mouseButton.x), static_cast<float>(event.mouseButton.y)};
+        case sf::Event::MouseButtonReleased:
+            mouse_.push_back(event);
+            break;
+        case sf::Event::LostFocus:
+            mouse_.clear();
+            std::ranges::fill(io.MouseDown, false);
             break;
         case sf::Event::MouseWheelScrolled:
             io.MouseWheel += event.mouseWheelScroll.delta;
@@ -135,15 +135,27 @@ void Imgui::process(const sf::Event& event) {
     }
 }
 
+/// Whether a button changed.
+bool Imgui::take_mouse(const sf::Event& event) {
+    ImGuiIO& io = ImGui::GetIO();
+    if (event.type == sf::Event::MouseMoved) {
+        io.MousePos = {static_cast<float>(event.mouseMove.x), static_cast<float>(event.mouseMove.y)};
+        return false;
+    }
+    io.MousePos = {static_cast<float>(event.mouseButton.x), static_cast<float>(event.mouseButton.y)};
+    io.MouseDown[event.mouseButton.button] = event.type == sf::Event::MouseButtonPressed;
+    return true;
+}
+
 void Imgui::begin_frame(double seconds) {
     ImGuiIO& io = ImGui::GetIO();
     const sf::Vector2f size(window_.getSize());
     io.DisplaySize = {size.x, size.y};
     io.DeltaTime = std::max(1e-4F, static_cast<float>(seconds));
-    for (int i = 0; i < 3; ++i) {
-        io.MouseDown[i] = pressed_[i] || sf::Mouse::isButtonPressed(static_cast<sf::Mouse::Button>(i));
-        pressed_[i] = false;
-    }
+    // One change of a button in a frame, where it happened: what is pressed and let go between two frames is
+    // a click too, and where the mouse is by then does not matter.
+    for (bool changed = false; !changed && !mouse_.empty(); mouse_.pop_front())
+        changed = take_mouse(mouse_.front());
     ImGui_ImplOpenGL2_NewFrame();
     ImGui::NewFrame();
 }

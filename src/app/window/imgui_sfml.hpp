@@ -1,7 +1,10 @@
 #pragma once
 /// Dear ImGui in an SFML window: feeds it size, time and input, and draws it with OpenGL 2.
 
+#include <deque>
+
 #include <SFML/Graphics/RenderWindow.hpp>
+#include <SFML/Window/Event.hpp>
 #include <imgui.h>
 
 namespace flipside::app {
@@ -22,8 +25,10 @@ class Imgui {
     [[nodiscard]] bool wants_text() const { return ImGui::GetIO().WantTextInput; }
 
   private:
+    static bool take_mouse(const sf::Event& event);
+
     sf::RenderWindow& window_;
-    bool pressed_[3] = {false, false, false};  ///< since the last frame: a click may begin and end in one
+    std::deque<sf::Event> mouse_;  ///< moves and buttons that ImGui has not seen yet
 };
 
 }  // namespace flipside::app
