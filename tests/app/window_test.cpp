@@ -185,7 +185,7 @@ TEST_F(Window, ClicksWithinOneFrameAllCount) {
     const Json controls = settled()["controls"];
     std::string clicks;
     for (const char* name : {"Boxes", "Pairs", "Cells"}) {
-        const Json rect = controls[name];
+        const Json& rect = controls[name];
         clicks += " mousemove " + std::to_string(rect[0].get<int>() + 8) + ' ' +
                   std::to_string(rect[1].get<int>() + 8) + " click 1";
     }

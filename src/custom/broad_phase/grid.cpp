@@ -164,10 +164,10 @@ class Grid final : public BroadPhase {
     /// A small proxy, in order of cells. Packed: half a line of the cache.
     struct alignas(32) Entry {
         SingleBox box;
-        std::uint32_t layer, collides_with;
-        Handle handle;
-        Cell cell : 30;
-        std::uint32_t ball : 1, active : 1;
+        std::uint32_t layer = 0, collides_with = 0;
+        Handle handle = 0;
+        Cell cell : 30 = 0;
+        std::uint32_t ball : 1 = 0, active : 1 = 0;
     };
     /// A moving proxy that does not fit into a cell.
     struct Wide {
