@@ -89,6 +89,18 @@ void map_keys() {
     for (const auto& [ours, theirs] : keys) ImGui::GetIO().KeyMap[ours] = theirs;
 }
 
+/// Tells ImGui of a move or a button. Whether a button changed.
+bool take_mouse(const sf::Event& event) {
+    ImGuiIO& io = ImGui::GetIO();
+    if (event.type == sf::Event::MouseMoved) {
+        io.MousePos = {static_cast<float>(event.mouseMove.x), static_cast<float>(event.mouseMove.y)};
+        return false;
+    }
+    io.MousePos = {static_cast<float>(event.mouseButton.x), static_cast<float>(event.mouseButton.y)};
+    io.MouseDown[event.mouseButton.button] = event.type == sf::Event::MouseButtonPressed;
+    return true;
+}
+
 }  // namespace
 
 Imgui::Imgui(sf::RenderWindow& window, double scale) : window_(window) {
@@ -133,18 +145,6 @@ void Imgui::process(const sf::Event& event) {
         default:
             break;
     }
-}
-
-/// Whether a button changed.
-bool Imgui::take_mouse(const sf::Event& event) {
-    ImGuiIO& io = ImGui::GetIO();
-    if (event.type == sf::Event::MouseMoved) {
-        io.MousePos = {static_cast<float>(event.mouseMove.x), static_cast<float>(event.mouseMove.y)};
-        return false;
-    }
-    io.MousePos = {static_cast<float>(event.mouseButton.x), static_cast<float>(event.mouseButton.y)};
-    io.MouseDown[event.mouseButton.button] = event.type == sf::Event::MouseButtonPressed;
-    return true;
 }
 
 void Imgui::begin_frame(double seconds) {

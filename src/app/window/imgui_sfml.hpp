@@ -25,8 +25,6 @@ class Imgui {
     [[nodiscard]] bool wants_text() const { return ImGui::GetIO().WantTextInput; }
 
   private:
-    static bool take_mouse(const sf::Event& event);
-
     sf::RenderWindow& window_;
     std::deque<sf::Event> mouse_;  ///< moves and buttons that ImGui has not seen yet
 };
