@@ -60,6 +60,11 @@ inline double drag_stretch(double c, double e) {
     return c * e < 1 ? -std::log1p(-c * e) / c : INFINITY;
 }
 
+/// When v₀·e^(−ct) + a·E(t), with v₀ and a of opposite signs, is 0.
+inline double drag_turn(double v, double a, double c) {
+    return c > 0 ? std::log1p(-c * v / a) / c : -v / a;
+}
+
 /// Positions are given as displacements from the start, so that differences to a near reference point
 /// keep their digits far from the origin.
 struct Flight {

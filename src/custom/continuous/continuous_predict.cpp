@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "custom/continuous/continuous_solver.hpp"
+#include "custom/continuous/first_exit.hpp"
 
 namespace flipside::custom {
 
@@ -277,7 +278,7 @@ void ContinuousSolver::predict_balls(Place i, double time) {
     }
 }
 
-/// When the centre leaves the bounds: by steps that no acceleration can outrun.
+/// When the centre leaves the bounds.
 void ContinuousSolver::predict_loss(Place i, double time) {
     const Ball& ball = (*balls_)[i];
     Mover& mover = movers_[i];
@@ -285,16 +286,8 @@ void ContinuousSolver::predict_loss(Place i, double time) {
     if (bounds.contains(mover.box.min) && bounds.contains(mover.box.max)) return;
     const auto& reported = table_->reported_lost();
     if (std::ranges::find(reported, ball.number) != reported.end()) return;
-    const Path& path = mover.way.path;
-    const double k = path.max_acceleration(dt_), smallest = 1e-15 * dt_;
-    for (double t = time; t <= dt_;) {
-        const auto [p, v] = path.at(t);
-        if (!bounds.contains(p)) return offer(mover, t, Next::leave_bounds);
-        t += std::max(
-            smallest,
-            std::min({surely_free(p.x - bounds.min.x, v.x, k), surely_free(bounds.max.x - p.x, -v.x, k),
-                      surely_free(p.y - bounds.min.y, v.y, k), surely_free(bounds.max.y - p.y, -v.y, k)}));
-    }
+    const double last = std::min({dt_, mover.way.until, mover.next_time});
+    offer(mover, first_exit(mover.way.path, bounds, time, last), Next::leave_bounds);
 }
 
 /// When a ball enters a sensor, or leaves it (or a gate): by steps that no speed can outrun, but not less

@@ -19,7 +19,7 @@ double first_fall(double gap, double rate, double bend, double drag) {
     const auto gap_at = [&](const Stretch& s) { return gap + s.shrunk * rate + s.fallen * bend; };
     // The second derivative keeps its sign and fades; the slope changes its own once at most, at `turn`.
     const double curve = bend - drag * rate;
-    const double turn = rate * bend < 0 ? std::log1p(-drag * rate / bend) / drag : never_touch;
+    const double turn = rate * bend < 0 ? drag_turn(rate, bend, drag) : never_touch;
     double t = 0;
     if (rate >= 0) {
         if (rate > 0) t = turn;
@@ -193,7 +193,7 @@ double search_turning(const Feature& feature, Pose begin, double rate, double be
 bool comes_out(double gap, double rate, double bend, double drag) {
     if (rate <= 0 || bend >= 0 || rate * rate + 2 * gap * bend <= 0) return false;
     if (drag <= 0) return true;
-    const Stretch top(drag, std::log1p(-drag * rate / bend) / drag);
+    const Stretch top(drag, drag_turn(rate, bend, drag));
     return gap + top.shrunk * rate + top.fallen * bend > 0;
 }
 

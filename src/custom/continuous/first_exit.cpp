@@ -1,0 +1,106 @@
+#include "custom/continuous/first_exit.hpp"
+
+#include <span>
+
+#include "custom/continuous/time_of_impact.hpp"
+
+namespace flipside::custom {
+
+namespace {
+
+/// Instants after the start of a path, s. A polynomial of degree n turns n − 1 times at most.
+struct Instants {
+    std::array<double, std::size_t{2} * taylor_order> at;
+    std::size_t count = 0;
+
+    void add(double t) { at[count++] = t; }
+    [[nodiscard]] std::span<double> all() { return {at.data(), count}; }
+};
+
+/// The two neighbouring numbers in [a, b] between which `is_before` turns from true, as it is at a, to false,
+/// as it is at b; the later one. Each pass halves the count of numbers between them once the exponents are
+/// alike, so there are at most 1,100.
+double turning_point(auto&& is_before, double a, double b) {
+    for (;;) {
+        const double middle = a + (b - a) / 2;
+        if (middle <= a || middle >= b) return b;
+        (is_before(middle) ? a : b) = middle;
+    }
+}
+
+using Coefficients = std::array<double, taylor_order + 1>;
+
+/// Of the m-th derivative of Σ c[k]·t^k, those below m left out.
+Coefficients derivative(const Coefficients& c, int m) {
+    Coefficients result{};
+    for (int k = m; k <= taylor_order; ++k) {
+        double factor = 1;
+        for (int i = 0; i < m; ++i) factor *= k - i;
+        result[static_cast<std::size_t>(k - m)] = factor * c[static_cast<std::size_t>(k)];
+    }
+    return result;
+}
+
+/// Zeros in (0, h) of the slope of Σ c[k]·t^k: those of each derivative lie between those of the next.
+void add_turns(const Coefficients& c, double h, Instants& turns) {
+    std::array<double, taylor_order + 1> zeros{}, next{};
+    std::size_t count = 0;
+    for (int m = taylor_order; m >= 1; --m) {
+        const Coefficients slope = derivative(c, m);
+        const auto is_below = [&](double t) {
+            double sum = 0;
+            for (std::size_t k = slope.size(); k-- > 0;) sum = sum * t + slope[k];
+            return sum < 0;
+        };
+        std::size_t found = 0;
+        double a = 0;
+        for (std::size_t i = 0; i <= count; ++i) {
+            const double b = i < count ? zeros[i] : h;
+            const bool below = is_below(a);
+            if (below != is_below(b))
+                next[found++] = turning_point([&](double t) { return is_below(t) == below; }, a, b);
+            a = b;
+        }
+        zeros = next, count = found;
+    }
+    for (std::size_t i = 0; i < count; ++i) turns.add(zeros[i]);
+}
+
+/// When one coordinate of a flight turns: v(t) = v₀·e^(−ct) + a·E(t) = 0. It does so once at most.
+void add_turn(double velocity, double acceleration, double drag, double h, Instants& turns) {
+    if (velocity * acceleration >= 0) return;
+    const double t = drag_turn(velocity, acceleration, drag);
+    if (t > 0 && t < h) turns.add(t);
+}
+
+}  // namespace
+
+double first_exit(const Path& path, const Box& box, double t0, double t1) {
+    const auto is_inside = [&](double t) { return box.contains(path.position(t)); };
+    if (!is_inside(t0)) return t0;
+    Instants turns;
+    const double h = t1 - path.start;
+    if (path.swings) {
+        for (double Vec2::*axis : {&Vec2::x, &Vec2::y}) {
+            Coefficients series{};
+            for (std::size_t k = 1; k < series.size(); ++k) series[k] = path.taylor[k].*axis;
+            add_turns(series, h, turns);
+        }
+    } else {
+        const Flight& flight = path.flight;
+        add_turn(flight.velocity.x, flight.acceleration.x, flight.drag, h, turns);
+        add_turn(flight.velocity.y, flight.acceleration.y, flight.drag, h, turns);
+    }
+    std::ranges::sort(turns.all());
+    turns.add(h);
+    double inside = t0;
+    for (const double turn : turns.all()) {
+        const double t = path.start + turn;
+        if (t <= inside) continue;
+        if (!is_inside(t)) return turning_point(is_inside, inside, t);
+        inside = t;
+    }
+    return never_touch;
+}
+
+}  // namespace flipside::custom
