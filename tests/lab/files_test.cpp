@@ -101,6 +101,27 @@ TEST_F(WholeFiles, LeaveALinkALink) {
     write_whole_file(folder / "link", "new");
     EXPECT_TRUE(fs::is_symlink(folder / "link"));
     EXPECT_EQ(text_of(folder / "real"), "new");
+    {
+        WholeFile half(folder / "link");
+        half.out() << "half" << std::flush;
+        EXPECT_EQ(text_of(folder / "real"), "new");
+    }
+    EXPECT_EQ(files(), 2);
+    fs::create_symlink("unmade", folder / "to nothing");
+    write_whole_file(folder / "to nothing", "made");
+    EXPECT_EQ(text_of(folder / "unmade"), "made");
+}
+
+TEST_F(WholeFiles, SayAtOnceWhyTheyCannotBeWritten) {
+    WholeFile full("/dev/full");
+    try {
+        for (int line = 0; line < 100; ++line) full.out() << std::string(1000, 'x') << '\n';
+        FAIL() << "100 kB were written to a full device";
+    } catch (const Failure& failure) {
+        EXPECT_STREQ(failure.what(), "/dev/full: cannot be written (No space left on device)");
+    }
+    fs::create_symlink("self", folder / "self");
+    EXPECT_THROW(WholeFile(folder / "self"), Failure);
 }
 
 TEST_F(WholeFiles, FailWhereNothingCanBeWritten) {
