@@ -25,6 +25,7 @@ NearList::Check NearList::begin(std::size_t moving) {
         rooms_.assign(moving, {{{far, far}, {-far, -far}}});
         leavers_.resize(moving);
         can_mend_ = false;
+        searched_ = nullptr;  // with no proxy left, no leaver would cause the search
     }
     return {rooms_.data(), leavers_.data()};
 }

@@ -41,9 +41,24 @@ RC_GTEST_PROP(NearList, AnswersAsTheBroadPhase, ()) {
             proxy.box = moved_by(proxy.box, by);
             proxy.active = *rc::gen::inRange(0, 8) > 0;
         }
+        if (*rc::gen::inRange(0, 4) == 0) moving.resize(moving.size() / 2);  // in the end none is left
         twin->find_pairs(moving, expected);
         RC_ASSERT(near_pairs(near, moving, *broad, room) == expected);
         RC_ASSERT(near_pairs(near, moving, *broad, 0) == expected);
+    }
+}
+
+TEST(NearList, AllBallsMayLeave) {
+    const std::vector<Proxy> still{{{{0, 0}, {16, 1}}, 1, ~0U, false, false}};
+    for (const auto& broad :
+         {make_brute_force(still), make_sweep(still), make_few(still, {{}, {16, 16}}),
+          make_quadtree(still, {{}, {16, 16}}, 4), make_adaptive_quadtree(still, {{}, {16, 16}}, 4, 8),
+          make_grid(still, {{}, {16, 16}}, 0)}) {
+        NearList near(still);
+        const std::vector<Proxy> moving{{bounds_of({3, 1}, 0.5), 1, ~0U, true, true}};
+        EXPECT_EQ(near_pairs(near, moving, *broad, 0.1).size(), 1U) << broad->facts().name;
+        EXPECT_EQ(near_pairs(near, {}, *broad, 0.1).size(), 0U) << broad->facts().name;
+        EXPECT_EQ(near_pairs(near, moving, *broad, 0.1).size(), 1U) << broad->facts().name;
     }
 }
 
