@@ -6,6 +6,7 @@
 
 #include <boost/math/distributions/students_t.hpp>
 
+#include "lab/cases/double_policy.hpp"
 #include "lab/cases/text.hpp"
 
 namespace flipside::lab {
@@ -31,11 +32,12 @@ bool is_event_ordered(const Session& session) {
 }  // namespace
 
 Estimate estimate(std::span<const double> samples) {
+    using students_t = boost::math::students_t_distribution<double, DoublePolicy>;
     const auto n = static_cast<double>(samples.size());
     double mean = 0, squares = 0;
     for (const double sample : samples) mean += sample / n;
     for (const double sample : samples) squares += (sample - mean) * (sample - mean);
-    const double quantile = boost::math::quantile(boost::math::students_t(n - 1), 1 - 0.001 / 2);
+    const double quantile = boost::math::quantile(students_t(n - 1), 1 - 0.001 / 2);
     return {mean, quantile * std::sqrt(squares / (n - 1) / n)};
 }
 

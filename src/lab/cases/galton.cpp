@@ -7,6 +7,7 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/kolmogorov_smirnov.hpp>
 
+#include "lab/cases/double_policy.hpp"
 #include "lab/cases/families.hpp"
 #include "lab/cases/text.hpp"
 #include "lab/dice.hpp"
@@ -90,7 +91,7 @@ void galton_board(Experiment& experiment) {
     experiment.always("balls that came through", "", dropped, static_cast<double>(own.size()));
 
     const auto right = static_cast<double>(std::ranges::count_if(own, [](double x) { return x > 0; }));
-    const boost::math::binomial fair(dropped, 0.5);
+    const boost::math::binomial_distribution<double, DoublePolicy> fair(dropped, 0.5);
     experiment.exact("balls right of the middle", "", dropped / 2, right,
                      dropped / 2 - quantile(fair, doubt / 2));
 
@@ -103,7 +104,7 @@ void galton_board(Experiment& experiment) {
     const std::vector<double> reference = places(other, worlds, 1'000'000);
     const double distance = kolmogorov_smirnov(own, reference);
     const auto n = static_cast<double>(own.size()), m = static_cast<double>(reference.size());
-    const boost::math::kolmogorov_smirnov_distribution<> same(n * m / (n + m));
+    const boost::math::kolmogorov_smirnov_distribution<double, DoublePolicy> same(n * m / (n + m));
     experiment.exact("Kolmogorov-Smirnov distance from the reference", "", 0, distance,
                      quantile(complement(same, doubt)));
     experiment.note("its p-value", "", cdf(complement(same, distance)));
