@@ -19,7 +19,7 @@ install_missing "${build_packages[@]}" "${test_packages[@]}"
 if $gates; then
     install_missing "${gate_packages[@]}"
     stage "clang-format"
-    find src tests -name '*.cpp' -o -name '*.hpp' | xargs clang-format-14 --dry-run --Werror
+    find src tests -name '*.cpp' -o -name '*.hpp' | xargs clang-format --dry-run --Werror
 fi
 stage "Release build"
 build release
@@ -29,7 +29,7 @@ if $gates; then
     stage "clang-tidy"
     cmake --preset sanitize >/dev/null  # compiles the files of a folder as one: their headers are read once
     sed -n 's/^ *"file": "\(.*\)".*/\1/p' build/sanitize/compile_commands.json |
-        xargs -n 1 -P "$jobs" clang-tidy-14 -p build/sanitize --quiet 2> >(grep -v 'warnings generated' >&2)
+        xargs -n 1 -P "$jobs" clang-tidy -p build/sanitize --quiet 2> >(grep -v 'warnings generated' >&2)
     for preset in debug clang clang-debug; do
         stage "same bits: $preset"
         build "$preset" test_golden

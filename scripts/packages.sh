@@ -1,4 +1,5 @@
 # What Flipside needs, in one place, and how it is installed. Sourced by run.sh and test.sh.
+# A|B: A where this release of Debian has it, else B.
 
 build_packages=(
     g++ cmake ninja-build pkg-config           # compiler and build
@@ -6,7 +7,7 @@ build_packages=(
     libsfml-dev libimgui-dev libgl-dev         # window, panel
     libcli11-dev                               # command line
     nlohmann-json3-dev libvalijson-dev         # scene files and their schema
-    libboost1.81-dev                           # headers only
+    'libboost1.81-dev|libboost-dev'            # headers only, 1.75 or later
     libgtest-dev librapidcheck-dev             # tests
     fonts-inter fonts-dejavu-core              # what the window writes with
     xvfb xauth libgl1-mesa-dri                 # pictures without a display
@@ -14,12 +15,24 @@ build_packages=(
     xdotool                                    # keys and clicks for the window's tests
 )
 test_packages=(chromium)                               # only ./test.sh: the report's page in a browser
-gate_packages=(clang-format-14 clang-tidy-14 clang-14 libclang-rt-14-dev llvm)  # only ./test.sh --all
+gate_packages=(clang-format clang-tidy clang libclang-rt-dev llvm)  # only ./test.sh --all
+
+is_installed() { [[ $(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null) == installed ]]; }
+is_available() { [[ -n $(apt-cache madison "$1") ]]; }
+
+# The first of the alternatives A|B that this release has; where it has none, the last, so that apt-get names it.
+preferred() {
+    local package
+    for package in ${1//|/ }; do
+        if is_installed "$package" || is_available "$package"; then break; fi
+    done
+    echo "$package"
+}
 
 missing_packages() {
-    local package
-    for package in "$@"; do
-        [[ $(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null) == installed ]] || echo "$package"
+    local alternatives
+    for alternatives in "$@"; do
+        is_installed "$(preferred "$alternatives")" || echo "$alternatives"
     done
 }
 
@@ -30,7 +43,7 @@ install_missing() {
             "cmake --preset release && cmake --build --preset release" >&2
         exit 1
     fi
-    local missing as_root=()
+    local missing alternatives as_root=()
     mapfile -t missing < <(missing_packages "$@")
     ((${#missing[@]})) || return 0
     if ((EUID != 0)); then
@@ -46,6 +59,7 @@ install_missing() {
     log=$(mktemp)
     if ! {
         "${as_root[@]}" apt-get update -q &&
+            mapfile -t missing < <(for alternatives in "${missing[@]}"; do preferred "$alternatives"; done) &&
             "${as_root[@]}" apt-get install -qy --no-install-recommends "${missing[@]}"
     } >"$log" 2>&1; then
         tail -n 20 "$log" >&2
