@@ -1,6 +1,7 @@
-/// The same scene, settings and script give the same bits, whatever compiled the program: the state of each
-/// scene after 600 steps of the custom engine, as a checksum of its JSON (which holds every double exactly).
-/// The table is the same for every build, so two builds that pass it agree with each other.
+/// The same scene, settings and script give the same bits, whatever compiled the program: one checksum over
+/// the states of each scene in 600 steps of the custom engine, as JSON (which holds every double exactly). A
+/// state is taken every 20 steps, so that a scene whose balls end asleep is judged by the way there. The
+/// table is the same for every build, so two builds that pass it agree with each other.
 ///
 /// A change of the engine's arithmetic changes these on purpose; then take over what the test prints.
 
@@ -25,6 +26,7 @@ namespace flipside::lab {
 namespace {
 
 constexpr int steps = 600;
+constexpr int steps_between_samples = 20;
 
 struct Golden {
     const char* scene;
@@ -34,13 +36,13 @@ struct Golden {
 
 /// Rain, with its 320 balls, is for the discrete solver.
 constexpr Golden golden[] = {
-    {"bowl", "discrete", 0x670a49ee},    {"bowl", "continuous", 0x424b4315},
-    {"box", "discrete", 0x3a89e42c},     {"box", "continuous", 0x3dd830e5},
-    {"cradle", "discrete", 0xc6fb1750},  {"cradle", "continuous", 0xd5b383c4},
-    {"drop", "discrete", 0x47d10993},    {"drop", "continuous", 0x47d10993},
-    {"pinball", "discrete", 0x93ed4358}, {"pinball", "continuous", 0x81179fba},
-    {"rain", "discrete", 0x019eac92},    {"toy", "discrete", 0xf37fd1f0},
-    {"toy", "continuous", 0xe1b1d120},
+    {"bowl", "discrete", 0xcb908546},    {"bowl", "continuous", 0x5ce28c7a},
+    {"box", "discrete", 0x84f071c4},     {"box", "continuous", 0xbeb4c505},
+    {"cradle", "discrete", 0xcf8a14cf},  {"cradle", "continuous", 0x7e870ccc},
+    {"drop", "discrete", 0x420c2da0},    {"drop", "continuous", 0x76d82cc0},
+    {"pinball", "discrete", 0xae199227}, {"pinball", "continuous", 0x700740b9},
+    {"rain", "discrete", 0x340f6843},    {"toy", "discrete", 0x76846e3b},
+    {"toy", "continuous", 0x0855c431},
 };
 
 void PrintTo(const Golden& g, std::ostream* out) {
@@ -56,18 +58,21 @@ class Replay {
         if (const auto file = script_beside(scene_file(scene))) script_ = load_script(*file, *scene_);
     }
     void steps(int count) {
-        for (int i = 0; i < count; ++i) session_.step(step_for(*scene_), script_, next_);
+        for (int i = 0; i < count; ++i) {
+            session_.step(step_for(*scene_), script_, next_);
+            if (++steps_done_ % steps_between_samples == 0) sample();
+        }
     }
     /// Goes on in a new world, made from the saved state alone.
     void save_and_restore() { session_ = session_.fork(); }
-    [[nodiscard]] std::uint32_t checksum() const {
-        const std::string text = to_json(session_.world().save(), *scene_);
-        boost::crc_32_type crc;
-        crc.process_bytes(text.data(), text.size());
-        return crc.checksum();
-    }
+    /// Of all samples so far.
+    [[nodiscard]] std::uint32_t checksum() const { return crc_.checksum(); }
 
   private:
+    void sample() {
+        const std::string text = to_json(session_.world().save(), *scene_);
+        crc_.process_bytes(text.data(), text.size());
+    }
     [[nodiscard]] Session start(std::string_view solver, std::string_view look_ahead) const {
         Settings settings = settings_for(custom::engine(), *scene_);
         settings.set("solver", solver);
@@ -79,6 +84,8 @@ class Replay {
     Session session_;
     Script script_;
     std::size_t next_ = 0;
+    int steps_done_ = 0;
+    boost::crc_32_type crc_;
 };
 
 class GoldenHash : public testing::TestWithParam<Golden> {};
