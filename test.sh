@@ -11,6 +11,8 @@ case "${*:-}" in
     *) echo "usage: $0 [--all]" >&2 && exit 2 ;;
 esac
 jobs=$(nproc)
+release=release
+if $gates; then release=ci; fi  # the same, and warnings are errors
 started=$SECONDS
 stage() { printf '\n== %s (%d min %02d s)\n' "$1" $(((SECONDS - started) / 60)) $(((SECONDS - started) % 60)); }
 
@@ -22,9 +24,9 @@ if $gates; then
     find src tests -name '*.cpp' -o -name '*.hpp' | xargs clang-format --dry-run --Werror
 fi
 stage "Release build"
-build release
+build "$release"
 stage "tests"
-ctest --preset release -j "$jobs"
+ctest --preset "$release" -j "$jobs"
 if $gates; then
     stage "clang-tidy"
     cmake --preset sanitize >/dev/null  # compiles the files of a folder as one: their headers are read once
