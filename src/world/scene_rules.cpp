@@ -10,9 +10,11 @@ int points(const Node& node, const char* key) {
     return static_cast<int>(node.integer(key));
 }
 
+using PartFlag = bool Part::*;
+
 /// Groups of parts of which each has `property`.
 std::vector<Rules::Group> read_groups(const Node& rules, const char* key, const SceneReader& reader,
-                                      bool Part::*property, const char* what) {
+                                      PartFlag property, const char* what) {
     std::vector<Rules::Group> groups;
     for (const Node& node : rules.each(key)) {
         Rules::Group group{{}, points(node, "bonus")};

@@ -59,8 +59,8 @@ TEST(Shapes, segmentWithItsEndsIsExact) {
     TableTop top;
     const Vec2 a{-0.03, -0.01}, b{0.04, 0.02};
     top.part(shape::Segment{a, b});
-    expect_exact(
-        top, 0.06, [&](Vec2 p) { return to_segment(p, a, b); }, 1e-4 * radius);
+    const auto distance = [&](Vec2 p) { return to_segment(p, a, b); };
+    expect_exact(top, 0.06, distance, 1e-4 * radius);
 }
 
 TEST(Shapes, circleAndPointAreExact) {

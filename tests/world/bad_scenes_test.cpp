@@ -46,7 +46,7 @@ TEST(BadScenes, FilesThatCannotBeRead) {
     EXPECT_NE(load_error(folder).find("not a regular file"), std::string::npos);
     const auto huge = std::filesystem::temp_directory_path() /
                       ("flipside-huge-scene-" + std::to_string(getpid()) + ".json");
-    { std::ofstream(huge) << "{}"; }
+    std::ofstream(huge) << "{}";
     std::filesystem::resize_file(huge, 64U * 1024 * 1024 + 1);  // sparse
     EXPECT_NE(load_error(huge).find("too large; allowed are 64 MB"), std::string::npos);
     std::filesystem::remove(huge);

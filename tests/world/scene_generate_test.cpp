@@ -62,7 +62,7 @@ TEST(Generate, SameSeedSameFieldOtherSeedOther) {
 TEST(Generate, CountOfTheFieldCanBeGivenAnew) {
     const auto file =
         std::filesystem::temp_directory_path() / ("flipside-field-" + std::to_string(getpid()) + ".json");
-    { std::ofstream(file) << field_text; }
+    std::ofstream(file) << field_text;
     const Scene scene = load_scene(file, 20000);
     EXPECT_EQ(scene.balls.size(), 20000U);
     EXPECT_EQ(scene.parts.size(), 1U + 3750 + 2500);

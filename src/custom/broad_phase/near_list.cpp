@@ -57,8 +57,8 @@ void NearList::mend(std::span<const std::uint32_t> leavers, BroadPhase& broad) {
                 found_.push_back({std::min(other, first + i), std::max(other, first + i)});
         }
     };
-    each_prepared(
-        leavers, [&](std::uint32_t soon) { broad.prepare(rooms_[soon].box); }, seek);
+    const auto prepare = [&](std::uint32_t soon) { broad.prepare(rooms_[soon].box); };
+    each_prepared(leavers, prepare, seek);
     add_pairs(found_, listed_, places_);
 }
 

@@ -139,12 +139,9 @@ void DiscreteSolver::start_over(std::uint32_t place) {
 
 /// Pairs of those that are engaged by now whose boxes overlap in this flight.
 void DiscreteSolver::find_candidates() {
-    const auto of_engaged = sift(
-        part_pairs_, candidate_room_, [&](Pair pair) { return role_[place_of(pair.b)] == Role::engaged; },
-        Nothing{},
-        [&](Pair pair) {
-            return Candidate{place_of(pair.b), pair.a};
-        });
+    const auto is_engaged = [&](Pair pair) { return role_[place_of(pair.b)] == Role::engaged; };
+    const auto as_candidate = [&](Pair pair) { return Candidate{place_of(pair.b), pair.a}; };
+    const auto of_engaged = sift(part_pairs_, candidate_room_, is_engaged, Nothing{}, as_candidate);
     candidates_ = sift(
         of_engaged, candidate_room_,
         [&](const Candidate& c) { return overlap(proxy_of(c.piece).box, so_far_[c.ball].box); },

@@ -29,8 +29,10 @@ double unfolded(Free point, double time, double width) {
     return u < width ? u : 2 * width - u;
 }
 
+using Coordinate = double Vec2::*;
+
 /// Largest distance of a ball from sorted free points, each shifted by the balls before it.
-double worst_of_row(const Trial& trial, std::vector<double> free, double r, double Vec2::*coordinate) {
+double worst_of_row(const Trial& trial, std::vector<double> free, double r, Coordinate coordinate) {
     std::ranges::sort(free);
     double worst = 0;
     for (std::size_t i = 0; i < free.size(); ++i) {

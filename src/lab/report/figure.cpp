@@ -33,7 +33,9 @@ Range rounded(Range range, const Axis& axis) {
     return {from - more, to + more};
 }
 
-Range range_of(const Figure& figure, const Axis& axis, double Point::*coordinate) {
+using Coordinate = double Point::*;
+
+Range range_of(const Figure& figure, const Axis& axis, Coordinate coordinate) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     Range range{infinity, -infinity};
     for (const Series& series : figure.series) {
