@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds Release and runs every test. With --all, as on every change, then also the gates:
-# formatting, clang-tidy, the same bits from gcc and clang, optimised and not, and every test again under the address and
-# undefined-behaviour sanitizers.
+# formatting, clang-tidy, the same bits from gcc and clang, optimised and not, every test again under the address and
+# undefined-behaviour sanitizers, and those of the engines under valgrind.
 set -euo pipefail
 cd "$(dirname "$0")"
 source scripts/packages.sh
 case "${*:-}" in
     '') gates=false what="builds Release, runs every test" ;;
-    --all) gates=true what="builds Release, runs every test, then format, clang-tidy, golden bits and the sanitizers" ;;
+    --all) gates=true what="builds Release, runs every test, then format, clang-tidy, golden bits, the sanitizers and valgrind" ;;
     *) echo "usage: $0 [--all]" >&2 && exit 2 ;;
 esac
 jobs=$(nproc)
@@ -41,5 +41,7 @@ if $gates; then
     build sanitize
     stage "tests under the sanitizers"
     ctest --preset sanitize -j "$jobs"
+    stage "uninitialised reads: valgrind"
+    scripts/valgrind.sh --quick
     stage "all is well"
 fi

@@ -15,7 +15,7 @@ build_packages=(
     xdotool                                    # keys and clicks for the window's tests
 )
 test_packages=(chromium)                               # only ./test.sh: the report's page in a browser
-gate_packages=(clang-format clang-tidy clang libclang-rt-dev llvm)  # only ./test.sh --all
+gate_packages=(clang-format clang-tidy clang libclang-rt-dev llvm valgrind)  # only ./test.sh --all
 
 is_installed() { [[ $(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null) == installed ]]; }
 is_available() { [[ -n $(apt-cache madison "$1") ]]; }
