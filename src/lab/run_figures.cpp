@@ -29,6 +29,7 @@ std::string to_json(const RunFigures& figures) {
                                       {"pair_tests", totals.pair_tests},
                                       {"narrow_tests", totals.narrow_tests},
                                       {"contacts", totals.contacts},
+                                      {"handed_over", totals.handed_over},
                                       {"impacts", totals.impacts},
                                       {"energy_first", figures.energy_first},
                                       {"energy_last", figures.energy_last},

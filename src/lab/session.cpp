@@ -91,6 +91,7 @@ bool Session::advance(double dt, double seconds) {
     totals_.pair_tests += statistics.pair_tests;
     totals_.narrow_tests += statistics.narrow_tests;
     totals_.contacts += statistics.contacts;
+    totals_.handed_over += statistics.handed_over;
     totals_.max_penetration = std::max(totals_.max_penetration, statistics.max_penetration);
     for (const Event& event : world_->events()) count(event);
     events_.insert(events_.end(), world_->events().begin(), world_->events().end());

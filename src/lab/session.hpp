@@ -17,7 +17,7 @@ namespace flipside::lab {
 struct Totals {
     std::uint64_t steps = 0;  ///< calls of Session::step; one that was split at a control counts once
     double step_seconds = 0;  ///< CPU time in World::step alone
-    std::uint64_t pair_tests = 0, narrow_tests = 0, contacts = 0;  ///< as in Statistics
+    std::uint64_t pair_tests = 0, narrow_tests = 0, contacts = 0, handed_over = 0;  ///< as in Statistics
     std::uint64_t impacts = 0;
     std::uint64_t launched = 0;
     std::uint64_t lost = 0;

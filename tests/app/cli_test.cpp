@@ -181,7 +181,7 @@ TEST_F(CommandLine, TheFirstBounceIsAnEventAndAFigure) {
         const auto stats = nlohmann::json::parse(text_of(file("s.json")));
         for (const char* key :
              {"steps", "balls", "sim_seconds", "step_seconds", "pair_tests", "narrow_tests", "contacts",
-              "impacts", "energy_first", "energy_last", "max_penetration", "lost", "allocations"})
+              "impacts", "energy_first", "energy_last", "max_penetration", "lost", "allocations", "handed_over"})
             EXPECT_TRUE(stats.contains(key)) << key;
         EXPECT_EQ(stats["steps"], 36);
         EXPECT_EQ(stats["impacts"], 1);
