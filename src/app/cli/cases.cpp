@@ -35,6 +35,8 @@ void print(const lab::CaseRun& run) {
     const lab::CaseResult& result = run.result;
     std::printf("\n%2d %s: %s  (%.3g s of CPU)\n", run.which->number, std::string(run.which->name).c_str(),
                 std::string(name_of(result.verdict)).c_str(), result.cpu_seconds);
+    for (const lab::SettingChange& change : run.recommended)
+        std::printf("   with %s=%s, as the case recommends\n", change.name.c_str(), change.value.c_str());
     if (!result.reason.empty()) std::printf("   %s\n", result.reason.c_str());
     if (result.handed_over > 0)
         std::printf("   balls left to the time-stepping solver, summed over the steps: %llu\n",
@@ -70,10 +72,13 @@ int list_cases() {
     return 0;
 }
 
-lab::CaseInput input_of(const CasesOptions& options) {
+std::vector<lab::SettingChange> changes_of(const CasesOptions& options) {
+    const Engine* const used[] = {&lab::engine_named(options.engine)};
+    return lab::parse_changes(options.settings, used);
+}
+
+lab::CaseInput input_of(const CasesOptions& options, std::span<const lab::SettingChange> changes) {
     const Engine& engine = lab::engine_named(options.engine);
-    const Engine* const used[] = {&engine};
-    const auto changes = lab::parse_changes(options.settings, used);
     return {{&engine, lab::settings_for(engine, Scene{}, changes)},
             lab::parse_step(options.dt),
             options.quick,
@@ -81,7 +86,8 @@ lab::CaseInput input_of(const CasesOptions& options) {
 }
 
 int map_stability(const CasesOptions& options) {
-    const lab::CaseInput input = input_of(options);
+    const auto changes = changes_of(options);
+    const lab::CaseInput input = input_of(options, changes);
     catch_interrupts();
     lab::WholeFile file(options.map);
     std::vector<lab::StabilityPoint> points;
@@ -102,7 +108,8 @@ int map_stability(const CasesOptions& options) {
 
 int run_cases(const CasesOptions& options) {
     const auto chosen = lab::find_cases(options.names);
-    const lab::CaseInput input = input_of(options);
+    const auto changes = changes_of(options);
+    const lab::CaseInput input = input_of(options, changes);
     catch_interrupts();
     std::vector<lab::CaseRun> runs;
     print_head(input);
@@ -110,7 +117,7 @@ int run_cases(const CasesOptions& options) {
         {
             Progress progress(static_cast<double>(chosen.size()));
             progress.at(static_cast<double>(runs.size()));
-            runs.push_back({one, run_case(*one, input)});
+            runs.push_back(run_recommended(*one, input, changes));
         }
         print(runs.back());
         std::fflush(stdout);

@@ -136,7 +136,8 @@ void deep_overlap(Experiment& experiment) {
                 if (std::isnan(out) && trial.ball(0).position.y >= radius) out = trial.time();
             });
             experiment.exact("energy gained" + of, "J", 0, trial.energy() - energy, 1e-12);
-            experiment.note("outside at the end" + of, "", trial.ball(0).position.y > radius ? 1 : 0, 1);
+            const double overlap = std::max(0.0, 1 - trial.ball(0).position.y / radius);
+            experiment.always("overlap at the end" + of, "r", 0, overlap, 0.05);
             experiment.note("time until it is free, in whole steps" + of, "s", out);
         });
     }

@@ -11,9 +11,10 @@
 ///     {"format": "flipside-cases/1", "engine": "custom", "settings": {"solver": "auto", ...}, "dt": 0.0166,
 ///      "quick": false, "verdicts": {"pass": 27, "fail": 0, "measured": 2, "not reached": 0, "refused": 0},
 ///      "cases": [{"number": 1, "name": "zeno-drop", "title": "Zeno drop", "about": "...", "source": "...",
-///                 "verdict": "pass", "reason": "",
+///                 "recommended": {}, "verdict": "pass", "reason": "",
 ///                 "rows": [{"quantity": "time of rest, e = 0.5", "unit": "s", "expected": 1.35, "measured":
-///                           1.35, "error": 1e-9, "tolerance": 2e-8, "interval": null, "verdict": "pass"}],
+///                           1.35, "error": 1e-9, "tolerance": 2e-8, "interval": null, "needed": null,
+///                           "verdict": "pass"}],
 ///                 "steps": 812, "impacts": 160, "handed_over": 0, "cpu_seconds": 0.002}]}
 
 #include <functional>
@@ -23,6 +24,7 @@
 #include <vector>
 
 #include "lab/compare.hpp"
+#include "lab/run_settings.hpp"
 
 namespace flipside::lab {
 
@@ -46,6 +48,7 @@ struct CaseRow {
     double error = 0;                   ///< |measured − expected|; NaN where there is none
     std::optional<double> tolerance{};  ///< of the error; empty for what is only measured
     std::optional<double> interval{};   ///< half width of the 99.9 % confidence interval of a statistic
+    std::optional<double> needed{};     ///< the widest interval with which a statistic may pass
     Verdict verdict = Verdict::measured;
 };
 
@@ -74,6 +77,8 @@ struct Case {
     std::string_view about;   ///< what it shows, in a sentence or two
     std::string_view source;  ///< of the answer; "" where it is school physics
     void (*run)(Experiment&);
+    /// Settings to run it with where nothing else is said: "ENGINE.NAME=VALUE", separated by spaces.
+    std::string_view recommend{};
 };
 
 /// By number.
@@ -90,7 +95,13 @@ struct Case {
 struct CaseRun {
     const Case* which = nullptr;
     CaseResult result;
+    std::vector<SettingChange> recommended{};  ///< settings that are not those of the input
 };
+
+/// The same with what the case recommends for the engine, unless `changes` say otherwise. The settings of
+/// `input` are the engine's defaults with `changes`.
+[[nodiscard]] CaseRun run_recommended(const Case& which, const CaseInput& input,
+                                      std::span<const SettingChange> changes);
 
 [[nodiscard]] std::string to_json(std::span<const CaseRun> runs, const CaseInput& input);
 

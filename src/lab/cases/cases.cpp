@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <sstream>
 
 #include "lab/cases/families.hpp"
 #include "world/input_error.hpp"
@@ -72,20 +73,29 @@ constexpr Case all[] = {
     {25, "crushed-ball", "Crushed ball",
      "A ball between a closing flipper and a wall stays where it belongs.", "", crushed_ball},
     {26, "mean-free-path", "Mean free path",
-     "A dispersing billiard: a pin in a square box. (A scene cannot be a torus as Sinai's; the theorem holds "
-     "for any table.)",
+     "A dispersing billiard: a square with pins in its corners and its middle. (A scene cannot be a torus as "
+     "Sinai's; the theorem holds for any table.)",
      "L. A. Santalo: mean chord pi A/P; N. Chernov, Entropy, Lyapunov exponents and mean free path for "
      "billiards, 1997",
      mean_free_path},
     {27, "disc-gas", "Hard-disc gas",
      "The pressure of a gas of discs, from its impacts, away from the walls.",
-     "D. Henderson, A simple equation of state for hard discs, 1975", disc_gas},
+     "D. Henderson, A simple equation of state for hard discs, 1975", disc_gas,
+     "custom.solver=continuous custom.sleep=off"},
     {28, "equipartition", "Equipartition", "Light and heavy balls in a box come to the same mean energy.", "",
      equipartition},
     {29, "galton-board", "Galton board",
      "Balls fall through pins: as many to the left as to the right, spread as on the reference.",
      "F. Galton, Natural inheritance, 1889", galton_board},
 };
+
+struct Recommended {
+    std::string engine, name, value;
+};
+Recommended parts_of(const std::string& word) {
+    const std::size_t dot = word.find('.'), equals = word.find('=');
+    return {word.substr(0, dot), word.substr(dot + 1, equals - dot - 1), word.substr(equals + 1)};
+}
 
 bool answers_to(const Case& which, const std::string& name) {
     return which.name == name || std::to_string(which.number) == name;
@@ -115,6 +125,22 @@ CaseResult run_case(const Case& which, const CaseInput& input) {
     Experiment experiment(input);
     experiment.attempt(std::string(which.title), [&] { which.run(experiment); });
     return experiment.finish();
+}
+
+CaseRun run_recommended(const Case& which, const CaseInput& input, std::span<const SettingChange> changes) {
+    const Engine& engine = *input.entrant.engine;
+    CaseInput recommended = input;
+    std::vector<SettingChange> others;
+    std::istringstream words{std::string(which.recommend)};
+    for (std::string word; words >> word;) {
+        const auto [of, name, value] = parts_of(word);
+        const bool said =
+            std::ranges::any_of(changes, [&](const SettingChange& change) { return change.name == name; });
+        if (of != engine.name || said || input.entrant.settings.text(name) == value) continue;
+        recommended.entrant.settings.set(name, value);
+        others.push_back({&engine, name, value});
+    }
+    return {&which, run_case(which, recommended), std::move(others)};
 }
 
 }  // namespace flipside::lab

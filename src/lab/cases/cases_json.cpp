@@ -18,17 +18,21 @@ Json json_of(const CaseRow& row) {
     return {{"quantity", row.quantity},          {"unit", row.unit},
             {"expected", json_of(row.expected)}, {"measured", json_of(row.measured)},
             {"error", json_of(row.error)},       {"tolerance", json_of(row.tolerance)},
-            {"interval", json_of(row.interval)}, {"verdict", name_of(row.verdict)}};
+            {"interval", json_of(row.interval)}, {"needed", json_of(row.needed)},
+            {"verdict", name_of(row.verdict)}};
 }
 
 Json json_of(const CaseRun& run) {
     Json rows = Json::array();
     for (const CaseRow& row : run.result.rows) rows.push_back(json_of(row));
+    Json recommended = Json::object();
+    for (const SettingChange& change : run.recommended) recommended[change.name] = change.value;
     return {{"number", run.which->number},
             {"name", run.which->name},
             {"title", run.which->title},
             {"about", run.which->about},
             {"source", run.which->source},
+            {"recommended", recommended},
             {"verdict", name_of(run.result.verdict)},
             {"reason", run.result.reason},
             {"rows", rows},

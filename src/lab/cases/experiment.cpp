@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <stdexcept>
 
 #include <boost/math/distributions/students_t.hpp>
 
@@ -23,6 +24,11 @@ constexpr Limits full_limits{4'000'000, 60}, quick_limits{200'000, 20};
 
 const Limits& limits_of(const CaseInput& input) {
     return input.quick ? quick_limits : full_limits;
+}
+
+/// Whether a statistic is as certain as its row demands. What is no statistic is.
+bool is_narrow(const CaseRow& row) {
+    return !row.needed || (row.interval && *row.interval <= *row.needed);
 }
 
 bool is_event_ordered(const Session& session) {
@@ -51,14 +57,15 @@ void Experiment::exact(std::string quantity, std::string unit, double expected, 
         event_ordered_);
 }
 
-void Experiment::exact(std::string quantity, std::string unit, double expected, Estimate measured,
-                       double tolerance) {
+void Experiment::statistic(std::string quantity, std::string unit, double expected, Estimate measured,
+                           double error, double needed) {
     add({.quantity = std::move(quantity),
          .unit = std::move(unit),
          .expected = expected,
          .measured = measured.mean,
-         .tolerance = tolerance + measured.interval,
-         .interval = measured.interval},
+         .tolerance = error + needed,
+         .interval = measured.interval,
+         .needed = needed},
         event_ordered_);
 }
 
@@ -86,7 +93,7 @@ void Experiment::add(CaseRow row, bool held) {
     if (std::isnan(row.measured))
         row.verdict = Verdict::not_reached;
     else if (held)
-        row.verdict = row.error <= *row.tolerance ? Verdict::pass : Verdict::fail;
+        row.verdict = row.error <= *row.tolerance && is_narrow(row) ? Verdict::pass : Verdict::fail;
     result_.rows.push_back(std::move(row));
 }
 
@@ -112,6 +119,8 @@ std::string Experiment::end_of_work() const {
 }
 
 CaseResult Experiment::finish() {
+    if (std::ranges::none_of(result_.rows, [](const CaseRow& row) { return row.tolerance.has_value(); }))
+        throw std::logic_error("a case must judge at least one quantity");
     const auto has = [&](Verdict verdict) {
         return std::ranges::any_of(
             result_.rows, [&](const CaseRow& row) { return row.verdict == verdict && row.tolerance; });

@@ -40,8 +40,10 @@ class Experiment {
 
     /// An exact answer that event-ordered solvers must meet to `tolerance`, and time-stepping ones need not.
     void exact(std::string quantity, std::string unit, double expected, double measured, double tolerance);
-    /// The same for a statistic: its interval is added to the tolerance, which is the answer's own error.
-    void exact(std::string quantity, std::string unit, double expected, Estimate measured, double tolerance);
+    /// The same for a statistic whose confidence interval must be no wider than `needed`, so that noise
+    /// cannot pass. Its tolerance is `error`, the answer's own, plus `needed`.
+    void statistic(std::string quantity, std::string unit, double expected, Estimate measured, double error,
+                   double needed);
     /// What must hold on any engine.
     void always(std::string quantity, std::string unit, double expected, double measured,
                 double tolerance = 0);
@@ -67,6 +69,7 @@ class Experiment {
     }
     /// What has been reached goes into the table even where the work allowed was not enough for the rest.
     void cut_short() { explain(end_of_work()); }
+    /// Throws std::logic_error where no row has a tolerance: such a case could not fail.
     [[nodiscard]] CaseResult finish();
 
   private:

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "lab/cases/case.hpp"
+#include "lab/cases/experiment.hpp"
 #include "lab/engines.hpp"
 #include "world/input_error.hpp"
 
@@ -78,12 +78,15 @@ TEST_P(EveryCaseWithAnOrder, passesOnTheReference) {
     expect_pass(result);
 }
 
-/// Whole tables: every row that is no mere note says what was expected and how far off it is.
+/// Whole tables: every row that is no mere note says what was expected and how far off it is, and what must
+/// hold on any engine holds.
 void expect_whole(const CaseResult& result) {
     EXPECT_NE(name_of(result.verdict), "refused") << result.reason;
+    EXPECT_NE(name_of(result.verdict), "fail") << result.reason;
     EXPECT_FALSE(result.rows.empty());
     for (const CaseRow& row : result.rows) {
         EXPECT_FALSE(row.quantity.empty());
+        EXPECT_NE(name_of(row.verdict), "fail") << row.quantity << ": measured " << row.measured;
         if (row.expected && !std::isnan(row.measured)) {
             EXPECT_DOUBLE_EQ(row.error, std::abs(row.measured - *row.expected)) << row.quantity;
         }
@@ -149,6 +152,52 @@ TEST(Cases, box2dStaysWithinItsBounds) {
                             {"collinear-segments", "speed along", 1e-3},
                             {"pile", "deepest overlap", 0.05}};
     expect_within(entrant("box2d"), bounds);
+}
+
+// A case whose rows nobody is held to could not fail.
+TEST(Cases, mustJudgeAtLeastOneQuantity) {
+    const Case notes{99, "notes", "Notes",
+                     "", "",      [](Experiment& experiment) { experiment.note("n", "", 1); }};
+    EXPECT_THROW(static_cast<void>(run_case(notes, entrant("reference"))), std::logic_error);
+}
+
+// However well the mean fits, a statistic that is noisier than its row allows is no answer.
+TEST(Cases, aStatisticMustBeAsCertainAsItsRowDemands) {
+    const auto verdict_of = [](const Case& one) {
+        return name_of(run_case(one, entrant("reference")).verdict);
+    };
+    EXPECT_EQ(verdict_of({99, "narrow", "Narrow", "", "",
+                          [](Experiment& it) {
+                              it.statistic("mean", "", 1, Estimate{1.01, 0.02}, 0.01, 0.02);
+                          }}),
+              "pass");
+    EXPECT_EQ(verdict_of({99, "wide", "Wide", "", "",
+                          [](Experiment& it) {
+                              it.statistic("mean", "", 1, Estimate{1, 0.03}, 0.01, 0.02);
+                          }}),
+              "fail");
+    EXPECT_EQ(verdict_of({99, "off", "Off", "", "",
+                          [](Experiment& it) {
+                              it.statistic("mean", "", 1, Estimate{1.04, 0.01}, 0.01, 0.02);
+                          }}),
+              "fail");
+}
+
+// 300 balls are for the continuous solver: their pressure is held to its answer only there.
+TEST(Cases, theGasIsRunOnTheContinuousSolverUnlessToldOtherwise) {
+    const std::vector<std::string> names{"disc-gas"};
+    const Case& gas = *find_cases(names).front();
+    const CaseRun run = run_recommended(gas, entrant("custom"), {});
+    expect_pass(run.result);
+    EXPECT_EQ(run.result.handed_over, 0U);
+    const auto solver = std::ranges::find(run.recommended, "solver", &SettingChange::name);
+    ASSERT_NE(solver, run.recommended.end());
+    EXPECT_EQ(solver->value, "continuous");
+
+    const Engine* const used[] = {&engine_named("custom")};
+    const auto changes = parse_changes(std::vector<std::string>{"solver=discrete"}, used);
+    const CaseRun told = run_recommended(gas, entrant("custom", {"solver=discrete"}), changes);
+    EXPECT_EQ(name_of(told.result.verdict), "measured");
 }
 
 TEST(Cases, areFoundByNameAndNumber) {
