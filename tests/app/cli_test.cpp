@@ -179,9 +179,9 @@ TEST_F(CommandLine, TheFirstBounceIsAnEventAndAFigure) {
         EXPECT_NEAR(std::stod(rows[0].at("time")), std::sqrt(2 / 9.81), 1.0 / 60);
         EXPECT_NEAR(std::stod(rows[0].at("ny")), 1, 1e-6);
         const auto stats = nlohmann::json::parse(text_of(file("s.json")));
-        for (const char* key :
-             {"steps", "balls", "sim_seconds", "step_seconds", "pair_tests", "narrow_tests", "contacts",
-              "impacts", "energy_first", "energy_last", "max_penetration", "lost", "allocations", "handed_over"})
+        for (const char* key : {"steps", "balls", "sim_seconds", "step_seconds", "pair_tests", "narrow_tests",
+                                "contacts", "impacts", "energy_first", "energy_last", "max_penetration",
+                                "lost", "allocations", "handed_over"})
             EXPECT_TRUE(stats.contains(key)) << key;
         EXPECT_EQ(stats["steps"], 36);
         EXPECT_EQ(stats["impacts"], 1);
