@@ -85,8 +85,9 @@ TEST_F(Reports, EveryFigureShowsWhatItsCsvSaysInAPageThatNeedsNothingElse) {
     const std::string page = text_of(folder / "index.html");
     for (const Figure& figure : figures)
         EXPECT_NE(page.find("<figure id=\"" + figure.id + "\""), std::string::npos);
-    for (const char* words : {"Compiler", "-ffp-contract=off", "Box2D 2.", "gnuplot 5", "Commit"})
+    for (const char* words : {"Compiler", "-ffp-contract=off", "Box2D 2.", "Commit"})
         EXPECT_NE(page.find(words), std::string::npos) << words;
+    EXPECT_TRUE(std::regex_search(page, std::regex("gnuplot [0-9]")));
     for (const char* outside : {"<script src", "<link rel=\"stylesheet", "@import", "url(", "<img"})
         EXPECT_EQ(page.find(outside), std::string::npos) << outside;
     // Ids are there once only, though every picture brings its own.
