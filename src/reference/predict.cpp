@@ -53,13 +53,22 @@ bool Simulation<R>::slides_to(const Mover& mover, FeatureIndex f) const {
     return ends_in(shape(on), shape(f), mover.held_normal, mover.radius);
 }
 
+/// Whether the ball flies along a face below which this feature lies and stays.
+template <class R>
+bool Simulation<R>::glides_over(const Mover& mover, FeatureIndex f) const {
+    if (mover.glide_count == 0 || turning(features_[f].part) != nullptr) return false;
+    const auto glides = std::span(mover.glides).first(mover.glide_count);
+    return std::ranges::any_of(
+        glides, [&](const Glide& glide) { return lies_below(shape(f), glide.at, glide.normal); });
+}
+
 template <class R>
 void Simulation<R>::predict_features(Mover& mover) {
     for (const FeatureIndex f : cells_.features(mover.cell)) {
         ++counts_.pair_tests;
         const PartIndex part = features_[f].part;
         if (f == mover.held[0] || f == mover.held[1] || ignores(part, mover)) continue;
-        if (slides_to(mover, f)) continue;
+        if (slides_to(mover, f) || glides_over(mover, f)) continue;
         ++counts_.narrow_tests;
         const R last = std::min(mover.next_time, parts_[part].turning.stop);
         const View<R> seen{mover.path, turning(part)};

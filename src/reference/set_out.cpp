@@ -13,6 +13,12 @@ R contact_gap() {
     using std::sqrt;
     return sqrt(epsilon<R>()) / 16;
 }
+/// Rounding u of its ends turns a straight face by u times this.
+template <class R>
+R direction_scale(const Feature<R>& feature) {
+    const auto* line = std::get_if<Line<R>>(&feature.is);
+    return line == nullptr ? R(1) : R(1 + length(line->start) / line->length);
+}
 /// Relative to its scale, what is no acceleration.
 template <class R>
 R no_pull() {
@@ -73,7 +79,9 @@ template <class R>
 void Simulation<R>::find_touching(const Mover& mover) {
     using std::sqrt;
     touching_.clear();
-    const R snap = contact_gap<R>() * mover.radius;
+    // In a wider type, what touches to the rounding of what was given still touches.
+    const R given = mover.given && !std::is_same_v<R, double> ? R(64 * 0x1p-53) : R(0);
+    const R snap = contact_gap<R>() * mover.radius + given * (length(mover.body.position) + mover.radius);
     for (const FeatureIndex f : cells_.features(mover.cell)) {
         const PartIndex part = features_[f].part;
         if (f == mover.left || ignores(part, mover)) continue;
@@ -86,9 +94,18 @@ void Simulation<R>::find_touching(const Mover& mover) {
         const Grip<R> grip = grip_at(shape(f), turning(part), mover.body, now_, friction, drive_, snap);
         const R hop = sqrt(2 * epsilon<R>() * mover.radius * std::max(R(0), grip.force));
         const R speed = length(mover.body.velocity) + magnitude(grip.passing);
-        if (magnitude(grip.parting) > 4096 * epsilon<R>() * speed + hop) continue;
+        const R turned = (16 * epsilon<R>() + given) * direction_scale(shape(f));
+        if (magnitude(grip.parting) > (4096 * epsilon<R>() + turned) * speed + hop) continue;
         touching_.push_back({f, grip, friction});
     }
+}
+
+/// The straight still faces among what a ball touches that nothing presses on any of it.
+template <class R>
+void Simulation<R>::note_glides(Mover& mover) {
+    for (const auto& [face, grip, friction] : touching_)
+        if (grip.straight && grip.turning == nullptr && mover.glide_count < mover.glides.size())
+            mover.glides[mover.glide_count++] = {grip.pivot, grip.normal};
 }
 
 /// Takes the path along one of the surfaces that it touches, if that keeps it off all others.
@@ -165,6 +182,7 @@ void Simulation<R>::set_out(Place i) {
     Mover& mover = movers_[i];
     ++mover.changes;
     mover.held[0] = mover.held[1] = nothing;
+    mover.glide_count = 0;
     mover.until = infinity<R>();
     mover.lets_go = false;
     Path<R>& path = mover.path;
@@ -180,6 +198,7 @@ void Simulation<R>::set_out(Place i) {
     path.rides = path.rests = false;
     find_touching(mover);
     mover.left = nothing;
+    mover.given = false;
     const R scale = length(drive_.gravity);
     const auto is_pressed = [&] {
         return std::ranges::any_of(touching_, [&](const Touching& one) {
@@ -187,14 +206,18 @@ void Simulation<R>::set_out(Place i) {
             return grip.force > no_pull<R>() * (scale + magnitude(grip.force) + magnitude(grip.driven));
         });
     };
-    if (!is_pressed() || take_one(mover)) return;
+    if (!is_pressed()) return note_glides(mover);
+    if (take_one(mover)) return;
     using std::sqrt;
     const R speed = length(mover.body.velocity);
     // Between two surfaces, hops lower than the rounding of its place (see find_touching) are rest.
     if (speed <= 4 * sqrt(2 * epsilon<R>() * mover.radius * scale) && take_two(mover)) return;
     // What it moves off by ever so little need not hold it.
     const auto recedes = [&](const Touching& one) { return one.grip.parting > rounding_speed(speed); };
-    if (std::erase_if(touching_, recedes) > 0 && (!is_pressed() || take_one(mover))) return;
+    if (std::erase_if(touching_, recedes) > 0) {
+        if (!is_pressed()) return note_glides(mover);
+        if (take_one(mover)) return;
+    }
     const R slow = 65536 * sqrt(epsilon<R>() * mover.radius * scale);
     if (speed <= slow && take_two(mover)) return;
     std::string names;

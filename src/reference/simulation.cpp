@@ -173,7 +173,7 @@ void Simulation<R>::set_motion(PartIndex part) {
         const auto& flip = std::get<motion::Flip>(scene_->parts[part].motion);
         const bool up = raised_[static_cast<int>(flip.side)];
         const auto& flipper = std::get<shape::Flipper>(scene_->parts[part].shape.is);
-        turning.goal = up ? R(flip.raised) - R(flipper.rest) : R(0);
+        turning.goal = up ? R(flip.raised - flipper.rest) : R(0);  // in double, as states have it
         const R speed(up ? flip.up_rate : flip.down_rate), way = turning.goal - turning.angle;
         turning.rate = way > 0 ? speed : way < 0 ? R(-speed) : R(0);
         if (turning.rate != 0) turning.stop = now_ + magnitude(way) / speed;
@@ -225,6 +225,7 @@ void Simulation<R>::apply(const Control& control) {
             if (mover.gone) continue;
             advance(mover);
             mover.body.velocity += V<R>(nudge->velocity);
+            mover.given = true;
             mover.path.velocity = mover.body.velocity;
         }
         for (Place i = 0; i < movers_.size(); ++i)
@@ -291,6 +292,7 @@ void Simulation<R>::set_velocity(BallNumber number, Vec2 velocity) {
     Mover& mover = movers_[*i];
     advance(mover);
     mover.body.velocity = V<R>(velocity);
+    mover.given = true;
     set_out(*i);
     predict(*i);
 }

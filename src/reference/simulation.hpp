@@ -55,6 +55,10 @@ class Simulation final : public Exact {
     static constexpr FeatureIndex nothing = ~0U;
     static constexpr std::uint32_t outside_already = 4;  ///< in place of the side on which a ball is lost
 
+    /// The line of a straight still face that a ball touches without pressing on it.
+    struct Glide {
+        V<R> at, normal;  ///< normal: unit, to the ball
+    };
     struct Mover {
         Ball ball;  ///< what never changes about it: number, mass, material, layers
         R radius{}, mass{};
@@ -63,7 +67,10 @@ class Simulation final : public Exact {
         R until = infinity<R>();  ///< the path is good until then
         bool lets_go = false;     ///< and ends because the contact does
         FeatureIndex held[2] = {nothing, nothing};
-        V<R> held_normal;             ///< of held[0], in the pose in which its part sees it
+        V<R> held_normal;               ///< of held[0], in the pose in which its part sees it
+        std::array<Glide, 4> glides{};  ///< what it flies along, held by nothing; more are ignored
+        std::size_t glide_count = 0;
+        bool given = true;            ///< its place or velocity was given from outside, rounded to double
         FeatureIndex left = nothing;  ///< what it let go of just now
         Cells::Index cell = 0;
         std::vector<PartIndex> inside;  ///< sensors and gates
@@ -130,6 +137,7 @@ class Simulation final : public Exact {
     void predict(Place i);
     void predict_features(Mover& mover);
     [[nodiscard]] bool slides_to(const Mover& mover, FeatureIndex f) const;
+    [[nodiscard]] bool glides_over(const Mover& mover, FeatureIndex f) const;
     void predict_sensors(Mover& mover);
     void predict_balls(Place i);
     void offer(Mover& mover, const R& time, Next next, std::uint32_t met = 0, std::uint32_t changes = 0);
@@ -138,6 +146,7 @@ class Simulation final : public Exact {
     void set_out(Place i);
     void come_out(Mover& mover);
     void find_touching(const Mover& mover);
+    void note_glides(Mover& mover);
     bool take_one(Mover& mover);
     bool take_two(Mover& mover);
     [[nodiscard]] Sight<R> sight(FeatureIndex f, const V<R>& position, const R& radius) const;

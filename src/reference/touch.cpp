@@ -337,6 +337,16 @@ bool ends_in(const Feature<R>& face, const Feature<R>& round, const V<R>& normal
 }
 
 template <class R>
+bool lies_below(const Feature<R>& feature, const V<R>& at, const V<R>& normal) {
+    const auto* curve = std::get_if<Curve<R>>(&feature.is);
+    if (curve == nullptr) return false;
+    const V<R> from_face = curve->center - at;
+    const R size = length(curve->center) + length(from_face) + curve->radius;
+    constexpr double rounding = 128 * 0x1p-53;  // scenes are in double, whatever R
+    return dot(from_face, normal) + curve->radius <= rounding * size;
+}
+
+template <class R>
 bool comes_off(const Feature<R>& face, const Motion<R>& motion, const R& radius) {
     const R rounding = 64 * epsilon<R>() * (length(motion.position) + radius);
     return std::visit(
@@ -376,6 +386,7 @@ R leaves_face(const Feature<R>& feature, const View<R>& view, const R& radius, c
     template R first_touch(const Path<R>&, const Path<R>&, const R&, const R&, const R&, std::uint64_t&);    \
     template R leaves(const Path<R>&, const Box&, const R&, const R&, int&);                                 \
     template bool ends_in(const Feature<R>&, const Feature<R>&, const V<R>&, const R&);                      \
+    template bool lies_below(const Feature<R>&, const V<R>&, const V<R>&);                                   \
     template bool comes_off(const Feature<R>&, const Motion<R>&, const R&);                                  \
     template R leaves_face(const Feature<R>&, const View<R>&, const R&, const R&, const R&);
 FLIPSIDE_TOUCHES(double)

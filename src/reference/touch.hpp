@@ -47,6 +47,13 @@ template <class R>
 [[nodiscard]] bool ends_in(const Feature<R>& face, const Feature<R>& round, const V<R>& normal,
                            const R& radius);
 
+/// Whether the whole feature lies below the line through `at` with the unit normal `normal`, to rounding. A
+/// ball in free flight along a face, which it touches without pressing on it, cannot touch what does;
+/// rounding would have it graze an end cap that continues the face. Of an arc its circle counts; of a line
+/// this says false.
+template <class R>
+[[nodiscard]] bool lies_below(const Feature<R>& feature, const V<R>& at, const V<R>& normal);
+
 /// Whether the ball is just off an end of the face, to rounding, on its way out. What holds it goes on from
 /// there, though rounding may have both faces under it.
 template <class R>

@@ -26,6 +26,13 @@ double unending_hop(const Feature& feature, double force, double rounding, doubl
     return restitution * std::sqrt(2 * force * rounding / (1 - restitution * restitution));
 }
 
+/// How far rounding of its ends may turn a straight face, rad.
+double direction_rounding(const Feature& feature) {
+    const auto* line = std::get_if<Line>(&feature.is);
+    if (line == nullptr) return 0;
+    return 16 * 0x1p-53 * (std::abs(line->start.x) + std::abs(line->start.y)) / line->length;
+}
+
 /// Where f, above 0 at a and not at b, goes through 0, to within `error` behind it: by chords, and where the
 /// same end is kept twice its value counts half (the Illinois algorithm; Dowell and Jarratt 1971, "A modified
 /// regula falsi method for computing the root of an equation").
@@ -64,6 +71,7 @@ void ContinuousSolver::set_out(Place i, double time) {
     if (ball.asleep && beside_moving_part(i)) ball.asleep = false;
     ++mover.changes;
     mover.held = nullptr;
+    mover.glides.clear();
     mover.way.until = never_touch;
     mover.way.spin_rate = 0;
     mover.way.roll = {};
@@ -78,6 +86,7 @@ void ContinuousSolver::set_out(Place i, double time) {
     find_grips(i, time);
     if (!grips_.empty()) {
         take_hold(i, time);
+        if (mover.held == nullptr) note_glides(mover);
         mover.box = bounds_of(path, ball.radius, dt_);
         record_->statistics.pair_tests += mover.near.cover(mover.box, ranges_);
     }
@@ -118,11 +127,21 @@ void ContinuousSolver::find_grips(Place i, double time) {
         const Vec2 relative = ball.velocity - hold.surface_velocity;
         const double force = std::max(0.0, hold.force);
         const double still =
-            1e-12 * length(relative) + grip_hop * std::sqrt(ball.radius * force) +
+            (1e-12 + direction_rounding(feature)) * length(relative) +
+            grip_hop * std::sqrt(ball.radius * force) +
             unending_hop(feature, force, gap_rounding(ball.position, ball.radius), mixed.restitution);
         if (std::abs(dot(relative, normal)) > still) continue;
         const double scale = length(drive_.gravity) + length_squared(relative) / ball.radius;
         grips_.push_back({hold, hold.force > 1e-12 * scale});
+    }
+}
+
+/// The faces among the grips of a ball that none of them holds.
+void ContinuousSolver::note_glides(Mover& mover) const {
+    for (const auto& [hold, pressed, way, ahead] : grips_) {
+        const auto* line = std::get_if<Line>(&hold.feature->is);
+        if (line == nullptr || pressed || !hold.turning->still()) continue;
+        mover.glides.add(hold.turning->begin.apply(line->start), hold.normal);
     }
 }
 
@@ -224,6 +243,12 @@ bool ContinuousSolver::slides_to(const Mover& mover, const Ball& ball, const Fea
     return ends_in(*mover.held, normal, feature);
 }
 
+/// Whether the ball flies along a face below which this still feature lies.
+bool ContinuousSolver::glides_over(const Mover& mover, const Feature& feature, const Pose& pose) {
+    if (!mover.glides.any()) return false;
+    return mover.glides.above(pose.angle == 0 ? feature : posed(feature, pose));
+}
+
 void ContinuousSolver::predict_features(Place i, double time) {
     const Ball& ball = (*balls_)[i];
     Mover& mover = movers_[i];
@@ -249,6 +274,7 @@ void ContinuousSolver::predict_features(Place i, double time) {
         }
         if (&feature == mover.held || ignores(feature, ball) || slides_to(mover, ball, feature)) continue;
         const Turning& turning = turnings_[feature.part];
+        if (turning.still() && glides_over(mover, feature, turning.begin)) continue;
         if (turning.still() &&
             (ball.asleep || (turning.begin.angle == 0 && clear_of(feature, from, to, ball.radius, sag))))
             continue;

@@ -17,6 +17,7 @@
 
 #include "custom/continuous/candidates.hpp"
 #include "custom/continuous/clearance.hpp"
+#include "custom/continuous/glides.hpp"
 #include "custom/continuous/holding.hpp"
 #include "custom/discrete/discrete_solver.hpp"
 
@@ -69,6 +70,7 @@ class ContinuousSolver {
         int idle = 0;                   ///< events since its last impact that counts
         const Feature* held = nullptr;  ///< what it rests on
         const Feature* left = nullptr;  ///< what it just let go
+        Glides glides;                  ///< faces that it flies along
         Box box;                        ///< of its path until the end of the step
         Candidates near;
         HeldPath way;  ///< from its last event on
@@ -121,6 +123,7 @@ class ContinuousSolver {
     void predict(Place i, double time);
     void predict_features(Place i, double time);
     [[nodiscard]] bool slides_to(const Mover& mover, const Ball& ball, const Feature& feature) const;
+    [[nodiscard]] static bool glides_over(const Mover& mover, const Feature& feature, const Pose& pose);
     void predict_balls(Place i, double time);
     void predict_loss(Place i, double time);
     void offer(Mover& mover, double time, Next next, std::uint32_t met = 0, std::uint32_t met_changes = 0);
@@ -139,6 +142,7 @@ class ContinuousSolver {
     void find_ways(const Ball& ball, double time);
     [[nodiscard]] static bool goes_before(const Grip& grip, const Grip& other);
     void find_grips(Place i, double time);
+    void note_glides(Mover& mover) const;
     void take_hold(Place i, double time);
 
     // Events (continuous_events.cpp).

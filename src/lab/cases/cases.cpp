@@ -87,6 +87,10 @@ constexpr Case all[] = {
     {29, "galton-board", "Galton board",
      "Balls fall through pins: as many to the left as to the right, spread as on the reference.",
      "F. Galton, Natural inheritance, 1889", galton_board},
+    {31, "smooth-joint", "Smooth joint without weight",
+     "A weightless ball slides off the flat of a part past its round end: a straight line in every "
+     "orientation.",
+     "", smooth_joint},
 };
 
 struct Recommended {

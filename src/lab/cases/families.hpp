@@ -43,6 +43,9 @@ void flipper(Experiment& experiment);
 void sensor(Experiment& experiment);
 void crushed_ball(Experiment& experiment);
 
+// joints.cpp
+void smooth_joint(Experiment& experiment);
+
 // gas.cpp
 void mean_free_path(Experiment& experiment);
 void disc_gas(Experiment& experiment);

@@ -1,0 +1,31 @@
+#pragma once
+/// The rule of gates, the same for every engine.
+///
+/// A gate meets a ball when the ball's centre first comes within the ball's radius of the gate's segment. At
+/// that instant it is decided, once, whether it lets the ball through:
+///
+/// - an open gate lets every ball through;
+/// - a closed one lets a ball through whose centre is behind it: on the side from which its normal points
+///   away;
+/// - a centre on the line of the segment, to a declared tolerance, is behind it if the ball moves along the
+///   normal, else before it.
+///
+/// A ball that begins within a radius of a gate (in a scene, in a state that says nothing of it, by a launch)
+/// meets it there and then. A closed gate is solid to a ball that it does not let through, with both ends of
+/// its segment, and stays so until the ball has left: until its surface is gate_clearance away. A gate is
+/// open while a ball that it let through has not left. One that opens is open to all, also to those that lay
+/// against it.
+
+#include "world/shape.hpp"
+
+namespace flipside {
+
+/// So far from a gate's segment, in radii beyond its own radius, a ball has left it. Lower hops on a gate do
+/// not leave it.
+inline constexpr double gate_clearance = 1e-9;
+
+/// Whether a closed gate lets a ball through that meets it with its centre at `center`. Both in the pose of
+/// the scene file; the velocity is that of the ball's centre as seen from the gate.
+[[nodiscard]] bool lets_through(const shape::Gate& gate, Vec2 center, Vec2 velocity, double radius);
+
+}  // namespace flipside
