@@ -15,11 +15,12 @@ namespace flipside::box2d {
 namespace {
 
 /// Chords over an angle of `sweep` rad so that none strays further than `error` from the arc: the
-/// sagitta of a chord over δ is R(1 − cos δ/2).
+/// sagitta of a chord over δ is R(1 − cos δ/2) = 2R·sin²(δ/4).
 int chord_count(double radius, double sweep, double error) {
     constexpr int most = 4096;
-    const double half = std::acos(std::max(0.0, 1 - error / radius));
-    const double count = std::ceil(sweep / (2 * half));
+    const double sagitta = std::min(error, radius);
+    const double quarter = math::atan2(std::sqrt(sagitta), std::sqrt(2 * radius - sagitta));
+    const double count = std::ceil(sweep / (4 * quarter));
     return static_cast<int>(std::clamp(count, 2.0, double{most}));
 }
 

@@ -41,7 +41,7 @@ struct Stretch {
         if (drag <= 0) return;
         const double x = drag * t;
         if (x > 0.5) {
-            const double lost = -std::expm1(-x);
+            const double lost = -math::expm1(-x);
             kept = 1 - lost;
             shrunk = lost / drag;
             fallen = (t - shrunk) / drag;
@@ -57,12 +57,12 @@ struct Stretch {
 /// Inverse of E: the t at which E(t) = e; infinite where drag stops the motion before.
 inline double drag_stretch(double c, double e) {
     if (c <= 0) return e;
-    return c * e < 1 ? -std::log1p(-c * e) / c : INFINITY;
+    return c * e < 1 ? -math::log1p(-c * e) / c : INFINITY;
 }
 
 /// When v₀·e^(−ct) + a·E(t), with v₀ and a of opposite signs, is 0.
 inline double drag_turn(double v, double a, double c) {
-    return c > 0 ? std::log1p(-c * v / a) / c : -v / a;
+    return c > 0 ? math::log1p(-c * v / a) / c : -v / a;
 }
 
 /// Positions are given as displacements from the start, so that differences to a near reference point

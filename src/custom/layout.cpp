@@ -36,7 +36,7 @@ Proxy Layout::proxy(const Table& table, PieceIndex i, double begin, double end) 
         // Between the two, a point at distance d bulges out by less than d·(1 − cos(turned/2)).
         const double dx = std::max(box.max.x - first.pivot.x, first.pivot.x - box.min.x);
         const double dy = std::max(box.max.y - first.pivot.y, first.pivot.y - box.min.y);
-        box = grown(box, std::hypot(dx, dy) * std::min(2.0, turned * turned / 8));
+        box = grown(box, length({dx, dy}) * std::min(2.0, turned * turned / 8));
     }
     return {box, part.layer, part.collides_with, false, turned != 0};
 }

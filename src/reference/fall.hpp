@@ -101,8 +101,8 @@ R first_fall(const F& f, const R& from, const R& until, const R& bound, const Sm
 /// that begins otherwise.
 template <class R, class F>
 R clear_of_start(const F& f, const R& from, const R& until, const R& jerk, const Smallest<R>& smallest) {
-    using std::cbrt, std::sqrt;
-    const R least = cbrt(R(3 * smallest.value / jerk));
+    using std::sqrt;
+    const R least = root(R(3 * smallest.value / jerk), 3);
     const R flat = smallest.value / (least * least);
     constexpr int most_steps = 1000;
     R t = from;

@@ -240,12 +240,10 @@ Expansion<R> expand_curved(const Grip<R>& grip, const Rubbing<R>& rubbing, const
 /// How long the expansion is good: its last terms stay below a small part of the ball's rounding.
 template <class R>
 R good_for(const Series<V<R>, R>& series, const R& radius) {
-    using std::pow;
     R h = infinity<R>();
     for (const std::size_t k : {taylor_order<R>, taylor_order<R> - 1, taylor_order<R> - 2}) {
         const R term = length(series[k]);
-        if (term > 0)
-            h = std::min(h, R(pow(R(epsilon<R>() * radius / (64 * term)), R(R(1) / static_cast<int>(k)))));
+        if (term > 0) h = std::min(h, root(R(epsilon<R>() * radius / (64 * term)), static_cast<int>(k)));
     }
     return h;
 }

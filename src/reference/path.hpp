@@ -17,7 +17,7 @@ namespace flipside::reference {
 /// φ(x) = (x − 1 + e^(−x))/x², x ≥ 0.
 template <class R>
 R drag_phi(const R& x) {
-    using std::expm1;
+    using math::expm1;
     if (x > 0.5) return (x + expm1(R(-x))) / (x * x);
     R term = R(0.5), sum = term;
     for (int k = 3; term > epsilon<R>() / 8 || -term > epsilon<R>() / 8; ++k) {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
@@ -90,8 +91,18 @@ V<R> unit(const V<R>& a) {
 }
 template <class R>
 V<R> from_angle(const R& angle) {
-    using std::cos, std::sin;
-    return {cos(angle), sin(angle)};
+    if constexpr (std::is_same_v<R, double>)
+        return V<R>(flipside::from_angle(angle));
+    else
+        return {cos(angle), sin(angle)};
+}
+/// The n-th root of x ≥ 0.
+template <class R>
+R root(const R& x, int n) {
+    if constexpr (std::is_same_v<R, double>)
+        return math::root(x, n);
+    else
+        return n == 3 ? R(cbrt(x)) : R(pow(x, R(R(1) / n)));
 }
 /// Turned by the angle of the unit vector `turn`.
 template <class R>

@@ -16,7 +16,7 @@ Box range_of(const Feature<R>& feature, const Part& part, Vec2 pivot) {
     if (!Table::moves(part)) return box;
     const double dx = std::max(box.max.x - pivot.x, pivot.x - box.min.x);
     const double dy = std::max(box.max.y - pivot.y, pivot.y - box.min.y);
-    const double far = std::hypot(dx, dy);
+    const double far = length(Vec2{dx, dy});
     return {{pivot.x - far, pivot.y - far}, {pivot.x + far, pivot.y + far}};
 }
 

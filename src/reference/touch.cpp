@@ -255,7 +255,7 @@ bool closed_form(const Path<R>& path) {
 template <class R>
 R first_touch(const Path<R>& a, const Path<R>& b, const R& reach, const R& from, const R& until,
               std::uint64_t& grazes) {
-    using std::log1p;
+    using math::log1p;
     if (!(until >= from) || (a.rests && b.rests)) return infinity<R>();
     const Motion<R> one = a.at(from), other = b.at(from);
     const V<R> x = one.position - other.position, u = one.velocity - other.velocity;

@@ -70,7 +70,7 @@ shape::Polygon read_polygon(const Node& shape) {
                 "a compound");
         if (turn <= least_turn)
             node.at(i).fail("degenerate polygon: this corner is on the line of its neighbours; leave it out");
-        turned += std::atan2(turn, dot(in, out));
+        turned += math::atan2(turn, dot(in, out));
     }
     if (turned > 3 * std::numbers::pi)
         node.fail("self-intersecting polygon: it goes round more than once; allowed are convex ones");

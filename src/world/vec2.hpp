@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "world/math.hpp"
+
 namespace flipside {
 
 struct Vec2 {
@@ -61,13 +63,14 @@ inline Vec2 unit(Vec2 a, Vec2 fallback = {0, 1}) {
     return l > 0 ? a / l : fallback;
 }
 inline Vec2 from_angle(double angle) {
-    return {std::cos(angle), std::sin(angle)};
+    const auto [s, c] = math::sincos(angle);
+    return {c, s};
 }
 inline double angle_of(Vec2 a) {
-    return std::atan2(a.y, a.x);
+    return math::atan2(a.y, a.x);
 }
 inline Vec2 rotated(Vec2 a, double angle) {
-    const double c = std::cos(angle), s = std::sin(angle);
+    const auto [s, c] = math::sincos(angle);
     return {c * a.x - s * a.y, s * a.x + c * a.y};
 }
 inline bool is_finite(Vec2 a) {

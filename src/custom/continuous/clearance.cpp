@@ -92,7 +92,7 @@ void Clearance::place(std::size_t index, const Piece& piece, const Pose& pose) {
         // The arc lies beyond its chord.
         const double half = std::min((arc->to - arc->from) / 2, std::numbers::pi);
         const Vec2 back = -rotated(from_angle(arc->from + half), pose.angle);
-        const double high = dot(back, *point) - arc->radius * (std::cos(half) + 1);
+        const double high = dot(back, *point) - arc->radius * (math::cos(half) + 1);
         slabs_[obstacle.first_slab] = {back, -INFINITY, high};
         return;
     }

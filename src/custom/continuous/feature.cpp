@@ -190,7 +190,7 @@ Bow bow_of(const piece::Arc& arc) {
             .from = from_angle(arc.from),
             .to = from_angle(arc.to),
             .middle = from_angle(arc.from + half),
-            .half_cosine = std::cos(half),
+            .half_cosine = math::cos(half),
             .before = {},
             .past = {},
             .wide = arc.to - arc.from > std::numbers::pi,
@@ -241,7 +241,7 @@ double ahead(const Feature& feature, Vec2 point, Vec2 direction, double radius) 
     const Vec2 out = point - bow->center;
     const bool anticlockwise = cross(out, direction) > 0;
     const Vec2 a = anticlockwise ? out : bow->from, b = anticlockwise ? bow->to : out;
-    const double angle = std::atan2(cross(a, b), dot(a, b));
+    const double angle = math::atan2(cross(a, b), dot(a, b));
     return bow->radius * (angle < -joint_angle ? angle + 2 * std::numbers::pi : angle);
 }
 

@@ -148,7 +148,7 @@ double good_for(const Series<Vec2>& series, double error) {
     double h = never_touch;
     for (const int k : {order, order - 1, order - 2}) {
         const double term = length(series[at(k)]);
-        if (term > 0) h = std::min(h, std::pow(error / term, 1.0 / k));
+        if (term > 0) h = std::min(h, math::root(error / term, k));
     }
     return h;
 }

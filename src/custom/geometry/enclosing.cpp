@@ -56,7 +56,7 @@ void append_round(Vec2 center, double radius, double from, double to, std::vecto
     const int steps = std::max(1, static_cast<int>(std::ceil((to - from) / (2 * std::numbers::pi) * sides)));
     const double step = (to - from) / steps;
     for (int i = 0; i < steps; ++i)
-        points.push_back(center + radius / std::cos(0.5 * step) * from_angle(from + (i + 0.5) * step));
+        points.push_back(center + radius / math::cos(0.5 * step) * from_angle(from + (i + 0.5) * step));
 }
 
 struct AppendOutline {
@@ -92,9 +92,10 @@ std::array<Vec2, 4> Rectangle::corners() const {
 }
 
 Disc enclosing_disc(std::span<const Vec2> points) {
-    // A random order makes it linear; the same one every time.
+    // A random order makes it linear. std::shuffle gives another one with another library.
     std::vector<Vec2> order(points.begin(), points.end());
-    std::ranges::shuffle(order, std::mt19937());
+    std::mt19937 random;
+    for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
     Disc disc{order.front(), 0};
     for (std::size_t i = 1; i < order.size(); ++i)
         if (!holds(disc, order[i])) disc = disc_around(std::span<const Vec2>(order).first(i), order[i]);

@@ -43,7 +43,7 @@ void thin_wall_at(Experiment& experiment, double speed) {
         add_part(scene, segment({0, -50}, {0, 50}));
         add_ball(scene, {-1, 0}, speed * from_angle(angle), radius);
         Trial trial(experiment, scene);
-        const double exact = (1 - radius) / (speed * std::cos(angle));
+        const double exact = (1 - radius) / (speed * math::cos(angle));
         const auto hit = trial.first_impact(2 * exact + 1);
         worst = hit ? std::max(worst, std::abs(hit->time / exact - 1)) : no_number;
         if (trial.ball(0).position.x > 0) ++passed;
@@ -95,7 +95,7 @@ void circular_billiard(Experiment& experiment) {
     // A hit may turn the way by ε, which after n hits has grown to n·ε per hit.
     const double rounding = 0x1p-53 * static_cast<double>(hits);
     experiment.exact("angle of a hit, worst error per hit", "rad", 0, worst, rounding);
-    experiment.exact("radius of the caustic", "m", inner * std::sin(alpha),
+    experiment.exact("radius of the caustic", "m", inner * math::sin(alpha),
                      std::abs(cross(ball.position, ball.velocity)) / length(ball.velocity), 1e-9);
     experiment.exact("speed", "m/s", speed, length(ball.velocity), speed * rounding);
 }

@@ -142,7 +142,7 @@ void channel(Experiment& experiment) {
     add_part(scene, segment({width, -1}, {width, 1}));
     std::vector<Free> points;
     for (int i = 0; i < n; ++i) {
-        points.push_back({0.1 + 0.28 * i + 0.05 * std::sin(7.0 * i), 3 * std::sin(1.0 + 2.3 * i)});
+        points.push_back({0.1 + 0.28 * i + 0.05 * math::sin(7.0 * i), 3 * math::sin(1.0 + 2.3 * i)});
         add_ball(scene, {points.back().x + (2 * i + 1) * r, 0}, {points.back().v, 0}, r);
     }
     const int seconds = experiment.size(60, 10);
@@ -161,7 +161,7 @@ void column(Experiment& experiment) {
     add_part(scene, segment({-1, 0}, {1, 0}));
     std::vector<double> heights;
     for (int i = 0; i < n; ++i) {
-        heights.push_back(0.05 + 0.21 * i + 0.03 * std::sin(5.0 * i));
+        heights.push_back(0.05 + 0.21 * i + 0.03 * math::sin(5.0 * i));
         add_ball(scene, {0, heights.back() + (2 * i + 1) * r}, {}, r);
     }
     Trial trial(experiment, scene);

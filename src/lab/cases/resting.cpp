@@ -50,7 +50,7 @@ void slope_with(Experiment& experiment, double alpha, double friction, double ac
     experiment.exact("way down in 1 s, " + name, "m", acceleration / 2, dot(ball.position, down), 1e-9);
     experiment.exact("speed after 1 s, " + name, "m/s", acceleration, dot(ball.velocity, down), 1e-9);
     // What turns the disc is the friction that the motion down lacks: I·ω' = (g·sin α − a)·m·r.
-    experiment.exact("spin after 1 s, " + name, "rad/s", -2 * (g * std::sin(alpha) - acceleration) / radius,
+    experiment.exact("spin after 1 s, " + name, "rad/s", -2 * (g * math::sin(alpha) - acceleration) / radius,
                      ball.spin, 1e-8);
 }
 
@@ -119,7 +119,7 @@ void bowl(Experiment& experiment) {
     scene.rest_speed = 0;
     add_part(scene, {shape::Arc{{0, 0}, arm + radius, pi, 2 * pi}});
     add_ball(scene, arm * from_angle(-pi / 2 + start), {}, radius);
-    const double period = 2 * pi * std::sqrt(arm / g) / agm(1, std::cos(start / 2));
+    const double period = 2 * pi * std::sqrt(arm / g) / agm(1, math::cos(start / 2));
     // The tenth time that it swings through the lowest point to the left ends 9 periods and a quarter.
     constexpr int passes = 10;
     Trial trial(experiment, scene);
@@ -146,12 +146,12 @@ void leaving_a_circle(Experiment& experiment) {
     Scene scene = empty_scene({0, -g});
     scene.rest_speed = 0;
     add_part(scene, {shape::Circle{{0, 0}, 1 - radius}});
-    add_ball(scene, Vec2{std::sin(start), std::cos(start)}, {}, radius);
+    add_ball(scene, Vec2{math::sin(start), math::cos(start)}, {}, radius);
     Trial trial(experiment, scene);
     const bool left = trial.run_until([&] { return trial.ball(0).position.y <= 0; }, 20);
     // In flight: back to where it left the circle of radius 1 m.
     const Ball ball = trial.ball(0);
-    const double cosine = 2.0 / 3 * std::cos(start), sine = std::sqrt(1 - cosine * cosine);
+    const double cosine = 2.0 / 3 * math::cos(start), sine = std::sqrt(1 - cosine * cosine);
     const double speed = std::sqrt(g * cosine), vx = speed * cosine;
     const double t = (ball.position.x - sine) / vx;
     experiment.exact("cosine of the angle where it leaves", "", cosine,
@@ -161,7 +161,7 @@ void leaving_a_circle(Experiment& experiment) {
 }
 
 void incline(Experiment& experiment) {
-    const double alpha = pi / 6, sine = std::sin(alpha), cosine = std::cos(alpha);
+    const double alpha = pi / 6, sine = math::sin(alpha), cosine = math::cos(alpha);
     experiment.attempt("smooth slope", [&] { slope_with(experiment, alpha, 0, g * sine, "smooth"); });
     experiment.attempt("rolling", [&] { slope_with(experiment, alpha, 0.5, g * sine * 2 / 3, "rolling"); });
     experiment.attempt("slipping",
