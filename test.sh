@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds Release and runs every test. With --all, as on every change, then also the gates:
-# formatting, clang-tidy, the same bits from gcc and clang, optimised and not, every test again under the address and
-# undefined-behaviour sanitizers, and those of the engines under valgrind.
+# formatting, clang-tidy, the same bits from gcc and clang, optimised and not, and for aarch64 (emulated), every test again
+# under the address and undefined-behaviour sanitizers, and those of the engines under valgrind.
 set -euo pipefail
 cd "$(dirname "$0")"
 source scripts/packages.sh
@@ -32,7 +32,7 @@ if $gates; then
     cmake --preset sanitize >/dev/null  # compiles the files of a folder as one: their headers are read once
     sed -n 's/^ *"file": "\(.*\)".*/\1/p' build/sanitize/compile_commands.json |
         xargs -n 1 -P "$jobs" clang-tidy -p build/sanitize --quiet 2> >(grep -v 'warnings generated' >&2)
-    for preset in debug clang clang-debug; do
+    for preset in debug clang clang-debug aarch64; do
         stage "same bits: $preset"
         build "$preset" test_golden
         ctest --test-dir "build/$preset" -L golden -j "$jobs" --output-on-failure

@@ -15,7 +15,10 @@ build_packages=(
     xdotool                                    # keys and clicks for the window's tests
 )
 test_packages=(chromium)                               # only ./test.sh: the report's page in a browser
-gate_packages=(clang-format clang-tidy clang libclang-rt-dev llvm valgrind)  # only ./test.sh --all
+gate_packages=(                                        # only ./test.sh --all
+    clang-format clang-tidy clang libclang-rt-dev llvm valgrind
+    g++-aarch64-linux-gnu qemu-user                    # the golden test for another processor
+)
 
 is_installed() { [[ $(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null) == installed ]]; }
 is_available() { [[ -n $(apt-cache madison "$1") ]]; }

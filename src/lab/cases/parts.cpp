@@ -134,8 +134,8 @@ constexpr double crush_rate = 20;  // rad/s
 double squeezed_speed() {
     const double h = ceiling - radius, d = flipper_shape.tip_radius + radius;
     const double x = flipper_shape.length + d;
-    const double angle = std::acos(d / std::hypot(h, x)) - std::atan2(x, h);
-    return crush_rate * (h - d * std::cos(angle)) / (std::sin(angle) * std::sin(angle));
+    const double angle = std::acos(d / std::hypot(h, x)) - math::atan2(x, h);
+    return crush_rate * (h - d * math::cos(angle)) / (math::sin(angle) * math::sin(angle));
 }
 
 void crush_with(Experiment& experiment, double e) {
