@@ -176,7 +176,7 @@ void expect_same(double value, double expected) {
 }
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(Math, SpecialValuesOfSineAndCosine) {
     for (const double zero : {0.0, -0.0, least, -least}) {
