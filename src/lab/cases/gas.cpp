@@ -61,7 +61,7 @@ struct GasSample {
 /// which is off there for a while is off in the pressure and in the packing alike.
 GasSample gas_sample(Experiment& experiment, double side, int n, std::uint64_t seed) {
     constexpr double settling = 0.5;  // s, several impacts per ball at the least
-    const double seconds = experiment.size(8.0, 2.0), margin = std::min(side / 4, 8 * radius);
+    const double seconds = experiment.size(6.0, 2.0), margin = std::min(side / 4, 8 * radius);
     const Box middle{{margin, margin}, {side - margin, side - margin}};
     Scene scene = walled(side);
     Dice dice(seed);
@@ -95,8 +95,8 @@ GasSample gas_sample(Experiment& experiment, double side, int n, std::uint64_t s
 }
 
 void gas_at(Experiment& experiment, double nominal) {
-    const int n = experiment.size(300, 100);
-    const auto worlds = experiment.size<std::uint64_t>(20, 14);
+    const int n = experiment.size(200, 100);
+    const auto worlds = experiment.size<std::uint64_t>(16, 14);
     const double side = std::sqrt(n * pi * radius * radius / nominal);
     std::vector<double> excess;
     double packing = 0, virial = 0, energy = 0;
@@ -112,7 +112,7 @@ void gas_at(Experiment& experiment, double nominal) {
     const std::string of = ", eta = " + text_of(nominal) + ", " + text_of(n) + " balls";
     experiment.note("packing in the middle" + of, "", packing, nominal);
     experiment.statistic("Z over Henderson's" + of, "", 1, estimate(excess), 0.01,
-                         experiment.size(0.01, 0.05));
+                         experiment.size(0.012, 0.05));
     experiment.exact("energy drift, worst, relative" + of, "", 0, energy, 1e-12);
     experiment.exact("virial theorem, worst residual" + of, "", 0, virial, 1e-9);
 }
