@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "box2d/meeting.hpp"
+#include "world/gate.hpp"
 
 namespace flipside::box2d {
 
@@ -33,14 +33,33 @@ bool ContactRules::ShouldCollide(b2Fixture* a, b2Fixture* b) {
     return layers_meet(ball, table_.scene().parts[owner_a.is_ball ? owner_b.index : owner_a.index]);
 }
 
-bool passes_gate(const Table& table, PartIndex part, Vec2 normal) {
-    const Vec2 forward = rotated(gate_of(table.scene().parts[part])->normal, table.pose(part).angle);
-    return table.parts()[part].open || dot(normal, forward) < 0;
+bool passes_gate(const Table& table, PartIndex part, const Ball& ball, Vec2 center, Vec2 velocity) {
+    if (table.parts()[part].open) return true;
+    if (table.is_blocked(part, ball.number)) return false;
+    const Pose pose = table.pose(part);
+    const Vec2 relative = velocity - cross(table.rate(part), center - pose.pivot);
+    return lets_through(*gate_of(table.scene().parts[part]), pose.undo(center),
+                        rotated(relative, -pose.angle), ball.radius);
+}
+
+/// Whether the gate lets a ball through that touches it; notes what was decided.
+bool ContactRules::meets_gate(const Meeting& meeting, double approach) {
+    const PartIndex part = meeting.other.index;
+    const b2Body& body = *meeting.ball.GetBody();
+    const Ball& ball = ball_of(meeting.ball);
+    if (!passes_gate(table_, part, ball, units_.point(body.GetPosition()),
+                     units_.vector(body.GetLinearVelocity()))) {
+        table_.set_blocked(part, ball.number, true);
+        return false;
+    }
+    if (approach > 0) open_gate(part, *meeting.surface.GetBody());
+    return true;
 }
 
 void ContactRules::open_gate(PartIndex part, const b2Body& gate) {
     if (table_.parts()[part].open) return;
     table_.set_open(part, true);
+    std::erase_if(table_.blocked(), [&](const Blocked& blocked) { return blocked.gate == part; });
     // What lies against its other side now falls through it.
     for (const b2ContactEdge* edge = gate.GetContactList(); edge; edge = edge->next)
         if (edge->contact->IsTouching()) edge->other->SetAwake(true);
@@ -58,11 +77,8 @@ void ContactRules::PreSolve(b2Contact* contact, const b2Manifold*) {
     const Scene& scene = table_.scene();
     const bool on_part = !meeting.other.is_ball;
     const double approach = -dot(velocity, normal);
-    if (on_part && gate_of(scene.parts[meeting.other.index]) &&
-        passes_gate(table_, meeting.other.index, normal)) {
-        if (approach > 0) open_gate(meeting.other.index, *meeting.surface.GetBody());
+    if (on_part && gate_of(scene.parts[meeting.other.index]) && meets_gate(meeting, approach))
         return contact->SetEnabled(false);
-    }
 
     const Material& material = scene.materials[ball_of(meeting.ball).material];
     const Material& others = scene.materials[on_part ? scene.parts[meeting.other.index].material

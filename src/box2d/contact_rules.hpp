@@ -6,6 +6,7 @@
 
 #include <box2d/b2_world_callbacks.h>
 
+#include "box2d/meeting.hpp"
 #include "box2d/units.hpp"
 #include "world/events.hpp"
 #include "world/table.hpp"
@@ -22,9 +23,9 @@ struct Impact {
     double impulse = 0;
 };
 
-/// Whether a ball that touches a gate with this normal (from gate to ball) is let through: it is open, or
-/// the ball comes from behind.
-[[nodiscard]] bool passes_gate(const Table& table, PartIndex part, Vec2 normal);
+/// Whether a gate lets a ball through that touches it (gate.hpp): as was decided when they met, or now.
+[[nodiscard]] bool passes_gate(const Table& table, PartIndex part, const Ball& ball, Vec2 center,
+                               Vec2 velocity);
 
 class ContactRules : public b2ContactListener, public b2ContactFilter {
   public:
@@ -45,6 +46,7 @@ class ContactRules : public b2ContactListener, public b2ContactFilter {
 
   private:
     [[nodiscard]] const Ball& ball_of(b2Fixture& fixture) const;
+    [[nodiscard]] bool meets_gate(const Meeting& meeting, double approach);
     void open_gate(PartIndex part, const b2Body& gate);
 
     Table& table_;

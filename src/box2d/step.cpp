@@ -71,10 +71,9 @@ void Box2dWorld::substep(double from, double to) {
         if (parts_[part]->GetAngularVelocity() != 0)
             parts_[part]->SetTransform(parts_[part]->GetPosition(),
                                        static_cast<float>(table_.pose(part, to).angle));
-    touching_.look(*world_, table_, units_, before_);
+    touching_.look(*world_, table_, balls_, units_, before_);
     looked_ = true;
-    for (const PartIndex gate : gates_)
-        if (!std::ranges::binary_search(touching_.occupied, gate)) table_.set_open(gate, false);
+    leave_gates();
     report_sensors();
 
     const b2Profile& profile = world_->GetProfile();
@@ -84,6 +83,17 @@ void Box2dWorld::substep(double from, double to) {
         statistics_.stages[i].seconds += 1e-3 * double{milliseconds[i]};
     statistics_.narrow_tests += touching_.pairs;
     statistics_.contacts += touching_.contacts.size();
+}
+
+/// Gates that no ball touches any more close, and those forget a ball that they blocked and that has left.
+void Box2dWorld::leave_gates() {
+    const auto& at_gates = touching_.at_gates;
+    for (const PartIndex gate : gates_)
+        if (std::ranges::find(at_gates, gate, &BallOnPart::part) == at_gates.end())
+            table_.set_open(gate, false);
+    std::erase_if(table_.blocked(), [&](const Blocked& blocked) {
+        return !std::ranges::binary_search(at_gates, BallOnPart{blocked.ball, blocked.gate});
+    });
 }
 
 /// Gravity and damping, by Box2D's own formula v ← (v + h·g)/(1 + h·c) but ahead of its step, so that the

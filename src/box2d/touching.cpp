@@ -52,12 +52,12 @@ void sort_unique(std::vector<T>& list) {
 
 }  // namespace
 
-void Touching::look(b2World& world, const Table& table, const Units& units,
+void Touching::look(b2World& world, const Table& table, const std::vector<Ball>& balls, const Units& units,
                     const std::vector<b2Vec2>& before) {
     contacts.clear();
     sensors.clear();
     passed.clear();
-    occupied.clear();
+    at_gates.clear();
     pairs = 0;
     for (b2Contact* contact = world.GetContactList(); contact; contact = contact->GetNext()) {
         ++pairs;
@@ -74,14 +74,17 @@ void Touching::look(b2World& world, const Table& table, const Units& units,
         }
         if (!touch) continue;
         if (!meeting.other.is_ball && gate_of(table.scene().parts[part])) {
-            occupied.push_back(part);
-            if (passes_gate(table, part, {touch->normal.x, touch->normal.y})) continue;
+            b2Body& body = *meeting.ball.GetBody();
+            at_gates.push_back({meeting.number, part});
+            if (passes_gate(table, part, balls[body.GetUserData().pointer], units.point(body.GetPosition()),
+                            units.vector(body.GetLinearVelocity())))
+                continue;
         }
         contacts.push_back(contact_of(meeting, *touch, units));
     }
     sort_unique(sensors);
     sort_unique(passed);
-    sort_unique(occupied);
+    sort_unique(at_gates);
     std::ranges::sort(contacts, std::less{}, [](const Contact& c) {
         return std::tuple(c.ball, c.other, c.separation, c.point.x, c.point.y);
     });

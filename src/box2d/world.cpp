@@ -108,7 +108,7 @@ void Box2dWorld::find_pairs() {
 }
 
 void Box2dWorld::look() const {
-    if (!looked_) touching_.look(*world_, table_, units_, {});
+    if (!looked_) touching_.look(*world_, table_, balls_, units_, {});
     looked_ = true;
 }
 

@@ -59,6 +59,7 @@ class Box2dWorld : public World {
     void read_back();
 
     void report(EventKind kind, const Contact& contact);
+    void leave_gates();
     void report_sensors();
     void report_impacts();
     void report_touches();

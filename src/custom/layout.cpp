@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "world/gate.hpp"
+
 namespace flipside::custom {
 
 Layout::Layout(const Scene& scene)
@@ -47,7 +49,9 @@ bool stops(const Table& table, const Piece& piece, const Pose& pose, const Ball&
     if (part.sensor || state.down) return false;
     const shape::Gate* gate = gate_of(part);
     if (gate == nullptr) return true;
-    return !state.open && dot(pose.undo(ball.position) - gate->a, gate->normal) > 0;
+    if (state.open || table.is_blocked(piece.part, ball.number)) return !state.open;
+    const Vec2 relative = ball.velocity - cross(table.rate(piece.part), ball.position - pose.pivot);
+    return !lets_through(*gate, pose.undo(ball.position), rotated(relative, -pose.angle), ball.radius);
 }
 
 }  // namespace flipside::custom

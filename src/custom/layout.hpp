@@ -13,7 +13,7 @@ namespace flipside::custom {
 using PieceIndex = std::uint32_t;
 
 /// Whether a piece answers a ball now: no sensor, no target that is down, no gate that lets this ball
-/// through. A gate only stops what comes from the side to which its normal points.
+/// through (gate.hpp).
 [[nodiscard]] bool stops(const Table& table, const Piece& piece, const Pose& pose, const Ball& ball);
 
 class Layout {

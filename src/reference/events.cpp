@@ -99,11 +99,7 @@ void Simulation<R>::hit_feature(Place i) {
     const Sight<R> seen = sight(f, body.position, mover.radius);
     const Turning<R>* turns = turning(index);
     const V<R>& normal = seen.normal;
-    if (const shape::Gate* gate = gate_of(part)) {
-        V<R> passes(gate->normal);
-        if (parts_[index].moves) passes = rotated(passes, from_angle(parts_[index].turning.angle_at(now_)));
-        if (parts_[index].open || dot(normal, passes) < 0) return pass_gate(i, index);
-    }
+    if (gate_of(part) != nullptr && meet_gate(i, index)) return;
     const V<R> point = body.position - (seen.gap + mover.radius) * normal;
     const V<R> surface = turns == nullptr ? V<R>{} : cross(turns->rate, point - turns->pivot);
     const V<R> relative = body.velocity - surface;
@@ -120,17 +116,6 @@ void Simulation<R>::hit_feature(Place i) {
     set_out(i);
     predict(i);
     if (parts_[index].down) release(index);
-}
-
-/// The ball goes through the gate; until it and all others are out again the gate stays open.
-template <class R>
-void Simulation<R>::pass_gate(Place i, PartIndex part) {
-    Mover& mover = movers_[i];
-    parts_[part].open = true;
-    mover.inside.push_back(part);
-    set_out(i);
-    predict(i);
-    release(part);
 }
 
 /// What lay on a part goes on without it.
@@ -206,19 +191,17 @@ template <class R>
 void Simulation<R>::sense(Place i) {
     Mover& mover = movers_[i];
     const PartIndex part = mover.met;
-    const auto at = std::ranges::find(mover.inside, part);
-    const bool enters = at == mover.inside.end();
-    if (enters)
-        mover.inside.push_back(part);
-    else
-        mover.inside.erase(at);
     if (scene_->parts[part].sensor) {
+        const auto at = std::ranges::find(mover.inside, part);
+        const bool enters = at == mover.inside.end();
+        if (enters)
+            mover.inside.push_back(part);
+        else
+            mover.inside.erase(at);
         report(enters ? EventKind::sensor_begin : EventKind::sensor_end, mover, Other::part(part), {}, {},
                {});
     } else {
-        parts_[part].open = std::ranges::any_of(movers_, [&](const Mover& other) {
-            return !other.gone && std::ranges::find(other.inside, part) != other.inside.end();
-        });
+        leave_gate(mover, part);
     }
     predict(i);
 }

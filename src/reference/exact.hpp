@@ -50,6 +50,8 @@ class Exact {
     [[nodiscard]] virtual std::span<const Event> events() const = 0;
     [[nodiscard]] virtual bool open(PartIndex gate) const = 0;
     [[nodiscard]] virtual bool down(PartIndex target) const = 0;
+    /// By gate, then ball.
+    virtual void blocked(std::vector<Blocked>& blocked) const = 0;
     [[nodiscard]] virtual std::span<const BallNumber> reported_lost() const = 0;
     /// Of the last run.
     [[nodiscard]] virtual const Counts& counts() const = 0;

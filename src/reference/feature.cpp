@@ -117,8 +117,11 @@ class Taker {
                                      [](const auto& one, const R& x) { return one.at.x < x; });
         for (; near != sorted.end() && !(near->at.x > right); ++near)
             if (length(V<R>(near->at) - end.at) <= joint_distance &&
-                (near->part == end.part || !scene_.parts[near->part].sensor))
+                (near->part == end.part || always_stops(near->part)))
                 visit(*near);
+    }
+    [[nodiscard]] bool always_stops(PartIndex part) const {
+        return !scene_.parts[part].sensor && gate_of(scene_.parts[part]) == nullptr;
     }
     [[nodiscard]] Reach<R> reach(const End<R>& end) const {
         Reach<R> reach{true, R(0), R(0)};

@@ -82,12 +82,14 @@ void Simulation<R>::predict_sensors(Mover& mover) {
     const auto is_inside = [&](PartIndex part) {
         return std::ranges::find(mover.inside, part) != mover.inside.end();
     };
-    for (const PartIndex part : mover.inside) {
+    const auto offer_exit = [&](PartIndex part) {
         ++counts_.narrow_tests;
         const R last = std::min(mover.next_time, parts_[part].turning.stop);
-        offer(mover, leaves(parts_[part].regions, view(mover, part), mover.radius, now_, last), Next::sensor,
-              part);
-    }
+        const R reach = scene_->parts[part].sensor ? mover.radius : gate_reach(mover);
+        offer(mover, leaves(parts_[part].regions, view(mover, part), reach, now_, last), Next::sensor, part);
+    };
+    for (const PartIndex part : mover.inside) offer_exit(part);
+    for (const PartIndex part : mover.blocked) offer_exit(part);
     PartIndex done = ~0U;
     for (const PartIndex part : cells_.sensors(mover.cell)) {
         ++counts_.pair_tests;

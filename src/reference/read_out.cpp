@@ -71,8 +71,7 @@ void Simulation<R>::part_contacts(const Mover& mover, std::vector<Contact>& cont
         if (ignores(part, mover)) continue;
         const Sight<R> seen = sight(f, position, mover.radius);
         if (!seen.facing || seen.gap > touch_distance * mover.radius) continue;
-        if (const shape::Gate* gate = gate_of(scene_->parts[part]))
-            if (parts_[part].open || dot(seen.normal, V<R>(gate->normal)) < 0) continue;
+        if (gate_of(scene_->parts[part]) != nullptr && passes(part, mover)) continue;
         const V<R> point = position - (seen.gap + mover.radius) * seen.normal;
         contacts.push_back({mover.ball.number, Other::part(part), narrow(point), narrow(seen.normal),
                             static_cast<double>(seen.gap)});

@@ -76,7 +76,7 @@ void Simulation<R>::come_out(Mover& mover) {
 
 /// What the ball touches and does not move against along the normal.
 template <class R>
-void Simulation<R>::find_touching(const Mover& mover) {
+void Simulation<R>::find_touching(Mover& mover) {
     using std::sqrt;
     touching_.clear();
     // In a wider type, what touches to the rounding of what was given still touches.
@@ -87,8 +87,8 @@ void Simulation<R>::find_touching(const Mover& mover) {
         if (f == mover.left || ignores(part, mover)) continue;
         const Sight<R> seen = sight(f, mover.body.position, mover.radius);
         if (!seen.facing || seen.gap > snap) continue;
-        if (const shape::Gate* gate = gate_of(scene_->parts[part]))
-            if (parts_[part].open || dot(seen.normal, V<R>(gate->normal)) < 0) continue;
+        const bool is_gate = gate_of(scene_->parts[part]) != nullptr;
+        if (is_gate && passes(part, mover)) continue;
         const R friction(
             mixed_[mover.ball.material * scene_->materials.size() + scene_->parts[part].material].friction);
         const Grip<R> grip = grip_at(shape(f), turning(part), mover.body, now_, friction, drive_, snap);
@@ -96,6 +96,8 @@ void Simulation<R>::find_touching(const Mover& mover) {
         const R speed = length(mover.body.velocity) + magnitude(grip.passing);
         const R turned = (16 * epsilon<R>() + given) * direction_scale(shape(f));
         if (magnitude(grip.parting) > (4096 * epsilon<R>() + turned) * speed + hop) continue;
+        if (is_gate && std::ranges::find(mover.blocked, part) == mover.blocked.end())
+            mover.blocked.push_back(part);
         touching_.push_back({f, grip, friction});
     }
 }

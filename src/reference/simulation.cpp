@@ -68,12 +68,15 @@ void Simulation<R>::load(const State& state) {
         if (parts_[i].moves) set_motion(i);
     }
     for (const Ball& ball : state.balls) join(ball);
+    for (const Blocked& blocked : state.blocked)
+        if (const auto i = find(blocked.ball)) movers_[*i].blocked.push_back(blocked.gate);
     rebuild_cells();
     for (Mover& mover : movers_) {
         refuse_inside(mover);
         come_out(mover);
         begin_inside(mover);
     }
+    settle_gates();
     refresh_all();
 }
 
@@ -91,6 +94,7 @@ void Simulation<R>::join(const Ball& ball) {
     mover.path.angle = mover.body.angle;
     mover.path.spin = mover.body.spin;
     mover.inside.reserve(8);
+    mover.blocked.reserve(2);
 }
 
 template <class R>
@@ -125,7 +129,7 @@ void Simulation<R>::begin_inside(Mover& mover) {
     mover.inside.clear();
     for (PartIndex part = 0; part < parts_.size(); ++part) {
         if (parts_[part].regions.empty() || !layers_meet(mover.ball, scene_->parts[part])) continue;
-        if (!scene_->parts[part].sensor && !parts_[part].open) continue;
+        if (!scene_->parts[part].sensor) continue;
         if (inside(parts_[part].regions, view(mover, part), mover.radius, now_)) mover.inside.push_back(part);
     }
 }
@@ -251,11 +255,13 @@ void Simulation<R>::add(const Ball& ball) {
     const auto i = static_cast<Place>(movers_.size() - 1);
     if (ball.radius > cells_.largest()) {
         rebuild_cells();
+        settle_gates();
         return refresh_all();
     }
     movers_[i].cell = cells_.at(ball.position);
     cells_.link(i, movers_[i].cell);
     refuse_inside(movers_[i]);
+    if (settle_gates()) return refresh_all();
     refresh(i);
     predict(i);
 }

@@ -41,6 +41,7 @@ class Simulation final : public Exact {
     [[nodiscard]] std::span<const Event> events() const override { return events_; }
     [[nodiscard]] bool open(PartIndex gate) const override { return parts_[gate].open; }
     [[nodiscard]] bool down(PartIndex target) const override { return parts_[target].down; }
+    void blocked(std::vector<Blocked>& blocked) const override;
     [[nodiscard]] std::span<const BallNumber> reported_lost() const override { return reported_lost_; }
     [[nodiscard]] const Counts& counts() const override { return counts_; }
     [[nodiscard]] double distance(BallNumber number, Vec2 place) const override;
@@ -73,7 +74,8 @@ class Simulation final : public Exact {
         bool given = true;            ///< its place or velocity was given from outside, rounded to double
         FeatureIndex left = nothing;  ///< what it let go of just now
         Cells::Index cell = 0;
-        std::vector<PartIndex> inside;  ///< sensors and gates
+        std::vector<PartIndex> inside;   ///< sensors, and gates that let it through
+        std::vector<PartIndex> blocked;  ///< gates within a radius that do not
         bool reported_lost = false, gone = false;
 
         std::uint32_t changes = 0;  ///< of its path
@@ -133,6 +135,13 @@ class Simulation final : public Exact {
     [[nodiscard]] bool ignores(PartIndex part, const Mover& mover) const;
     [[nodiscard]] std::string at_time(const R& time) const;
 
+    // Gates (gates.cpp).
+    bool settle_gates();
+    [[nodiscard]] bool passes(PartIndex part, const Mover& mover) const;
+    [[nodiscard]] bool meet_gate(Place i, PartIndex part);
+    void leave_gate(Mover& mover, PartIndex part);
+    [[nodiscard]] R gate_reach(const Mover& mover) const;
+
     // What a ball does next (predict.cpp).
     void predict(Place i);
     void predict_features(Mover& mover);
@@ -145,7 +154,7 @@ class Simulation final : public Exact {
     // Its path (set_out.cpp).
     void set_out(Place i);
     void come_out(Mover& mover);
-    void find_touching(const Mover& mover);
+    void find_touching(Mover& mover);
     void note_glides(Mover& mover);
     bool take_one(Mover& mover);
     bool take_two(Mover& mover);
@@ -156,7 +165,6 @@ class Simulation final : public Exact {
     void advance(Mover& mover);
     void keep_order(Mover& mover);
     void hit_feature(Place i);
-    void pass_gate(Place i, PartIndex part);
     void hit_ball(Place i);
     void refuse_piles(Mover& a, Mover& b) const;
     void refuse_inside(const Mover& mover) const;

@@ -157,7 +157,7 @@ bool ReferenceWorld::step_within(double dt, double seconds) {
         under_way_ = true;
         worked_ = 0;
         balls_before_ = balls_;
-        table_before_ = table_.save({});
+        table_before_ = table_.save(balls_);
         launch();
         on_both([&](Exact& exact) { exact.begin(dt); });
     }
@@ -191,6 +191,7 @@ void ReferenceWorld::read_out(double started) {
         table_.set_open(part, exact_->open(part));
         table_.set_down(part, exact_->down(part));
     }
+    exact_->blocked(table_.blocked());
     table_.reported_lost().assign(exact_->reported_lost().begin(), exact_->reported_lost().end());
     if (with_twin_) measure_uncertainty();
 

@@ -11,10 +11,10 @@
 ///   normal, else before it.
 ///
 /// A ball that begins within a radius of a gate (in a scene, in a state that says nothing of it, by a launch)
-/// meets it there and then. A closed gate is solid to a ball that it does not let through, with both ends of
-/// its segment, and stays so until the ball has left: until its surface is gate_clearance away. A gate is
-/// open while a ball that it let through has not left. One that opens is open to all, also to those that lay
-/// against it.
+/// meets it there and then; one that begins deep in it is on its way through, and is let through. A closed
+/// gate is solid to a ball that it does not let through, with both ends of its segment, and stays so until
+/// the ball has left: until its surface is gate_clearance away. A gate is open while a ball that it let
+/// through has not left. One that opens is open to all, also to those that lay against it.
 
 #include "world/shape.hpp"
 
@@ -23,6 +23,9 @@ namespace flipside {
 /// So far from a gate's segment, in radii beyond its own radius, a ball has left it. Lower hops on a gate do
 /// not leave it.
 inline constexpr double gate_clearance = 1e-9;
+
+/// A ball whose centre begins nearer than this to the segment, in radii, begins deep in the gate.
+inline constexpr double deep_in_gate = 0.5;
 
 /// Whether a closed gate lets a ball through that meets it with its centre at `center`. Both in the pose of
 /// the scene file; the velocity is that of the ball's centre as seen from the gate.

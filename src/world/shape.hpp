@@ -53,7 +53,7 @@ struct Polyline {
     bool closed = false;
 };
 /// Passes a ball that moves along `normal`, reflects one that comes the other way, and stays open while
-/// a ball is in it. Its ends do not collide.
+/// a ball is in it: see gate.hpp.
 struct Gate {
     Vec2 a, b;
     Vec2 normal;

@@ -28,12 +28,21 @@ struct Pressing {
     friend bool operator==(const Pressing&, const Pressing&) = default;
 };
 
+/// A ball within its radius of a gate that does not let it through (gate.hpp).
+struct Blocked {
+    PartIndex gate = 0;
+    BallNumber ball = 0;
+
+    friend auto operator<=>(const Blocked&, const Blocked&) = default;
+};
+
 struct State {
     Clock clock;
     BallNumber next_number = 0;
     std::vector<Ball> balls;          ///< by rising number
     std::vector<PartState> parts;     ///< one per part of the scene
     std::vector<Pressing> pressings;  ///< by b, then a
+    std::vector<Blocked> blocked;     ///< by gate, then ball; of closed gates
     bool raised[2] = {false, false};  ///< flipper buttons by Side
     bool rotating = false;
     std::vector<control::Launch> launches;  ///< waiting for a free place, first come first served

@@ -125,6 +125,32 @@ std::vector<Pressing> read_pressings(const Node& root, const std::vector<Ball>& 
     return pressings;
 }
 
+std::string gates_of(const Scene& scene) {
+    std::vector<Part> gates;
+    for (const Part& part : scene.parts)
+        if (std::holds_alternative<shape::Gate>(part.shape.is)) gates.push_back(part);
+    return names_of(gates, [](const Part& part) { return part.name; });
+}
+
+std::vector<Blocked> read_blocked(const Node& root, const State& state, const Scene& scene) {
+    std::vector<Blocked> all;
+    for (const Node& node : root.each("blocked")) {
+        const std::string name = node.text("gate");
+        const auto part = std::ranges::find(scene.parts, name, &Part::name);
+        if (part == scene.parts.end() || !std::holds_alternative<shape::Gate>(part->shape.is))
+            node.fail("gate", in_quotes(name) + " is no gate of this scene; allowed: " + gates_of(scene));
+        const Blocked blocked{static_cast<PartIndex>(part - scene.parts.begin()),
+                              static_cast<BallNumber>(node.integer("ball"))};
+        if (state.parts[blocked.gate].open) node.fail("gate", "is open; allowed are closed gates");
+        if (!std::ranges::binary_search(state.balls, blocked.ball, {}, &Ball::number))
+            node.fail("ball", "no ball has this number; allowed are balls of this state");
+        if (!all.empty() && blocked <= all.back())
+            node.fail("is not above the pair before it; allowed are pairs by gate, then ball");
+        all.push_back(blocked);
+    }
+    return all;
+}
+
 }  // namespace
 
 std::string to_json(const State& state, const Scene& scene) {
@@ -151,6 +177,8 @@ std::string to_json(const State& state, const Scene& scene) {
             {{"strength", launch.strength}, {"count", launch.count}, {"size", launch.size}});
     for (const Pressing& p : state.pressings)
         json["pressings"].push_back({{"a", p.a}, {"b", p.b}, {"normal", p.normal}, {"tangent", p.tangent}});
+    for (const Blocked& b : state.blocked)
+        json["blocked"].push_back({{"gate", scene.parts[b.gate].name}, {"ball", b.ball}});
     return json.dump() + "\n";
 }
 
@@ -167,6 +195,7 @@ State parse_state(std::string_view text, const std::string& file, const Scene& s
     state.balls = read_balls(root, scene);
     state.pressings = read_pressings(root, state.balls);
     state.parts = read_parts(root, scene);
+    state.blocked = read_blocked(root, state, scene);
     for (const Node& side : root.each("raised")) state.raised[side.json() == side_names[0] ? 0 : 1] = true;
     state.rotating = root.toggle("rotating");
     for (const Node& launch : root.each("launches")) {

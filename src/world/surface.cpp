@@ -47,7 +47,11 @@ struct Taker {
         for (std::size_t i = 1; i < s.points.size(); ++i) segment(s.points[i - 1], s.points[i]);
         if (s.closed) segment(s.points.back(), s.points.front());
     }
-    void operator()(const shape::Gate& s) { add(piece::Segment{s.a, s.b}); }
+    void operator()(const shape::Gate& s) {
+        add(piece::Segment{s.a, s.b});
+        add(piece::Point{s.a});
+        add(piece::Point{s.b});
+    }
     void operator()(const shape::Compound& s) {
         for (const Shape& member : s.of) std::visit(*this, member.is);
     }

@@ -56,7 +56,8 @@ inline constexpr double joint_angle = 1e-3;
 
 /// Every piece of every part, in the pose of the scene file, by part. Joints are sought within a part,
 /// and between still solid parts that share layers and cannot vanish (no sensors, targets or gates).
-/// Gates are one segment piece without ends. Cost: O(n log n) in the number of pieces.
+/// Gates are a segment piece and a point piece at each end, joined to nothing. Cost: O(n log n) in the number
+/// of pieces.
 [[nodiscard]] std::vector<Piece> surface_of(const Scene& scene);
 
 /// The gate of a part, or null.

@@ -119,12 +119,25 @@ std::optional<Table::Launched> Table::launch(std::span<const Ball> balls) {
     return launched;
 }
 
+bool Table::is_blocked(PartIndex gate, BallNumber ball) const {
+    return std::ranges::binary_search(state_.blocked, Blocked{gate, ball});
+}
+
+void Table::set_blocked(PartIndex gate, BallNumber ball, bool blocked) {
+    const Blocked pair{gate, ball};
+    const auto at = std::ranges::lower_bound(state_.blocked, pair);
+    const bool was = at != state_.blocked.end() && *at == pair;
+    if (blocked && !was) state_.blocked.insert(at, pair);
+    if (!blocked && was) state_.blocked.erase(at);
+}
+
 State Table::save(std::span<const Ball> balls) const {
     State state = state_;
     state.balls.assign(balls.begin(), balls.end());
     const auto gone = [&](BallNumber number) {
         return !std::ranges::binary_search(balls, number, {}, &Ball::number);
     };
+    std::erase_if(state.blocked, [&](const Blocked& b) { return gone(b.ball) || state.parts[b.gate].open; });
     std::erase_if(state.pressings, [&](const Pressing& p) { return gone(p.a) || gone(p.b); });
     return state;
 }

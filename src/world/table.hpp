@@ -53,6 +53,12 @@ class Table {
     void advance(double dt);
 
     void set_open(PartIndex gate, bool open) { state_.parts[gate].open = open; }
+    /// Whether a closed gate does not let the ball through that is within a radius of it.
+    [[nodiscard]] bool is_blocked(PartIndex gate, BallNumber ball) const;
+    void set_blocked(PartIndex gate, BallNumber ball, bool blocked);
+    /// By gate, then ball.
+    [[nodiscard]] std::vector<Blocked>& blocked() { return state_.blocked; }
+    [[nodiscard]] const std::vector<Blocked>& blocked() const { return state_.blocked; }
     void set_down(PartIndex target, bool down) { state_.parts[target].down = down; }
 
     BallNumber new_number() { return state_.next_number++; }

@@ -36,7 +36,8 @@ State a_state(double number) {
     state.parts.resize(6);
     state.parts[1].angle = 1.0 / 3;
     state.parts[2].angle = number;
-    state.parts[3].open = true;
+    state.parts[3].open = number < 0;
+    if (number >= 0) state.blocked = {{3, 2}, {3, 4'294'967'294}};
     state.parts[5].down = true;
     state.raised[1] = true;
     state.rotating = true;
@@ -68,6 +69,7 @@ RC_GTEST_PROP(StateFile, ReadsBackToTheSameBits, ()) {
     RC_ASSERT(after.launches.size() == 2U && after.launches[0].strength == 1.0 / 3);
     RC_ASSERT(after.reported_lost == before.reported_lost);
     RC_ASSERT(after.pressings == before.pressings);
+    RC_ASSERT(after.blocked == before.blocked);
     RC_ASSERT(to_json(after, scene) == text);
 }
 
@@ -106,6 +108,10 @@ TEST(StateFile, BadOnesAreRefusedWithTheirPlace) {
         {"/raised/0", "middle", "/raised/0", "left, right"},
         {"/launches/0/count", 0, "/launches/0/count", "from 1 to 1000"},
         {"/reported_lost/0", 7, "/reported_lost/0", "no ball has this number"},
+        {"/blocked/0/ball", 7, "/blocked/0/ball", "no ball has this number"},
+        {"/blocked/0/gate", "wall", "/blocked/0/gate", "no gate of this scene; allowed: \"gate\""},
+        {"/blocked/1/ball", 2, "/blocked/1", "by gate, then ball"},
+        {"/parts/gate", {{"open", true}}, "/blocked/0/gate", "is open"},
         {"/pressings/0/a", 7, "/pressings/0/a", "no ball has this number"},
         {"/pressings/0/b", 2, "/pressings/0/b", "rising numbers"},
         {"/pressings/0/normal", -1, "/pressings/0/normal", "is -1"},

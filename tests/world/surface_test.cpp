@@ -84,15 +84,19 @@ TEST(Surface, ClosedPolylineHasAPointPerCornerAndNoneOnAStraightOne) {
     EXPECT_EQ(pieces.size(), 5U + 4U);
 }
 
-TEST(Surface, FullCircleArcAndGateHaveNoEnds) {
+TEST(Surface, FullCircleArcHasNoEnds) {
     EXPECT_EQ(surface(R"({"name": "a", "shape": {"type": "arc", "center": [0, 0], "radius": 1, "from_deg": 33,
                           "to_deg": 393}})")
                   .size(),
               1U);
-    EXPECT_EQ(
-        surface(R"({"name": "g", "shape": {"type": "gate", "a": [0, 0], "b": [1, 0], "normal": [0, 1]}})")
-            .size(),
-        1U);
+}
+
+TEST(Surface, GateHasTwoEndsThatJoinNothing) {
+    const auto pieces =
+        surface(R"({"name": "g", "shape": {"type": "gate", "a": [0, 0], "b": [1, 0], "normal": [0, 1]}},
+                                   {"name": "s", "shape": {"type": "segment", "a": [1, 0], "b": [2, 0]}})");
+    EXPECT_EQ(points(pieces), (std::vector<Vec2>{{0, 0}, {1, 0}, {1, 0}, {2, 0}}));
+    EXPECT_EQ(pieces.size(), 2U + 4U);
 }
 
 TEST(Surface, PiecesComeByPartAndSolidsAreOnePiece) {

@@ -167,5 +167,21 @@ TEST(Table, SaveAndRestoreCarryEverything) {
     EXPECT_EQ(other.save({}).parts, t.save({}).parts);
 }
 
+TEST(Table, KnowsWhomAGateBlocks) {
+    Table t = table();
+    t.set_blocked(gate, 7, true);
+    t.set_blocked(gate, 0, true);
+    t.set_blocked(gate, 0, true);
+    EXPECT_EQ(t.blocked(), (std::vector<Blocked>{{gate, 0}, {gate, 7}}));
+    EXPECT_TRUE(t.is_blocked(gate, 7));
+    EXPECT_FALSE(t.is_blocked(fan, 7));
+    // Of balls that are there, and of closed gates.
+    EXPECT_EQ(t.save(t.scene().balls).blocked, (std::vector<Blocked>{{gate, 0}}));
+    t.set_blocked(gate, 7, false);
+    EXPECT_FALSE(t.is_blocked(gate, 7));
+    t.set_open(gate, true);
+    EXPECT_TRUE(t.save(t.scene().balls).blocked.empty());
+}
+
 }  // namespace
 }  // namespace flipside

@@ -90,13 +90,7 @@ void ContinuousSolver::hit_feature(Place i, double time) {
     const Pose pose = turning.pose(time);
     advance(i, time);
     const Sight sight = look(feature, pose.undo(ball.position), ball.radius);
-    if (const shape::Gate* gate = gate_of(part))
-        if (table_->parts()[index].open || dot(sight.normal, gate->normal) < 0) {
-            table_->set_open(index, true);
-            set_inside(ball.number, index, true);
-            release(index, time);
-            return go_on(i, time);
-        }
+    if (feature.gate && meet_gate(i, index, time)) return go_on(i, time);
     const Vec2 normal = pose.angle == 0 ? sight.normal : rotated(sight.normal, pose.angle);
     const Vec2 point = ball.position - sight.distance * normal;
     const Vec2 surface = cross(turning.rate_at(time), point - pose.pivot);
@@ -170,6 +164,7 @@ void ContinuousSolver::lose(Place i, double time) {
     }
     movers_[i].lost = true;
     ++movers_[i].changes;
+    std::erase_if(table_->blocked(), [&](const Blocked& blocked) { return blocked.ball == ball.number; });
     for (PartIndex part = 0; part < pieces_.size(); ++part)
         if (inside(ball.number, part)) {
             set_inside(ball.number, part, false);
@@ -194,16 +189,13 @@ void ContinuousSolver::set_inside(BallNumber ball, PartIndex part, bool is_insid
 void ContinuousSolver::sense(Place i, double time) {
     const Ball& ball = (*balls_)[i];
     const PartIndex part = movers_[i].met;
-    const bool enters = !inside(ball.number, part);
-    set_inside(ball.number, part, enters);
     if (scene_.parts[part].sensor) {
+        const bool enters = !inside(ball.number, part);
+        set_inside(ball.number, part, enters);
         const EventKind kind = enters ? EventKind::sensor_begin : EventKind::sensor_end;
         report(time, kind, ball, Other::part(part), {}, {});
-    } else if (std::ranges::none_of(inside_, [&](const Sensed& s) { return s.sensor == part; })) {
-        table_->set_open(part, false);
-        // Who counted on an open gate looks again.
-        for (Place j = 0; j < movers_.size(); ++j)
-            if (j != i && movers_[j].active && !movers_[j].handed_over && !movers_[j].lost) predict(j, time);
+    } else {
+        leave_gate(ball.number, part, time);
     }
     predict(i, time);
 }

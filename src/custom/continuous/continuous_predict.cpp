@@ -3,6 +3,7 @@
 
 #include "custom/continuous/continuous_solver.hpp"
 #include "custom/continuous/first_exit.hpp"
+#include "world/gate.hpp"
 
 namespace flipside::custom {
 
@@ -14,8 +15,8 @@ constexpr double grip_gap = 1e-9;
 constexpr double grip_hop = 1e-9;
 /// Faces meet smoothly whose normals have at least this cosine (1.4e-3 rad; see joint_angle).
 constexpr double smooth_joint = 1 - 1e-6;
-/// How far a ball must be out of a sensor to have left it, in radii.
-constexpr double sense_gap = 1e-9;
+/// How far a ball must be out of a sensor or gate to have left it, in radii.
+constexpr double sense_gap = gate_clearance;
 /// The least way between two looks for a sensor's border, in radii.
 constexpr double sense_step = 1e-2;
 
@@ -59,7 +60,8 @@ double first_zero(auto&& f, double a, double f_a, double b, double f_b, double e
 
 /// Whether the feature lets the ball through now.
 bool ContinuousSolver::ignores(const Feature& feature, const Ball& ball) const {
-    return feature.sensor || table_->parts()[feature.part].down || !layers_meet(ball, feature);
+    return feature.sensor || table_->parts()[feature.part].down || !layers_meet(ball, feature) ||
+           (feature.gate && inside(ball.number, feature.part));
 }
 
 /// Finds the path of a ball from where it is: along what it rests on, or free.
@@ -119,8 +121,7 @@ void ContinuousSolver::find_grips(Place i, double time) {
         if (!sight.facing || gap > grip_gap * ball.radius + gap_rounding(ball.position, ball.radius))
             continue;
         const Vec2 normal = pose.angle == 0 ? sight.normal : rotated(sight.normal, pose.angle);
-        if (const shape::Gate* gate = feature.gate ? gate_of(scene_.parts[feature.part]) : nullptr)
-            if (table_->parts()[feature.part].open || dot(sight.normal, gate->normal) < 0) continue;
+        if (feature.gate && lets_through(feature.part, ball, time)) continue;
         Hold hold = hold_at(feature, turning, ball, normal, time, drive_);
         const Mixed mixed = layout_.mixed(ball.material, scene_.parts[feature.part].material);
         hold.friction = mixed.friction;
@@ -131,6 +132,7 @@ void ContinuousSolver::find_grips(Place i, double time) {
             grip_hop * std::sqrt(ball.radius * force) +
             unending_hop(feature, force, gap_rounding(ball.position, ball.radius), mixed.restitution);
         if (std::abs(dot(relative, normal)) > still) continue;
+        if (feature.gate) table_->set_blocked(feature.part, ball.number, true);
         const double scale = length(drive_.gravity) + length_squared(relative) / ball.radius;
         grips_.push_back({hold, hold.force > 1e-12 * scale});
     }
@@ -256,6 +258,9 @@ void ContinuousSolver::predict_features(Place i, double time) {
     for (const Sensed& in : inside_)
         if (in.ball == ball.number)
             offer(mover, sense_time(in.sensor, ball, path, time, true), Next::sense, in.sensor);
+    for (const Blocked& blocked : table_->blocked())
+        if (blocked.ball == ball.number)
+            offer(mover, sense_time(blocked.gate, ball, path, time, true), Next::sense, blocked.gate);
     PartIndex sensed = ~0U;
     // How far from the chord of its path the ball can get, with a margin over what counts as touch.
     const double end = std::min(dt_, mover.way.until), flies = end - time;
@@ -265,7 +270,7 @@ void ContinuousSolver::predict_features(Place i, double time) {
     for (const FeatureIndex f : mover.near.list()) {
         if (!overlap(mover.box, ranges_[f])) continue;
         const Feature& feature = features_[f];
-        if ((feature.sensor || feature.gate) && inside(ball.number, feature.part)) continue;
+        if (feature.sensor && inside(ball.number, feature.part)) continue;
         if (feature.sensor) {
             if (feature.part == sensed || !layers_meet(ball, feature)) continue;
             sensed = feature.part;
@@ -322,13 +327,10 @@ double ContinuousSolver::sense_time(PartIndex part, const Ball& ball, const Path
                                     bool inside) const {
     const Turning& turning = turnings_[part];
     const double own = path.max_speed(dt_), w = std::abs(turning.rate);
+    const double out = std::max(sense_gap * ball.radius, 4 * gap_rounding(ball.position, ball.radius));
     const auto left_at = [&](double t) {
-        const Vec2 p = path.position(t);
-        const Pose pose = turning.pose(t);
-        double separation = INFINITY;
-        for (const PieceIndex piece : pieces_[part])
-            separation = std::min(separation, touch(p, ball.radius, layout_.piece(piece), pose).separation);
-        return inside ? sense_gap * ball.radius - separation : separation;
+        const double distance = distance_to(part, path.position(t), ball.radius, turning.pose(t));
+        return inside ? out - distance : distance;
     };
     const double far = w == 0 ? 0 : length(path.position(time) - turning.begin.pivot) + own * (dt_ - time);
     const double speed = own + w * far;

@@ -39,9 +39,11 @@ ContinuousSolver::ContinuousSolver(const Table& table, const Layout& layout, con
         const Part& part = scene_.parts[layout.piece(i).part];
         if (part.sensor || gate_of(part) != nullptr) pieces_[layout.piece(i).part].push_back(i);
     }
+    for (PartIndex part = 0; part < scene_.parts.size(); ++part)
+        if (gate_of(scene_.parts[part]) != nullptr) gates_.push_back(part);
 }
 
-void ContinuousSolver::reset(const Table& table, std::span<const Ball> balls) {
+void ContinuousSolver::reset(Table& table, std::vector<Ball>& balls) {
     inside_.clear();
     for (Mover& mover : pool_) {
         mover.near.forget();
@@ -51,14 +53,13 @@ void ContinuousSolver::reset(const Table& table, std::span<const Ball> balls) {
     for (const Ball& ball : balls)
         for (PartIndex part = 0; part < pieces_.size(); ++part)
             for (const PieceIndex piece : pieces_[part]) {
-                const bool sensor = scene_.parts[part].sensor;
-                if ((!sensor && !table.parts()[part].open) || !layers_meet(ball, scene_.parts[part]) ||
+                if (!scene_.parts[part].sensor || !layers_meet(ball, scene_.parts[part]) ||
                     !layout_.may_touch(piece, ball.position, ball.radius))
                     continue;
                 const Touch found = touch(ball.position, ball.radius, layout_.piece(piece), table.pose(part));
-                if (found.separation <= 0 && !(found.past_end && !sensor))
-                    set_inside(ball.number, part, true);
+                if (found.separation <= 0) set_inside(ball.number, part, true);
             }
+    settle_gates(table, balls);
 }
 
 void ContinuousSolver::reserve(std::size_t balls) {
@@ -74,6 +75,7 @@ void ContinuousSolver::reserve(std::size_t balls) {
     for (auto* list : {&at_start_, &handed_}) custom::make_room(*list, most);
     for (auto* list : {&inside_, &inside_at_start_}) custom::make_room(*list, most, touches_per_ball);
     custom::make_room(pressings_at_start_, most, contacts_per_ball);
+    blocked_at_start_.reserve(std::min(most, gates_.empty() ? 0 : most_near));
     custom::make_room(active_room_, most);
     custom::make_room(queue_, most, pairs_per_ball);
     custom::make_room(pairs_, most, pairs_per_ball);
@@ -109,6 +111,21 @@ void ContinuousSolver::begin() {
         parts_changed_ = parts_changed_ || rate != turning.rate || pose.angle != turning.begin.angle;
         turning = {pose, rate, stop, end};
     }
+    take_places();
+    pairs_.clear();
+    find_active();
+    if (!any_active_) return;
+    at_start_ = balls;
+    inside_at_start_ = inside_;
+    pressings_at_start_ = table_->pressings();
+    blocked_at_start_ = table_->blocked();
+    reported_at_start_ = table_->reported_lost().size();
+    parts_at_start_.assign(table_->parts().begin(), table_->parts().end());
+}
+
+/// Gives each ball its mover. What was known of another ball is forgotten.
+void ContinuousSolver::take_places() {
+    std::vector<Ball>& balls = *balls_;
     if (pool_.size() < balls.size()) reserve(balls.size());
     movers_ = std::span(pool_).first(balls.size());
     for (Place i = 0; i < balls.size(); ++i) {
@@ -117,18 +134,12 @@ void ContinuousSolver::begin() {
             mover.near.forget();
             mover.lies = false;
             mover.free = 0;
+            settled_ = false;
         }
         mover.number = balls[i].number;
         mover.handed_over = false;
     }
-    pairs_.clear();
-    find_active();
-    if (!any_active_) return;
-    at_start_ = balls;
-    inside_at_start_ = inside_;
-    pressings_at_start_ = table_->pressings();
-    reported_at_start_ = table_->reported_lost().size();
-    parts_at_start_.assign(table_->parts().begin(), table_->parts().end());
+    if (!settled_) settle_gates(*table_, balls);
 }
 
 /// Tries to make the step. False where more balls have to be handed over first.
@@ -276,6 +287,7 @@ void ContinuousSolver::run_discrete(BroadPhase& broad) {
     const std::uint64_t tests = few_->tests();
     discrete_.step(*table_, handed_, dt_, handed_.size() <= few ? *few_ : broad, *record_);
     discrete_.land(handed_, [](std::size_t, const Ball&) {});
+    open_again();
     record_->statistics.pair_tests += few_->tests() - tests;
     auto next = handed_.begin();
     for (Place i = 0; i < balls.size(); ++i) {
@@ -291,6 +303,7 @@ void ContinuousSolver::roll_back(std::size_t events) {
     table_->reported_lost().resize(reported_at_start_);
     inside_ = inside_at_start_;
     table_->pressings() = pressings_at_start_;
+    table_->blocked() = blocked_at_start_;
     record_->events.resize(events);
     record_->crossed.clear();
     record_->statistics.impacts = 0;
@@ -318,6 +331,7 @@ void ContinuousSolver::finish() {
         mover.left_with = balls[i].velocity;
     }
     record_->statistics.handed_over = handed;
+    if (handed > 0) settled_ = false;
     if (!any_active_) return;
     drop_lost();
     find_pairs();

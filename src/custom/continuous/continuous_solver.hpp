@@ -40,7 +40,7 @@ class ContinuousSolver {
     /// Makes room for so many balls.
     void reserve(std::size_t balls);
     /// Forgets what it noted of sensors and gates: they are found anew from where the balls are.
-    void reset(const Table& table, std::span<const Ball> balls);
+    void reset(Table& table, std::vector<Ball>& balls);
 
   private:
     enum class Next : std::uint8_t { nothing, feature, ball, look_again, sense, leave_bounds };
@@ -89,6 +89,7 @@ class ContinuousSolver {
 
     // The step as a whole (continuous_solver.cpp).
     void begin();
+    void take_places();
     bool attempt(BroadPhase& broad);
     void prepare_movers();
     void come_out(Place i);
@@ -117,6 +118,15 @@ class ContinuousSolver {
     void go_free(Place i);
     [[nodiscard]] double free_of_balls(Place i, double until) const;
     void activate_all();
+
+    // Gates (continuous_gates.cpp).
+    void settle_gates(Table& table, std::vector<Ball>& balls);
+    void settle_gate(Table& table, std::vector<Ball>& balls, PartIndex part);
+    [[nodiscard]] bool lets_through(PartIndex part, const Ball& ball, double time) const;
+    [[nodiscard]] bool meet_gate(Place i, PartIndex part, double time);
+    void leave_gate(BallNumber ball, PartIndex part, double time);
+    void open_again();
+    [[nodiscard]] double distance_to(PartIndex part, Vec2 center, double radius, const Pose& pose) const;
 
     // Predictions (continuous_predict.cpp).
     void set_out(Place i, double time);
@@ -167,7 +177,9 @@ class ContinuousSolver {
     std::vector<Feature> features_;
     BoxIndex ranges_;                              ///< of features
     std::vector<std::vector<PieceIndex>> pieces_;  ///< by part; of sensors and gates only
-    std::vector<Sensed> inside_;                   ///< balls in sensors and open gates, in order
+    std::vector<PartIndex> gates_;
+    std::vector<Sensed> inside_;  ///< balls in sensors and open gates, in order
+    bool settled_ = false;        ///< of no ball it is unknown whether it is at a gate
     Clearance clearance_;
     std::unique_ptr<BroadPhase> few_;  ///< for what is handed over
 
@@ -197,6 +209,7 @@ class ContinuousSolver {
     std::vector<Pair> pairs_;
     std::vector<Sensed> inside_at_start_;
     std::vector<Pressing> pressings_at_start_;
+    std::vector<Blocked> blocked_at_start_;
 };
 
 }  // namespace flipside::custom

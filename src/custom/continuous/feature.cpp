@@ -29,6 +29,8 @@ class Taker {
   public:
     Taker(std::span<const Piece> pieces, const Scene& scene) : scene_(scene) {
         for (const Piece& piece : pieces) {
+            // What does not always stop a ball is no end and no neighbour to others.
+            if (scene.parts[piece.part].sensor || gate_of(scene.parts[piece.part]) != nullptr) continue;
             if (const auto* point = std::get_if<piece::Point>(&piece.is)) points_.push_back(*point);
             if (const auto* s = std::get_if<piece::Segment>(&piece.is)) {
                 const Vec2 along = unit(s->b - s->a);

@@ -7,6 +7,8 @@
 #include "custom/geometry/sweep.hpp"
 #include "custom/sift.hpp"
 #include "custom/stopwatch.hpp"
+#include "custom/touch_list.hpp"
+#include "world/gate.hpp"
 
 namespace flipside::custom {
 
@@ -262,23 +264,37 @@ double DiscreteSolver::first_touch_of(const Ball& ball, PieceIndex index, double
     return sinks(approach, ball, duration) ? time : never;
 }
 
-/// A closed gate opens for a ball that flew in from behind, and an open one stays so while any is in it.
+/// Balls that a closed gate meets are blocked by it, or open it, by the side on which they were before they
+/// flew into it; an open one stays so while any is in it.
 void DiscreteSolver::watch_gates() {
     for (const PartIndex part : gates_) {
         const shape::Gate& gate = *gate_of(scene_.parts[part]);
+        const Pose before = table_->pose(part, span_.begin), now = table_->pose(part, span_.end);
+        const Piece line{piece::Segment{gate.a, gate.b}, part};
+        const auto distance = [&](const Ball& ball) {
+            ++record_->statistics.narrow_tests;
+            return touch(ball.position, ball.radius, line, now).separation;
+        };
+        std::erase_if(table_->blocked(), [&](const Blocked& blocked) {
+            if (blocked.gate != part) return false;
+            const auto ball = std::ranges::find(*balls_, blocked.ball, &Ball::number);
+            return ball != balls_->end() && distance(*ball) > touch_distance * ball->radius;
+        });
         bool occupied = false;
         for (const Candidate& candidate : candidates_) {
-            const Piece& piece = layout_.piece(candidate.piece);
-            if (piece.part != part) continue;
+            if (layout_.piece(candidate.piece).part != part) continue;
             const Ball& ball = (*balls_)[candidate.ball];
-            const Pose before = table_->pose(part, span_.begin), now = table_->pose(part, span_.end);
-            ++record_->statistics.narrow_tests;
-            const Touch found = touch(ball.position, ball.radius, piece, now);
+            if (distance(ball) >= 0) continue;
             const Vec2 came_from = before.undo(so_far_[candidate.ball].start);
-            const bool let_through = table_->parts()[part].open || dot(came_from - gate.a, gate.normal) <= 0;
-            if (let_through && !found.past_end && found.separation < 0) occupied = true;
+            const bool is_blocked =
+                !table_->parts()[part].open &&
+                (table_->is_blocked(part, ball.number) ||
+                 !lets_through(gate, came_from, rotated(ball.velocity, -now.angle), ball.radius));
+            occupied = occupied || !is_blocked;
+            if (is_blocked) table_->set_blocked(part, ball.number, true);
         }
         table_->set_open(part, occupied);
+        if (occupied) std::erase_if(table_->blocked(), [&](const Blocked& b) { return b.gate == part; });
     }
 }
 

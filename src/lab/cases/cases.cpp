@@ -87,6 +87,10 @@ constexpr Case all[] = {
     {29, "galton-board", "Galton board",
      "Balls fall through pins: as many to the left as to the right, spread as on the reference.",
      "F. Galton, Natural inheritance, 1889", galton_board},
+    {30, "gate-end", "Gate end",
+     "A ball comes to the free end of a gate from every side: whether that lets it through is decided once, "
+     "by a declared rule, in every orientation and at every step.",
+     "", gate_end},
     {31, "smooth-joint", "Smooth joint without weight",
      "A weightless ball slides off the flat of a part past its round end: a straight line in every "
      "orientation.",

@@ -43,6 +43,9 @@ void flipper(Experiment& experiment);
 void sensor(Experiment& experiment);
 void crushed_ball(Experiment& experiment);
 
+// gates.cpp
+void gate_end(Experiment& experiment);
+
 // joints.cpp
 void smooth_joint(Experiment& experiment);
 

@@ -1,0 +1,100 @@
+#include <algorithm>
+
+#include "custom/continuous/continuous_solver.hpp"
+#include "world/gate.hpp"
+
+namespace flipside::custom {
+
+/// Of the ball's surface from that of a sensor or gate, m; below 0 inside.
+double ContinuousSolver::distance_to(PartIndex part, Vec2 center, double radius, const Pose& pose) const {
+    double least = INFINITY;
+    for (const PieceIndex piece : pieces_[part])
+        least = std::min(least, touch(center, radius, layout_.piece(piece), pose).separation);
+    return least;
+}
+
+/// Decides for every ball that is at a gate but has not met it in a step: it was there at the beginning, or
+/// joined, or was moved by the other solver.
+void ContinuousSolver::settle_gates(Table& table, std::vector<Ball>& balls) {
+    settled_ = true;
+    for (const PartIndex part : gates_) settle_gate(table, balls, part);
+}
+
+void ContinuousSolver::settle_gate(Table& table, std::vector<Ball>& balls, PartIndex part) {
+    const auto [pose, rate, until_stop] = table.turning(part, 0);
+    const auto is_near = [&, &pose = pose](const Ball& ball) {
+        const double out =
+            std::max(gate_clearance * ball.radius, 4 * gap_rounding(ball.position, ball.radius));
+        return layers_meet(ball, scene_.parts[part]) &&
+               distance_to(part, ball.position, ball.radius, pose) < out;
+    };
+    const auto passes = [&, &pose = pose, &rate = rate](const Ball& ball) {
+        if (table.parts()[part].open || inside(ball.number, part)) return true;
+        if (table.is_blocked(part, ball.number)) return false;
+        const double distance = distance_to(part, ball.position, ball.radius, pose) + ball.radius;
+        if (distance < deep_in_gate * ball.radius) return true;
+        const Vec2 relative = ball.velocity - cross(rate, ball.position - pose.pivot);
+        return flipside::lets_through(*gate_of(scene_.parts[part]), pose.undo(ball.position),
+                                      rotated(relative, -pose.angle), ball.radius);
+    };
+    const bool open =
+        std::ranges::any_of(balls, [&](const Ball& ball) { return is_near(ball) && passes(ball); });
+    table.set_open(part, open);
+    for (Ball& ball : balls) {
+        const bool near = is_near(ball);
+        const bool was_blocked = table.is_blocked(part, ball.number);
+        set_inside(ball.number, part, open && near);
+        table.set_blocked(part, ball.number, !open && near);
+        if (open && was_blocked) ball.asleep = false;
+    }
+}
+
+/// Whether the ball, which touches the gate, goes or is to go through it.
+bool ContinuousSolver::lets_through(PartIndex part, const Ball& ball, double time) const {
+    if (table_->parts()[part].open) return true;
+    if (table_->is_blocked(part, ball.number)) return false;
+    const Turning& turning = turnings_[part];
+    const Pose pose = turning.pose(time);
+    const Vec2 relative = ball.velocity - cross(turning.rate_at(time), ball.position - pose.pivot);
+    return flipside::lets_through(*gate_of(scene_.parts[part]), pose.undo(ball.position),
+                                  rotated(relative, -pose.angle), ball.radius);
+}
+
+/// A ball comes within a radius of a gate. Whether that lets it through: then the gate is open for all.
+bool ContinuousSolver::meet_gate(Place i, PartIndex part, double time) {
+    const Ball& ball = (*balls_)[i];
+    if (!lets_through(part, ball, time)) {
+        table_->set_blocked(part, ball.number, true);
+        return false;
+    }
+    set_inside(ball.number, part, true);
+    if (table_->parts()[part].open) return true;
+    table_->set_open(part, true);
+    std::erase_if(table_->blocked(), [&](const Blocked& blocked) {
+        if (blocked.gate == part) set_inside(blocked.ball, part, true);
+        return blocked.gate == part;
+    });
+    release(part, time);
+    return true;
+}
+
+/// A ball has left a gate that let it through, or did not.
+void ContinuousSolver::leave_gate(BallNumber ball, PartIndex part, double time) {
+    table_->set_blocked(part, ball, false);
+    if (!inside(ball, part)) return;
+    set_inside(ball, part, false);
+    if (std::ranges::any_of(inside_, [&](const Sensed& s) { return s.sensor == part; })) return;
+    table_->set_open(part, false);
+    // What counted on an open gate looks again.
+    for (Place j = 0; j < movers_.size(); ++j)
+        if (movers_[j].number != ball && movers_[j].active && !movers_[j].handed_over && !movers_[j].lost)
+            predict(j, time);
+}
+
+/// The discrete solver closes gates in which there is none of the balls that it was given.
+void ContinuousSolver::open_again() {
+    for (const Sensed& in : inside_)
+        if (!scene_.parts[in.sensor].sensor) table_->set_open(in.sensor, true);
+}
+
+}  // namespace flipside::custom

@@ -1,0 +1,33 @@
+// The rule of gates on the continuous solver.
+
+#include "custom/scenes.hpp"
+#include "gate_checks.hpp"
+
+namespace flipside::custom::test {
+namespace {
+
+std::unique_ptr<World> continuous(const Scene& scene) {
+    return make_world(scene, {{"solver", "continuous"}, {"sleep", "off"}});
+}
+
+TEST(Gates, FollowTheRuleAtTheirEnds) {
+    flipside::test::expect_the_rule(continuous);
+}
+TEST(Gates, AreSolidToWhatSlidesRoundTheirEnd) {
+    flipside::test::expect_to_slide_round_the_end(continuous);
+}
+TEST(Gates, DecideOnceThoughSavedMeanwhile) {
+    flipside::test::expect_the_decision_to_be_saved(continuous);
+}
+TEST(Gates, PassEveryBallWhileOpen) {
+    flipside::test::expect_an_open_gate_to_pass_all(continuous);
+}
+TEST(Gates, LetGoOfWhatLiesOnThemWhenTheyOpen) {
+    flipside::test::expect_an_opened_gate_to_let_go(continuous);
+}
+TEST(Gates, DecideAboutWhatBeginsInThem) {
+    flipside::test::expect_a_start_in_a_gate_to_be_decided(continuous);
+}
+
+}  // namespace
+}  // namespace flipside::custom::test
