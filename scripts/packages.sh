@@ -7,6 +7,7 @@ build_packages=(
     libsfml-dev libimgui-dev libgl-dev         # window, panel
     libcli11-dev                               # command line
     nlohmann-json3-dev libvalijson-dev         # scene files and their schema
+    libxxhash-dev                              # checksums of files of measurements
     'libboost1.81-dev|libboost-dev'            # headers only, 1.75 or later
     libgtest-dev librapidcheck-dev             # tests
     fonts-inter fonts-dejavu-core              # what the window writes with

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
-#include <sstream>
+#include <cmath>
 
 #include "world/input_error.hpp"
+#include "world/json_file.hpp"
 
 namespace flipside::lab {
 
@@ -72,12 +72,10 @@ bool parse(const std::string& text, Number& value) {
 
 }  // namespace
 
-CsvTable::CsvTable(const std::filesystem::path& file) : file_(file) {
-    std::ifstream in(file, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    if (!in) throw InputError(file.string() + ": cannot be read");
-    Fields fields(file, text.str());
+CsvTable::CsvTable(const std::filesystem::path& file) : CsvTable(file, read_file(file)) {}
+
+CsvTable::CsvTable(const std::filesystem::path& file, std::string text) : file_(file) {
+    Fields fields(file, std::move(text));
     columns_ = fields.record();
     while (!fields.at_end()) {
         lines_.push_back(fields.line());
@@ -106,12 +104,20 @@ void CsvTable::refuse(std::size_t row, std::string_view column, std::string_view
 }
 
 const std::string& CsvTable::text(std::size_t row, std::string_view column) const {
-    return rows_[row][index(column)];
+    const std::size_t at = index(column);
+    if (row >= rows_.size()) throw InputError(file_.string() + ": has no row " + std::to_string(row + 1));
+    return rows_[row][at];
 }
 
 double CsvTable::number(std::size_t row, std::string_view column) const {
     double value = 0;
     if (!parse(text(row, column), value)) refuse(row, column, "a number");
+    return value;
+}
+
+double CsvTable::finite(std::size_t row, std::string_view column) const {
+    const double value = number(row, column);
+    if (!std::isfinite(value)) refuse(row, column, "finite");
     return value;
 }
 

@@ -13,19 +13,25 @@ class CsvTable {
   public:
     /// Reads the whole file. Every line must have as many fields as the header; quotes as in RFC 4180.
     explicit CsvTable(const std::filesystem::path& file);
+    /// The same of a text that is here already.
+    CsvTable(const std::filesystem::path& file, std::string text);
 
     [[nodiscard]] std::size_t rows() const { return rows_.size(); }
     [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
     [[nodiscard]] bool has(std::string_view column) const;
+    /// All that follow throw where there is no such row or column.
     [[nodiscard]] const std::string& text(std::size_t row, std::string_view column) const;
     /// Throws for what is no number; "inf" and "nan" are some.
     [[nodiscard]] double number(std::size_t row, std::string_view column) const;
+    /// Throws for "inf" and "nan" too.
+    [[nodiscard]] double finite(std::size_t row, std::string_view column) const;
     /// Throws for what is no whole number ≥ 0.
     [[nodiscard]] std::uint64_t count(std::size_t row, std::string_view column) const;
+    /// Throws InputError: what stands there is not what is wanted, "a number".
+    [[noreturn]] void refuse(std::size_t row, std::string_view column, std::string_view wanted) const;
 
   private:
     [[nodiscard]] std::size_t index(std::string_view column) const;
-    [[noreturn]] void refuse(std::size_t row, std::string_view column, std::string_view wanted) const;
 
     std::filesystem::path file_;
     std::vector<std::string> columns_;

@@ -8,6 +8,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "lab/failure.hpp"
+
 namespace flipside::lab {
 
 namespace fs = std::filesystem;
@@ -53,44 +55,58 @@ void sync_folder(const fs::path& target, const fs::path& place) {
     if (error != 0 && error != EINVAL && error != EACCES) fail_to_write(target, error);
 }
 
+TemporaryFile* newest = nullptr;
+
 }  // namespace
 
-WholeFile::Draft::Draft(const fs::path& target, const fs::path& place)
-    : path(place), is_temporary(is_plain_or_new(place)) {
-    if (is_temporary) path += "." + std::to_string(getpid()) + ".part";
-    descriptor = open_to_write(path);
-    if (descriptor < 0) fail_to_write(target, errno);
+TemporaryFile::TemporaryFile(const fs::path& place) {
+    static unsigned count = 0;
+    const std::string name = ".flipside-" + std::to_string(getpid()) + "-" + std::to_string(count++);
+    path_ = place.parent_path() / (name + ".part");
+    older_ = std::exchange(newest, this);
 }
 
-WholeFile::Draft::~Draft() {
-    close();
-    if (is_temporary) unlink(path.c_str());
+TemporaryFile::~TemporaryFile() {
+    unlink(path_.c_str());
+    TemporaryFile** link = &newest;
+    while (*link != this) link = &(*link)->older_;
+    *link = older_;
 }
 
-int WholeFile::Draft::close() {
-    if (descriptor < 0) return 0;
-    const int result = ::close(std::exchange(descriptor, -1));
-    return result == 0 ? 0 : errno;
+void TemporaryFile::remove_all() noexcept {
+    for (const TemporaryFile* file = newest; file != nullptr; file = file->older_)
+        unlink(file->path_.c_str());
 }
 
 WholeFile::WholeFile(fs::path target)
     : target_(std::move(target)),
       place_(followed(target_)),
-      draft_(target_, place_),
-      buffer_(draft_.descriptor, target_),
+      is_direct_(!is_plain_or_new(place_)),
+      temporary_(place_),
+      descriptor_(open_to_write(is_direct_ ? place_ : temporary_.path())),
+      buffer_(descriptor_, target_),
       out_(&buffer_) {
+    if (descriptor_ < 0) fail_to_write(target_, errno);
     out_.exceptions(std::ios::badbit);
+}
+
+WholeFile::~WholeFile() {
+    if (descriptor_ >= 0) close(descriptor_);
 }
 
 void WholeFile::finish() {
     out_.flush();
-    const bool is_direct = !draft_.is_temporary;
-    if (!is_direct && fsync(draft_.descriptor) != 0) fail_to_write(target_, errno);
-    if (const int error = draft_.close(); error != 0) fail_to_write(target_, error);
-    if (is_direct) return;
-    if (rename(draft_.path.c_str(), place_.c_str()) != 0) fail_to_write(target_, errno);
-    draft_.is_temporary = false;
+    if (!is_direct_ && fsync(descriptor_) != 0) fail_to_write(target_, errno);
+    if (close(std::exchange(descriptor_, -1)) != 0) fail_to_write(target_, errno);
+    if (is_direct_) return;
+    if (rename(temporary_.path().c_str(), place_.c_str()) != 0) fail_to_write(target_, errno);
     sync_folder(target_, place_);
+}
+
+void make_folder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw Failure(folder.string() + ": cannot be made (" + error.message() + ")");
 }
 
 void write_whole_file(const fs::path& target, std::string_view text) {

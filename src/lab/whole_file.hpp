@@ -10,6 +10,23 @@
 
 namespace flipside::lab {
 
+/// A name for a file beside the place that it shall take. At the end the file is removed if it is there.
+class TemporaryFile {
+  public:
+    explicit TemporaryFile(const std::filesystem::path& place);
+    ~TemporaryFile();
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    /// Removes all there are, for a program that must end at once; may be called anywhere in this thread.
+    static void remove_all() noexcept;
+
+  private:
+    std::filesystem::path path_;
+    TemporaryFile* older_;  ///< all that there are, linked
+};
+
 /// Without finish() nothing is left behind.
 class WholeFile {
   public:
@@ -17,6 +34,9 @@ class WholeFile {
     /// link in /dev or /proc leads to, as /dev/stdout does) is written directly. Throws Failure when it
     /// cannot be opened.
     explicit WholeFile(std::filesystem::path target);
+    ~WholeFile();
+    WholeFile(const WholeFile&) = delete;
+    WholeFile& operator=(const WholeFile&) = delete;
 
     /// Output to it throws Failure as soon as something cannot be written.
     [[nodiscard]] std::ostream& out() { return out_; }
@@ -25,26 +45,17 @@ class WholeFile {
     void finish();
 
   private:
-    /// The open file, which may be a temporary one. At the end it is closed, and removed if it still is one.
-    struct Draft {
-        std::filesystem::path path;
-        bool is_temporary;
-        int descriptor = -1;
-
-        Draft(const std::filesystem::path& target, const std::filesystem::path& place);
-        ~Draft();
-        Draft(const Draft&) = delete;
-        Draft& operator=(const Draft&) = delete;
-        /// Returns 0 or the errno of the system's close().
-        int close();
-    };
-
     std::filesystem::path target_;  ///< as it was asked for
     std::filesystem::path place_;   ///< where its links lead
-    Draft draft_;
+    bool is_direct_;                ///< written into its place
+    TemporaryFile temporary_;
+    int descriptor_;
     OutputBuffer buffer_;
     std::ostream out_;
 };
+
+/// With those it is in. Throws Failure when it cannot be made.
+void make_folder(const std::filesystem::path& folder);
 
 void write_whole_file(const std::filesystem::path& target, std::string_view text);
 

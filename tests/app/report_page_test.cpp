@@ -50,7 +50,9 @@ constexpr const char* around = R"(<!DOCTYPE html><meta charset="utf-8"><body>
 TEST(ReportPage, IsShownByABrowserAsItIsMeant) {
     const fs::path folder = fs::temp_directory_path() / ("flipside-page-" + std::to_string(getpid()));
     make_up_sweep(folder / "swept");
-    make_report({folder, {folder / "swept"}, tiny_effort()}, [](double) {});
+    make_report(
+        {folder, {folder / "swept"}, tiny_effort()}, [](double) {},
+        [](const std::string& sentence) { ADD_FAILURE() << sentence; });
     std::size_t points = 0;
     for (const auto& entry : fs::directory_iterator(folder / "data"))
         if (entry.path().filename().string().starts_with("figure-")) points += CsvTable(entry).rows();

@@ -28,7 +28,7 @@ int report(const ReportOptions& options) {
         lab::report::make_report({options.out,
                                   {options.from.begin(), options.from.end()},
                                   options.quick ? lab::report::quick_effort() : lab::report::full_effort()},
-                                 watch);
+                                 watch, say);
     }
     std::printf("%s\n", (std::filesystem::path(options.out) / "index.html").c_str());
     return 0;

@@ -1,3 +1,5 @@
+#include "lab/sweep/sweep.hpp"
+
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
@@ -76,13 +78,17 @@ int run_sweep(const SweepOptions& options) {
     catch_interrupts();
     {
         Progress progress(1);
-        sweep::make_runs(plan, shard, folder, [&](double share) {
-            progress.at(share);
-            stop_if_interrupted();
-        });
+        sweep::make_runs(
+            plan, shard, folder,
+            [&](double share) {
+                progress.at(share);
+                stop_if_interrupted();
+            },
+            say);
     }
-    print(sweep::count_windows({&folder, 1}));
-    if (!sweep::is_complete(plan, folder)) {
+    const sweep::Inventory inventory = sweep::take_inventory(plan, folder, say);
+    print(inventory.windows);
+    if (!inventory.is_complete) {
         std::cout << "Shard " << options.shard << " is done; sweep.csv is written once all runs are there.\n";
         return 0;
     }

@@ -1,23 +1,26 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <sstream>
 
 #include "lab/csv.hpp"
 #include "lab/csv_table.hpp"
 #include "lab/pair_tests.hpp"
 #include "lab/report/chapter.hpp"
-#include "lab/whole_file.hpp"
+#include "world/input_error.hpp"
 
 namespace flipside::lab::report {
 
 namespace {
 
+constexpr const char* pairs_file = "pairs.csv";
+
 /// Tests are per search in the toy's experiment, per ball and search in the growth; the time, of the growth
 /// alone, is per ball and search.
-void write(const PairTests& found, const std::filesystem::path& path) {
-    WholeFile file(path);
+std::string to_csv(const PairTests& found) {
+    std::ostringstream file;
     CsvRow row;
-    row.add("experiment").add("broad_phase").add("balls").add("tests").add("cpu_ns").write(file.out());
+    row.add("experiment").add("broad_phase").add("balls").add("tests").add("cpu_ns").write(file);
     for (const PairTests::Row& line : found.rows)
         for (std::size_t i = 0; i < line.tests.size(); ++i)
             row.add("toy")
@@ -25,7 +28,7 @@ void write(const PairTests& found, const std::filesystem::path& path) {
                 .add(std::uint64_t{PairTests::fewest + i})
                 .add(line.tests[i])
                 .add(std::nan(""))
-                .write(file.out());
+                .write(file);
     for (const PairTests::Growth& growth : found.growth)
         for (const auto& cost : growth.costs)
             row.add("growth")
@@ -33,8 +36,8 @@ void write(const PairTests& found, const std::filesystem::path& path) {
                 .add(std::uint64_t{growth.balls})
                 .add(cost.tests_per_ball)
                 .add(cost.ns_per_ball)
-                .write(file.out());
-    file.finish();
+                .write(file);
+    return file.str();
 }
 
 /// Broad phases are no engines: colours and shapes of their own.
@@ -45,7 +48,10 @@ Series series_named(const std::string& broad_phase) {
         {"adaptive quadtree", {colour::violet, 2, 9}},
         {"grid", {colour::olive, 1, 5}},
         {"sweep and prune", {colour::wine, 4, 13}}};
-    const auto& [line, dash, marker] = looks.at(broad_phase);
+    const auto look = looks.find(broad_phase);
+    if (look == looks.end())
+        throw InputError(std::string(pairs_file) + ": unknown broad phase " + broad_phase);
+    const auto& [line, dash, marker] = look->second;
     return {broad_phase, std::string(line), dash, marker, 0.7, true, {}};
 }
 
@@ -80,8 +86,8 @@ Series fit_of(const Series& measured) {
     return fit;
 }
 
-Content show_broad_phases(const std::filesystem::path& data) {
-    const CsvTable table(data / "pairs.csv");
+Content show_broad_phases(const Data& data) {
+    const CsvTable table(data.path(pairs_file), data.read(pairs_file));
     Figure toy{"toy-pairs",
                "Box tests per search in the toy's experiment",
                {"balls n", "balls"},
@@ -122,8 +128,8 @@ Content show_broad_phases(const std::filesystem::path& data) {
 }  // namespace
 
 Chapter broad_phase_chapter(const Effort& effort) {
-    const auto take = [effort](const std::filesystem::path& file, const Watch& watch) {
-        write(count_pair_tests(effort.pair_seconds, effort.most_pair_balls, watch), file);
+    const auto measure = [effort](const Watch& watch) {
+        return to_csv(count_pair_tests(effort.pair_seconds, effort.most_pair_balls, watch));
     };
     const double growth = 3e-5 * static_cast<double>(effort.most_pair_balls);
     return {"broad-phases",
@@ -133,7 +139,7 @@ Chapter broad_phase_chapter(const Effort& effort) {
             "of the custom engine makes, insertion included, to find the pairs whose boxes overlap. The "
             "first figure "
             "repeats the classic toy's experiment with 2 to 32 balls; the others keep its density.",
-            {{"pairs.csv", 0.1 * effort.pair_seconds + growth, take}},
+            {measurement_of_file(pairs_file, 0.1 * effort.pair_seconds + growth, measure)},
             show_broad_phases};
 }
 

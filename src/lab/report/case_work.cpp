@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "lab/cases/case.hpp"
 #include "lab/csv.hpp"
 #include "lab/csv_table.hpp"
 #include "lab/report/chapter.hpp"
 #include "lab/report/contender.hpp"
-#include "lab/whole_file.hpp"
 
 namespace flipside::lab::report {
 
@@ -44,10 +44,10 @@ void write_row(CsvRow& row, std::ostream& out, const Story& story, double dt, co
 
 /// CSV: case,dt,error,failure,cpu_seconds.
 Measurement work_measurement(const Contender& contender, const Effort& effort) {
-    const auto take = [=](const std::filesystem::path& path, const Watch& watch) {
-        WholeFile file(path);
+    const auto measure = [=](const Watch& watch) {
+        std::ostringstream file;
         CsvRow row;
-        row.add("case").add("dt").add("error").add("failure").add("cpu_seconds").write(file.out());
+        row.add("case").add("dt").add("error").add("failure").add("cpu_seconds").write(file);
         double done = 0;
         const double whole = static_cast<double>(std::size(stories) * effort.case_steps.size());
         for (const Story& story : stories) {
@@ -58,16 +58,17 @@ Measurement work_measurement(const Contender& contender, const Effort& effort) {
                     {&engine_named(contender.engine), settings_of(contender, Scene{})}, dt, true, [&] {
                         watch(done / whole);
                     }};
-                write_row(row, file.out(), story, dt, run_case(which, input));
+                write_row(row, file, story, dt, run_case(which, input));
                 ++done;
             }
         }
-        file.finish();
+        return file.str();
     };
-    return {work_file(contender), 0.2 * static_cast<double>(effort.case_steps.size()), take};
+    return measurement_of_file(work_file(contender), 0.2 * static_cast<double>(effort.case_steps.size()),
+                               measure);
 }
 
-Content show_case_work(const std::filesystem::path& data) {
+Content show_case_work(const Data& data) {
     Content content;
     for (const Story& story : stories) {
         Figure figure{
@@ -80,7 +81,7 @@ Content show_case_work(const std::filesystem::path& data) {
             "One point per step size; further down is more exact, further left is cheaper. A level "
             "curve is a solver whose answer does not depend on the step: more steps only cost more."};
         for (const Contender& contender : contenders()) {
-            const CsvTable table(data / work_file(contender));
+            const CsvTable table(data.path(work_file(contender)), data.read(work_file(contender)));
             Series series = series_of(contender);
             for (std::size_t row = 0; row < table.rows(); ++row) {
                 if (table.text(row, "case") != story.name) continue;

@@ -15,8 +15,7 @@ namespace flipside::lab::report {
 struct Chapter {
     std::string id, title, intro;
     std::vector<Measurement> measurements;
-    /// From the folder of data.
-    std::function<Content(const std::filesystem::path& data)> show;
+    std::function<Content(const Data& data)> show;  ///< throws InputError for files that are not whole
 };
 
 /// Speed against error on exact windows: measured, or where `from` names folders of `flipside sweep`, theirs.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <sstream>
 
 #include "lab/assets.hpp"
 #include "lab/csv.hpp"
@@ -9,7 +10,6 @@
 #include "lab/report/chapter.hpp"
 #include "lab/report/contender.hpp"
 #include "lab/run.hpp"
-#include "lab/whole_file.hpp"
 #include "world/refusal.hpp"
 #include "world/scene_file.hpp"
 #include "world/script_file.hpp"
@@ -51,7 +51,7 @@ double claimed_radii(const World& world) {
 }
 
 /// CSV: time,radii,uncertainty,failure. After every step until the balls are not the same any more.
-void measure(const Duel& duel, double seconds, const std::filesystem::path& path, const Watch& watch) {
+std::string measure(const Duel& duel, double seconds, const Watch& watch) {
     const auto file = scene_file("pinball");
     const auto scene = std::make_shared<const Scene>(load_scene(file));
     const Script script = load_script(*script_beside(file), *scene);
@@ -59,22 +59,22 @@ void measure(const Duel& duel, double seconds, const std::filesystem::path& path
     for (const Contender* contender : {&duel.first, &duel.second})
         sessions.emplace_back(scene, engine_named(contender->engine), settings_of(*contender, *scene));
 
-    WholeFile csv(path);
+    std::ostringstream csv;
     CsvRow row;
-    row.add("time").add("radii").add("uncertainty").add("failure").write(csv.out());
+    row.add("time").add("radii").add("uncertainty").add("failure").write(csv);
     const auto after = [&](const Session& session, std::uint64_t, double time) {
         watch(time / seconds);
         if (&session == sessions.data()) return;
         const Spread apart = spread(sessions[0].world().balls(), sessions[1].world().balls());
         if (sessions[0].world().balls().empty() || !apart.same_balls) return;
-        row.add(time).add(apart.radii).add(claimed_radii(sessions[0].world())).add("").write(csv.out());
+        row.add(time).add(apart.radii).add(claimed_radii(sessions[0].world())).add("").write(csv);
     };
     try {
         run(sessions, Timeline(0, seconds, step_for(*scene)), script, after);
     } catch (const Refusal& refusal) {
-        row.add(sessions[0].world().time()).add(INFINITY).add(0.0).add(refusal.what()).write(csv.out());
+        row.add(sessions[0].world().time()).add(INFINITY).add(0.0).add(refusal.what()).write(csv);
     }
-    csv.finish();
+    return csv.str();
 }
 
 Series series_of(const Duel& duel, const CsvTable& table) {
@@ -101,7 +101,7 @@ std::optional<double> horizon_of(const CsvTable& table) {
     return std::nullopt;
 }
 
-Content show_divergence(const std::filesystem::path& data) {
+Content show_divergence(const Data& data) {
     Figure figure{
         "divergence",
         "Distance between the same balls on two engines, pinball",
@@ -115,7 +115,7 @@ Content show_divergence(const std::filesystem::path& data) {
         "the reference a curve is an error only up to the horizon, the last moment at which the reference "
         "claims its positions to a thousandth of a radius."};
     for (const Duel& duel : duels()) {
-        const CsvTable table(data / file_of(duel));
+        const CsvTable table(data.path(file_of(duel)), data.read(file_of(duel)));
         figure.series.push_back(series_of(duel, table));
         const auto horizon = horizon_of(table);
         if (horizon && figure.marks.empty())
@@ -134,10 +134,9 @@ Chapter divergence_chapter(const Effort& effort) {
                     {},
                     show_divergence};
     for (const Duel& duel : duels())
-        chapter.measurements.push_back(
-            {file_of(duel), 0.5, [=](const std::filesystem::path& file, const Watch& watch) {
-                 measure(duel, effort.divergence_seconds, file, watch);
-             }});
+        chapter.measurements.push_back(measurement_of_file(file_of(duel), 0.5, [=](const Watch& watch) {
+            return measure(duel, effort.divergence_seconds, watch);
+        }));
     return chapter;
 }
 

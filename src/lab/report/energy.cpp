@@ -29,16 +29,16 @@ std::string file_of(const EnergyScene& scene, const Contender& contender) {
 
 Measurement measurement_of(const EnergyScene& scene, const Contender& contender, const Effort& effort) {
     const RunPlan plan{scene.scene, contender, effort.energy_seconds};
-    const auto take = [plan](const std::filesystem::path& file, const Watch& watch) {
+    const auto measure = [plan](const Watch& watch) {
         double first = 0;
         const auto drift = [&first](const Session& session) {
             const double now = energy(session.world(), session.scene());
             if (session.totals().steps == 0) first = now;
             return (now - first) / std::abs(first);
         };
-        record(plan, drift, file, watch);
+        return record(plan, drift, watch);
     };
-    return {file_of(scene, contender), scene.id == "gas" ? 2.0 : 0.2, take};
+    return measurement_of_file(file_of(scene, contender), scene.id == "gas" ? 2.0 : 0.2, measure);
 }
 
 /// The sizes of the drifts; their signs go into the words.
@@ -51,7 +51,7 @@ std::vector<Point> sizes_of(std::vector<Point> drifts) {
     return drifts;
 }
 
-Figure figure_of(const EnergyScene& scene, const std::filesystem::path& data) {
+Figure figure_of(const EnergyScene& scene, const Data& data) {
     Figure figure{
         "energy-" + scene.id,
         "Energy: " + scene.title,
@@ -65,7 +65,7 @@ Figure figure_of(const EnergyScene& scene, const std::filesystem::path& data) {
     for (const Contender& contender : contenders()) {
         Series series = series_of(contender);
         series.size = 0.4;
-        series.points = sizes_of(recorded(data / file_of(scene, contender)));
+        series.points = sizes_of(recorded(data, file_of(scene, contender)));
         figure.series.push_back(series);
     }
     return figure;
@@ -85,7 +85,7 @@ Chapter energy_chapter(const Effort& effort) {
     for (const EnergyScene& scene : scenes)
         for (const Contender& contender : contenders())
             chapter.measurements.push_back(measurement_of(scene, contender, effort));
-    chapter.show = [scenes](const std::filesystem::path& data) {
+    chapter.show = [scenes](const Data& data) {
         Content content;
         for (const EnergyScene& scene : scenes) content.figures.push_back(figure_of(scene, data));
         return content;

@@ -36,10 +36,6 @@ std::string json_version() {
 
 }  // namespace
 
-std::string build_commit() {
-    return facts::commit;
-}
-
 std::vector<std::pair<std::string, std::string>> build_facts() {
     utsname system{};
     uname(&system);

@@ -7,8 +7,6 @@
 
 namespace flipside::lab::report {
 
-/// The commit that the build was configured at; "unknown" outside git.
-[[nodiscard]] std::string build_commit();
 /// Name and value: machine, system, compiler, flags, libraries, commit.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> build_facts();
 /// Today, UTC, as 2026-01-31.

@@ -9,6 +9,7 @@
 #include "lab/report/process.hpp"
 #include "lab/report/svg.hpp"
 #include "lab/whole_file.hpp"
+#include "world/input_error.hpp"
 #include "world/json_file.hpp"
 
 namespace flipside::lab::report {
@@ -120,12 +121,36 @@ std::vector<std::string> elements_of(const Series& series, std::size_t row) {
     return elements;
 }
 
+[[noreturn]] void fail_to_draw(const fs::path& script, std::string why) {
+    std::ranges::replace(why, '\n', ' ');
+    throw Failure("gnuplot cannot draw " + script.string() + ": " + why);
+}
+
+/// The last chunk of every PNG file: no bytes of data, its name, its checksum (ISO/IEC 15948, 11.2.5).
+constexpr std::string_view png_end("\0\0\0\0IEND\xae\x42\x60\x82", 12);
+
+/// The bytes of what gnuplot has drawn, all of them.
+std::string picture(const fs::path& file, std::string_view end, const fs::path& script) {
+    std::string bytes;
+    try {
+        bytes = read_file(file);
+    } catch (const InputError& error) {
+        fail_to_draw(script, error.what());
+    }
+    const std::string_view drawn(bytes.data(), bytes.find_last_not_of('\n') + 1);
+    if (!drawn.ends_with(end)) fail_to_draw(script, "its picture has no end");
+    return bytes;
+}
+
 }  // namespace
 
 std::string script_of(const Figure& figure, const std::string& csv) {
     std::ostringstream out;
     out << "# " << figure.id << ": run by `gnuplot -d " << figure.id << ".gp` in this folder.\n"
         << "csv = " << in_single_quotes(csv) << '\n';
+    for (const char* picture : {"svg", "png"})
+        out << "if (!exists('" << picture << "')) " << picture << " = "
+            << in_single_quotes(figure.id + "." + picture) << '\n';
     write_frame(out, figure);
     std::string plot = "plot ";
     std::size_t row = 0;
@@ -138,26 +163,32 @@ std::string script_of(const Figure& figure, const std::string& csv) {
         return number(scale * picture_width) + "," + number(scale * picture_height);
     };
     out << "set terminal svg size " << size(1) << " font 'sans-serif,14' name "
-        << in_single_quotes(svg_name(figure)) << "\nset output " << in_single_quotes(figure.id + ".svg")
-        << '\n'
+        << in_single_quotes(svg_name(figure)) << "\nset output svg\n"
         << plot << '\n'
         << "set terminal pngcairo size " << size(2)
         << " fontscale 1.9 linewidth 2 pointscale 2 font 'DejaVu Sans,11'\n"
-        << "set output " << in_single_quotes(figure.id + ".png") << "\nreplot\n";
+        << "set output png\nreplot\nunset output\n";
     return out.str();
 }
 
 std::string draw(const Figure& figure, const fs::path& csv, const fs::path& pictures) {
-    const fs::path script = pictures / (figure.id + ".gp"), svg = pictures / (figure.id + ".svg");
+    const fs::path script = pictures / (figure.id + ".gp");
+    const fs::path svg = pictures / (figure.id + ".svg"), png = pictures / (figure.id + ".png");
     write_whole_file(script, script_of(figure, fs::relative(csv, pictures).string()));
-    const Finished done =
-        run_program({"gnuplot", "-d", "-e", "cd " + in_single_quotes(fs::absolute(pictures).string()),
-                     fs::absolute(script)});
+    // gnuplot is no judge of whether what it wrote arrived; so it does not write into their places.
+    const TemporaryFile drawn_svg(svg), drawn_png(png);
+    const auto name = [](const TemporaryFile& file) {
+        return in_single_quotes(file.path().filename().string());
+    };
+    const Finished done = run_program({"gnuplot", "-d", "-e",
+                                       "cd " + in_single_quotes(fs::absolute(pictures).string()) +
+                                           "; svg = " + name(drawn_svg) + "; png = " + name(drawn_png),
+                                       fs::absolute(script)});
     if (done.code != 0)
-        throw Failure("gnuplot cannot draw " + script.string() + ": " +
-                      (done.said.empty() ? "exit code " + std::to_string(done.code) : done.said));
-    std::string text = inline_svg(read_file(svg), figure);
+        fail_to_draw(script, done.said.empty() ? "exit code " + std::to_string(done.code) : done.said);
+    std::string text = inline_svg(picture(drawn_svg.path(), "</svg>", script), figure);
     write_whole_file(svg, text);
+    write_whole_file(png, picture(drawn_png.path(), png_end, script));
     return text;
 }
 

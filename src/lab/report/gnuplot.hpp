@@ -12,7 +12,8 @@ namespace flipside::lab::report {
 inline constexpr double picture_width = 900, picture_height = 460;
 inline constexpr double box_left = 90, box_right = 590, box_top = 20, box_bottom = 390;
 
-/// A gnuplot script, to be run in the folder that it is in, that reads `csv` and writes ID.svg and ID.png.
+/// A gnuplot script, to be run in the folder that it is in, that reads `csv` and writes ID.svg and ID.png, or
+/// what its variables `svg` and `png` say.
 /// In the SVG every point is a group whose hypertext is the number of its row, from 0.
 [[nodiscard]] std::string script_of(const Figure& figure, const std::string& csv);
 

@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "lab/assets.hpp"
 #include "lab/csv.hpp"
 #include "lab/csv_table.hpp"
 #include "lab/report/chapter.hpp"
 #include "lab/report/recording.hpp"
-#include "lab/whole_file.hpp"
 #include "world/scene_file.hpp"
 
 namespace flipside::lab::report {
@@ -28,7 +28,7 @@ std::string file_of(const Contender& contender, int balls) {
 
 /// CSV of one row: balls,overlap_99,strays,failure,cpu_ns_per_ball_step. The overlap, in radii, is the one
 /// that 1 % of the contacts at the end of steps exceed.
-void measure(const RunPlan& plan, const std::filesystem::path& path, const Watch& watch) {
+std::string measure(const RunPlan& plan, const Watch& watch) {
     std::vector<double> overlaps;
     Totals totals;
     const std::size_t balls = plan.scene->balls.size();
@@ -42,14 +42,9 @@ void measure(const RunPlan& plan, const std::filesystem::path& path, const Watch
     std::ranges::sort(overlaps, std::greater{});
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double ball_steps = static_cast<double>(balls) * static_cast<double>(totals.steps);
-    WholeFile file(path);
+    std::ostringstream file;
     CsvRow row;
-    row.add("balls")
-        .add("overlap_99")
-        .add("strays")
-        .add("failure")
-        .add("cpu_ns_per_ball_step")
-        .write(file.out());
+    row.add("balls").add("overlap_99").add("strays").add("failure").add("cpu_ns_per_ball_step").write(file);
     row.add(std::uint64_t{balls})
         .add(!failure.empty()   ? infinity
              : overlaps.empty() ? 0
@@ -57,11 +52,11 @@ void measure(const RunPlan& plan, const std::filesystem::path& path, const Watch
         .add(totals.strays)
         .add(failure)
         .add(failure.empty() ? 1e9 * totals.step_seconds / ball_steps : infinity)
-        .write(file.out());
-    file.finish();
+        .write(file);
+    return file.str();
 }
 
-Content show_growth(const Effort& effort, const std::filesystem::path& data) {
+Content show_growth(const Effort& effort, const Data& data) {
     Figure time{"growth-time",
                 "Rain: CPU time per ball and step",
                 {"balls", "balls", true},
@@ -83,7 +78,8 @@ Content show_growth(const Effort& effort, const std::filesystem::path& data) {
     for (const Contender& contender : entrants()) {
         Series times = series_of(contender), overlaps = times;
         for (const int balls : effort.growth_balls) {
-            const CsvTable table(data / file_of(contender, balls));
+            const std::string file = file_of(contender, balls);
+            const CsvTable table(data.path(file), data.read(file));
             const std::string& failure = table.text(0, "failure");
             const std::string says = failure.empty() ? table.text(0, "strays") + " balls lost" : failure;
             times.points.push_back({table.number(0, "balls"), table.number(0, "cpu_ns_per_ball_step"), says});
@@ -104,18 +100,18 @@ Chapter growth_chapter(const Effort& effort) {
                         " s at 1/60 s a step, with more and more balls. A run that needs more than " +
                         short_number(effort.growth_limit) + " s of CPU time is given up.",
                     {},
-                    [effort](const std::filesystem::path& data) { return show_growth(effort, data); }};
+                    [effort](const Data& data) { return show_growth(effort, data); }};
     for (const int balls : effort.growth_balls) {
         for (const Contender& contender : entrants()) {
-            const auto take = [=](const std::filesystem::path& file, const Watch& watch) {
+            const auto take = [=](const Watch& watch) {
                 const auto rain = std::make_shared<const Scene>(load_scene(scene_file("rain"), balls));
-                measure({rain, contender, effort.growth_seconds, default_step, effort.growth_limit}, file,
-                        watch);
+                return measure({rain, contender, effort.growth_seconds, default_step, effort.growth_limit},
+                               watch);
             };
             const bool ours = contender.engine == "custom";
             const double guess = effort.growth_seconds * 60 * balls * (ours ? 4e-7 : 4e-6);
-            chapter.measurements.push_back(
-                {file_of(contender, balls), 0.01 + std::min(guess, effort.growth_limit), take});
+            chapter.measurements.push_back(measurement_of_file(
+                file_of(contender, balls), 0.01 + std::min(guess, effort.growth_limit), take));
         }
     }
     return chapter;

@@ -3,7 +3,6 @@
 #include "lab/cases/case.hpp"
 #include "lab/report/chapter.hpp"
 #include "lab/report/contender.hpp"
-#include "lab/whole_file.hpp"
 #include "world/input_error.hpp"
 #include "world/json_file.hpp"
 
@@ -18,7 +17,7 @@ std::string answers_file(const Contender& contender) {
 }
 
 Measurement answers_measurement(const Contender& contender, const Effort& effort) {
-    const auto take = [=](const fs::path& file, const Watch& watch) {
+    const auto measure = [=](const Watch& watch) {
         std::vector<CaseRun> runs;
         const auto chosen = find_cases(effort.cases);
         const auto share = [&] {
@@ -29,14 +28,15 @@ Measurement answers_measurement(const Contender& contender, const Effort& effort
                               effort.quick_cases,
                               [&] { watch(share()); }};
         for (const Case* one : chosen) runs.push_back({one, run_case(*one, input)});
-        write_whole_file(file, to_json(runs, input));
+        return to_json(runs, input);
     };
-    return {answers_file(contender), effort.case_seconds, take};
+    return measurement_of_file(answers_file(contender), effort.case_seconds, measure);
 }
 
 /// The file of a contender, as far as it is one.
-Json read_cases(const fs::path& file) {
-    Json json = parse_json(read_file(file), file.string());
+Json read_cases(const Data& data, const std::string& name) {
+    const fs::path file = data.path(name);
+    Json json = parse_json(data.read(name), file.string());
     if (!json.is_object() || json.value("format", "") != "flipside-cases/1" || !json.contains("cases"))
         throw InputError(file.string(), "/format", "is no \"flipside-cases/1\"");
     return json;
@@ -140,11 +140,15 @@ Table quantity_table(const Answers& answers) {
     return table;
 }
 
-Content show_hard_cases(const fs::path& data) {
+Content show_hard_cases(const Data& data) {
     Answers answers{contenders(), {}};
     for (const Contender& contender : answers.contenders)
-        answers.files.push_back(read_cases(data / answers_file(contender)));
-    return {{}, {verdict_table(answers), quantity_table(answers)}};
+        answers.files.push_back(read_cases(data, answers_file(contender)));
+    try {
+        return {{}, {verdict_table(answers), quantity_table(answers)}};
+    } catch (const Json::exception& error) {
+        throw InputError(data.path("cases-*.json").string(), "", error.what());
+    }
 }
 
 }  // namespace

@@ -1,22 +1,60 @@
 #include "lab/report/measurement.hpp"
 
+#include <vector>
+
+#include "lab/build_commit.hpp"
+
 namespace flipside::lab::report {
 
-void take(std::span<const Measurement> measurements, const std::filesystem::path& folder,
-          const Watch& watch) {
+Data::Data(std::filesystem::path folder, const std::string& effort, Notice notice)
+    : folder_(std::move(folder)),
+      origin_(origin_of("report", {effort, build_commit()})),
+      notice_(std::move(notice)) {}
+
+std::string Data::origin(const std::string& file) const {
+    return origin_of("measurement", {origin_, file});
+}
+
+bool Data::has(const std::string& file) const {
+    const auto text = read_back(
+        path(file), notice_, [&] { return read(file); }, "it is measured again");
+    return text.has_value();
+}
+
+std::string Data::read(const std::string& file) const {
+    return read_data_file(path(file), origin(file));
+}
+
+void Data::write(const std::string& file, const std::string& text) const {
+    write_data_file(path(file), origin(file), text);
+}
+
+Measurement measurement_of_file(const std::string& file, double seconds,
+                                std::function<std::string(const Watch& watch)> measure) {
+    return {seconds, [file](const Data& data) { return data.has(file); },
+            [file, measure = std::move(measure)](const Data& data, const Watch& watch) {
+                data.write(file, measure(watch));
+            }};
+}
+
+void take(std::span<const Measurement> measurements, const Data& data, const Watch& watch) {
     double whole = 0, done = 0;
     for (const Measurement& measurement : measurements) whole += measurement.seconds;
     const auto watch_part = [&](double begin, double seconds) {
         return [&watch, begin, seconds, whole](double share) { watch((begin + share * seconds) / whole); };
     };
     // What is there counts first, so that it is not taken for quick work in the time left.
-    for (const Measurement& measurement : measurements)
-        if (exists(folder / measurement.file)) done += measurement.seconds;
+    std::vector<const Measurement*> missing;
     for (const Measurement& measurement : measurements) {
-        if (exists(folder / measurement.file)) continue;
+        if (measurement.is_done(data))
+            done += measurement.seconds;
+        else
+            missing.push_back(&measurement);
+    }
+    for (const Measurement* measurement : missing) {
         watch(done / whole);
-        measurement.take(folder / measurement.file, watch_part(done, measurement.seconds));
-        done += measurement.seconds;
+        measurement->take(data, watch_part(done, measurement->seconds));
+        done += measurement->seconds;
     }
     watch(1);
 }

@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "lab/assets.hpp"
 #include "lab/csv.hpp"
 #include "lab/csv_table.hpp"
 #include "lab/report/chapter.hpp"
 #include "lab/report/recording.hpp"
-#include "lab/whole_file.hpp"
 #include "world/scene_file.hpp"
 
 namespace flipside::lab::report {
@@ -23,11 +23,11 @@ std::string overlaps_file(const Contender& contender) {
 }
 
 /// CSV: share,depth,contacts,failure. Depth in radii; the last row is the deepest of all.
-void write(std::vector<double> depths, const std::string& failure, const std::filesystem::path& path) {
+std::string to_csv(std::vector<double> depths, const std::string& failure) {
     std::ranges::sort(depths, std::greater{});
-    WholeFile file(path);
+    std::ostringstream file;
     CsvRow row;
-    row.add("share").add("depth").add("contacts").add("failure").write(file.out());
+    row.add("share").add("depth").add("contacts").add("failure").write(file);
     const auto count = static_cast<double>(depths.size());
     for (const double share : shares)
         if (share * count >= 1)
@@ -35,20 +35,20 @@ void write(std::vector<double> depths, const std::string& failure, const std::fi
                 .add(depths[static_cast<std::size_t>(share * count)])
                 .add(std::uint64_t{depths.size()})
                 .add("")
-                .write(file.out());
+                .write(file);
     if (!depths.empty())
-        row.add(1 / count).add(depths.front()).add(std::uint64_t{depths.size()}).add("").write(file.out());
+        row.add(1 / count).add(depths.front()).add(std::uint64_t{depths.size()}).add("").write(file);
     if (!failure.empty())
         row.add(1.0)
             .add(std::numeric_limits<double>::infinity())
             .add(std::uint64_t{depths.size()})
             .add(failure)
-            .write(file.out());
-    file.finish();
+            .write(file);
+    return file.str();
 }
 
 Measurement overlaps_measurement(const RunPlan& plan) {
-    const auto take = [plan](const std::filesystem::path& file, const Watch& watch) {
+    const auto measure = [plan](const Watch& watch) {
         std::vector<double> depths;
         const auto after = [&](const Session& session) {
             const double radius = session.scene().balls.front().radius;
@@ -56,12 +56,12 @@ Measurement overlaps_measurement(const RunPlan& plan) {
                 depths.push_back(std::max(0.0, -contact.separation / radius));
         };
         const std::string failure = run_plan(plan, after, watch);
-        write(depths, failure, file);
+        return to_csv(depths, failure);
     };
-    return {overlaps_file(plan.contender), 4, take};
+    return measurement_of_file(overlaps_file(plan.contender), 4, measure);
 }
 
-Content show_penetration(const std::filesystem::path& data) {
+Content show_penetration(const Data& data) {
     Figure figure{
         "penetration",
         "Overlap in rain",
@@ -74,7 +74,7 @@ Content show_penetration(const std::filesystem::path& data) {
         "that overlaps by more than a radius has its centre on the wrong side. A cross at the upper edge is "
         "a run that its engine refused to go on with; pointing at it tells why."};
     for (const Contender& contender : contenders()) {
-        const CsvTable table(data / overlaps_file(contender));
+        const CsvTable table(data.path(overlaps_file(contender)), data.read(overlaps_file(contender)));
         Series series = series_of(contender);
         for (std::size_t row = 0; row < table.rows(); ++row) {
             const std::string& failure = table.text(row, "failure");

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <sstream>
 
 #include "lab/csv.hpp"
 #include "lab/csv_table.hpp"
 #include "lab/failure.hpp"
 #include "lab/run.hpp"
-#include "lab/whole_file.hpp"
 #include "world/input_error.hpp"
 #include "world/refusal.hpp"
 
@@ -56,27 +56,26 @@ std::string run_plan(const RunPlan& plan, const std::function<void(const Session
     return "";
 }
 
-void record(const RunPlan& plan, const std::function<double(const Session&)>& quantity,
-            const std::filesystem::path& file, const Watch& watch) {
-    WholeFile csv(file);
+std::string record(const RunPlan& plan, const std::function<double(const Session&)>& quantity,
+                   const Watch& watch) {
+    std::ostringstream csv;
     CsvRow row;
-    row.add("time").add("value").add("failure").write(csv.out());
+    row.add("time").add("value").add("failure").write(csv);
     const std::uint64_t steps = Timeline(0, plan.seconds, plan.dt).steps();
     const std::uint64_t every = std::max<std::uint64_t>(1, (steps + samples - 1) / samples);
     double last = 0;
     const auto after = [&](const Session& session) {
         last = session.world().time();
         if (session.totals().steps % every != 0) return;
-        row.add(last).add(quantity(session)).add("").write(csv.out());
+        row.add(last).add(quantity(session)).add("").write(csv);
     };
     const std::string failure = run_plan(plan, after, watch);
-    if (!failure.empty())
-        row.add(last).add(std::numeric_limits<double>::infinity()).add(failure).write(csv.out());
-    csv.finish();
+    if (!failure.empty()) row.add(last).add(std::numeric_limits<double>::infinity()).add(failure).write(csv);
+    return csv.str();
 }
 
-std::vector<Point> recorded(const std::filesystem::path& file) {
-    const CsvTable table(file);
+std::vector<Point> recorded(const Data& data, const std::string& file) {
+    const CsvTable table(data.path(file), data.read(file));
     std::vector<Point> points;
     for (std::size_t row = 0; row < table.rows(); ++row)
         points.push_back({table.number(row, "time"), table.number(row, "value"), table.text(row, "failure")});

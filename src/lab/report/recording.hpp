@@ -1,7 +1,6 @@
 #pragma once
 /// A quantity of one run, recorded over time into a file of its own.
 
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,11 +24,12 @@ struct RunPlan {
 [[nodiscard]] std::string run_plan(const RunPlan& plan, const std::function<void(const Session&)>& after,
                                    const Watch& watch);
 
-/// CSV: time,value,failure. About 120 samples, and where the run failed one more, infinite, with the reason.
-void record(const RunPlan& plan, const std::function<double(const Session&)>& quantity,
-            const std::filesystem::path& file, const Watch& watch);
+/// Returns a CSV: time,value,failure. About 120 samples, and where the run failed one more, infinite, with
+/// the reason.
+[[nodiscard]] std::string record(const RunPlan& plan, const std::function<double(const Session&)>& quantity,
+                                 const Watch& watch);
 
-/// The file's samples as points.
-[[nodiscard]] std::vector<Point> recorded(const std::filesystem::path& file);
+/// The samples of such a file as points.
+[[nodiscard]] std::vector<Point> recorded(const Data& data, const std::string& file);
 
 }  // namespace flipside::lab::report

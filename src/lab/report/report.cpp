@@ -1,15 +1,12 @@
 #include "lab/report/report.hpp"
 
-#include <system_error>
-
 #include <nlohmann/json.hpp>
 
-#include "lab/failure.hpp"
+#include "lab/build_commit.hpp"
 #include "lab/report/facts.hpp"
 #include "lab/report/gnuplot.hpp"
 #include "lab/whole_file.hpp"
 #include "world/input_error.hpp"
-#include "world/json_file.hpp"
 
 namespace flipside::lab::report {
 
@@ -19,26 +16,23 @@ namespace {
 
 constexpr double share_of_drawing = 0.05;  ///< of the time that all takes, for the progress
 
-void make_folder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) throw Failure(folder.string() + ": cannot be made (" + error.message() + ")");
-}
-
 /// Notes what the folder's data are of, or checks that they are of the same.
-void claim(const fs::path& data, const Effort& effort) {
-    const fs::path file = data / "report.json";
+void claim(const Data& data, const Effort& effort) {
+    const std::string file = "report.json", origin = "report";
     const nlohmann::ordered_json json{
-        {"format", "flipside-report-data/1"}, {"effort", effort.name}, {"commit", build_commit()}};
+        {"format", "flipside-report-data/2"}, {"effort", effort.name}, {"commit", build_commit()}};
     const std::string text = json.dump(2) + '\n';
-    if (!exists(file)) return write_whole_file(file, text);
-    if (read_file(file) != text)
-        throw InputError(file.string() +
+    const auto found = read_back(
+        data.path(file), data.notice(), [&] { return read_data_file(data.path(file), origin); },
+        "it is made again");
+    if (!found) return write_data_file(data.path(file), origin, text);
+    if (*found != text)
+        throw InputError(data.path(file).string() +
                          ": the data beside it are of another build or of another effort than '" +
                          effort.name + "' (--quick or not); remove the folder or name another one");
 }
 
-void measure(const std::vector<Chapter>& all, const fs::path& data, const Watch& watch) {
+void measure(const std::vector<Chapter>& all, const Data& data, const Watch& watch) {
     std::vector<Measurement> measurements;
     for (const Chapter& chapter : all)
         measurements.insert(measurements.end(), chapter.measurements.begin(), chapter.measurements.end());
@@ -46,12 +40,12 @@ void measure(const std::vector<Chapter>& all, const fs::path& data, const Watch&
 }
 
 /// Draws the chapter's figures; their points lie beside the data.
-PageChapter drawn(const Chapter& chapter, const fs::path& data, const fs::path& pictures,
+PageChapter drawn(const Chapter& chapter, const Data& data, const fs::path& pictures,
                   const std::function<void()>& watch) {
     PageChapter shown{chapter.id, chapter.title, chapter.intro, chapter.show(data), {}};
     for (const Figure& figure : shown.content.figures) {
         watch();
-        const fs::path csv = data / ("figure-" + figure.id + ".csv");
+        const fs::path csv = data.path("figure-" + figure.id + ".csv");
         write_csv(figure, csv);
         shown.svgs.push_back(draw(figure, csv, pictures));
     }
@@ -87,11 +81,12 @@ std::vector<Chapter> chapters(const Effort& effort, const std::vector<fs::path>&
             broad_phase_chapter(effort)};
 }
 
-void make_report(const ReportInput& input, const Watch& watch) {
+void make_report(const ReportInput& input, const Watch& watch, const Notice& notice) {
     Page page = empty_page(input, gnuplot_version());
     const std::vector<Chapter> all = chapters(input.effort, input.from);
-    const fs::path data = input.out / "data", pictures = input.out / "figures";
-    make_folder(data);
+    const Data data(input.out / "data", input.effort.name, notice);
+    const fs::path pictures = input.out / "figures";
+    make_folder(data.folder());
     make_folder(pictures);
     claim(data, input.effort);
     measure(all, data, watch);

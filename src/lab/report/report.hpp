@@ -18,8 +18,9 @@ struct ReportInput {
     Effort effort;
 };
 
-/// A report that was stopped goes on where it was. Throws Failure when gnuplot is missing, and InputError
-/// when `out` holds the data of another effort or build: they would not say what the page says they do.
-void make_report(const ReportInput& input, const Watch& watch);
+/// A report that was stopped goes on where it was; `notice` is told of data that are damaged and measured
+/// again. Throws Failure when gnuplot is missing, and InputError when `out` holds the data of another effort
+/// or build (they would not say what the page says they do), and for a folder of `from` that is damaged.
+void make_report(const ReportInput& input, const Watch& watch, const Notice& notice);
 
 }  // namespace flipside::lab::report

@@ -1,10 +1,11 @@
 #include <map>
+#include <sstream>
 
 #include "lab/cases/stability_map.hpp"
 #include "lab/csv_table.hpp"
 #include "lab/report/chapter.hpp"
 #include "lab/report/contender.hpp"
-#include "lab/whole_file.hpp"
+#include "world/input_error.hpp"
 
 namespace flipside::lab::report {
 
@@ -15,15 +16,15 @@ std::string map_file(const Contender& contender) {
 }
 
 Measurement map_measurement(const Contender& contender, const Effort& effort) {
-    const auto take = [contender, steps = effort.map_steps](const std::filesystem::path& path,
-                                                            const Watch& watch) {
+    const auto measure = [contender, steps = effort.map_steps](const Watch& watch) {
         const Entrant entrant{&engine_named(contender.engine), settings_of(contender, Scene{})};
         const auto points = stability_map(entrant, steps, watch);
-        WholeFile file(path);
-        write_stability(file.out(), entrant, points);
-        file.finish();
+        std::ostringstream file;
+        write_stability(file, entrant, points);
+        return file.str();
     };
-    return {map_file(contender), 0.5 * static_cast<double>(effort.map_steps.size()), take};
+    return measurement_of_file(map_file(contender), 0.5 * static_cast<double>(effort.map_steps.size()),
+                               measure);
 }
 
 /// One mass ratio and speed, at all steps.
@@ -57,7 +58,7 @@ Series series_for(const Contender& contender, std::size_t stable, std::size_t st
     return {name, contender.colour, 1, stable == steps ? 5 : 4, size, false, {}};
 }
 
-Figure figure_of(const Contender& contender, const std::filesystem::path& data) {
+Figure figure_of(const Contender& contender, const Data& data) {
     Figure figure{
         "stability-" + contender.file,
         "Stability: " + contender.name,
@@ -71,7 +72,9 @@ Figure figure_of(const Contender& contender, const std::filesystem::path& data) 
         "energy gained, a ball "
         "out of the box, or balls left in each other. A hollow ring is no failure: the engine "
         "refuses what it cannot do exactly, here a ball pressed between another and the floor."};
-    const auto cells = cells_of(CsvTable(data / map_file(contender)));
+    const std::string file = map_file(contender);
+    const auto cells = cells_of(CsvTable(data.path(file), data.read(file)));
+    if (cells.empty()) throw InputError(data.path(file).string(), "", "has no rows");
     const std::size_t steps = cells.begin()->second.steps;
     const auto add = [&](Series series, auto belongs) {
         for (const auto& [place, cell] : cells)
@@ -88,7 +91,7 @@ Figure figure_of(const Contender& contender, const std::filesystem::path& data) 
     return figure;
 }
 
-Content show_stability(const std::filesystem::path& data) {
+Content show_stability(const Data& data) {
     Content content;
     for (const Contender& contender : contenders()) content.figures.push_back(figure_of(contender, data));
     return content;

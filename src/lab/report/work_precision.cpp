@@ -6,6 +6,7 @@
 #include "lab/pair_tests.hpp"
 #include "lab/report/chapter.hpp"
 #include "lab/sweep/summary.hpp"
+#include "lab/sweep/sweep.hpp"
 
 namespace flipside::lab::report {
 
@@ -133,21 +134,20 @@ Chapter work_precision_chapter(const Effort& effort, const std::vector<fs::path>
         {}};
     if (!from.empty()) {
         // Read at once: what is wrong with it shall not come out after all measurements.
-        chapter.show = [all = sweep::summarize(sweep::gather(from))](const fs::path&) {
-            return content_of(all);
-        };
+        chapter.show = [all = sweep::summarize(sweep::gather(from))](const Data&) { return content_of(all); };
         return chapter;
     }
     const sweep::Plan plan =
         effort.quick_sweep ? sweep::quick_plan(effort.variants, 1) : sweep::Plan{.variants = effort.variants};
-    const auto take = [plan](const fs::path& file, const Watch& watch) {
-        const fs::path folder = file.parent_path();
-        sweep::make_runs(plan, {}, folder, watch);
-        sweep::write_summary(file, sweep::summarize(sweep::gather({&folder, 1})));
+    const auto take = [plan](const Data& data, const Watch& watch) {
+        sweep::make_runs(plan, {}, data.folder(), watch, data.notice());
+        sweep::write_summary(data.path("sweep.csv"), sweep::summarize(sweep::gather({&data.folder(), 1})));
     };
-    chapter.measurements.push_back({"sweep.csv", effort.sweep_seconds, take});
-    chapter.show = [](const fs::path& data) {
-        return content_of(sweep::summarize(sweep::gather({&data, 1})));
+    // A sweep looks itself at which of its files are there.
+    const auto never = [](const Data&) { return false; };
+    chapter.measurements.push_back({effort.sweep_seconds, never, take});
+    chapter.show = [](const Data& data) {
+        return content_of(sweep::summarize(sweep::gather({&data.folder(), 1})));
     };
     return chapter;
 }

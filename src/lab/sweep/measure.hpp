@@ -5,9 +5,12 @@
 
 namespace flipside::lab::sweep {
 
+/// Why a run may fail.
+inline constexpr std::string_view failures[] = {"refused", "not a number", "lost ball"};
+
 /// What an entrant made of a window.
 struct Outcome {
-    /// "", or why the run failed: "refused", "not a number", "lost ball". Its errors are infinite then.
+    /// "", or one of the failures. Its errors are infinite then.
     std::string failure;
     double error = 0;          ///< radii: position at the end, the worst ball whose end is known
     double typical = 0;        ///< radii: the same, the median over the known balls that were hit

@@ -1,44 +1,120 @@
 #include "lab/sweep/runs.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <tuple>
+
 #include "lab/csv.hpp"
 #include "lab/csv_table.hpp"
-#include "lab/whole_file.hpp"
 
 namespace flipside::lab::sweep {
 
-void write_runs(const std::filesystem::path& file, const std::vector<Run>& runs) {
-    WholeFile whole(file);
-    whole.out() << "variant,entrant,dt,window,seconds,failure,error,typical,impacts,missed,spurious,cpu_min,"
-                   "cpu_median\n";
+namespace {
+
+/// Reads the rows of one unit, and refuses numbers that its runs cannot have.
+class RunReader {
+  public:
+    RunReader(const CsvTable& table, const Plan& plan, const Unit& unit)
+        : table_(table), plan_(plan), unit_(unit) {}
+
+    Run read(std::size_t row) {
+        Run run;
+        run.variant = table_.text(row, "variant");
+        if (run.variant != unit_.variant->name) table_.refuse(row, "variant", "the one of this file");
+        run.entrant = table_.text(row, "entrant");
+        run.dt = table_.finite(row, "dt");
+        run.window = table_.count(row, "window");
+        require_order(row, run);
+        run.seconds = table_.finite(row, "seconds");
+        if (run.seconds < window_unit * unit_.variant->shortest ||
+            run.seconds > window_unit * unit_.variant->longest)
+            table_.refuse(row, "seconds", "the length of a window of this variant");
+        read_outcome(row, run.outcome);
+        read_times(row, run);
+        return run;
+    }
+
+  private:
+    /// By entrant, step size and window as measure_unit() makes them, and none twice.
+    void require_order(std::size_t row, const Run& run) {
+        const auto entrant = std::ranges::find(plan_.entrants, run.entrant, &Entrant::name);
+        if (entrant == plan_.entrants.end()) table_.refuse(row, "entrant", "one of this sweep");
+        const std::vector<double> steps = steps_of(**entrant, plan_);
+        const auto step = std::ranges::find(steps, run.dt);
+        if (step == steps.end()) table_.refuse(row, "dt", "a step size of this entrant");
+        const std::size_t first = unit_.block * plan_.block_size;
+        if (run.window < first || run.window >= first + plan_.block_size)
+            table_.refuse(row, "window", "the number of a window of this file");
+        const Place place{entrant - plan_.entrants.begin(), step - steps.begin(), run.window};
+        if (row > 0 && place <= last_) table_.refuse(row, "window", "in order: a row is twice or misplaced");
+        last_ = place;
+    }
+    void read_outcome(std::size_t row, Outcome& outcome) const {
+        outcome.failure = table_.text(row, "failure");
+        if (std::ranges::find(failures, outcome.failure) == std::end(failures) && !outcome.failure.empty())
+            table_.refuse(row, "failure", "a failure of a run");
+        outcome.error = error(row, "error", outcome.failure);
+        outcome.typical = error(row, "typical", outcome.failure);
+        if (outcome.typical > outcome.error) table_.refuse(row, "typical", "at most the largest error");
+        outcome.impacts = impacts(row, "impacts");
+        outcome.missed = impacts(row, "missed");
+        if (outcome.missed > outcome.impacts) table_.refuse(row, "missed", "at most the number of impacts");
+        outcome.spurious = impacts(row, "spurious");
+    }
+    double error(std::size_t row, const char* column, const std::string& failure) const {
+        const double value = table_.number(row, column);
+        const bool is_right = failure.empty() ? std::isfinite(value) && value >= 0 : value == INFINITY;
+        if (!is_right) table_.refuse(row, column, "the error of such a run");
+        return value;
+    }
+    /// Sums over all runs of a sweep must fit.
+    std::size_t impacts(std::size_t row, const char* column) const {
+        constexpr std::uint64_t most = 1'000'000'000'000;
+        const std::uint64_t value = table_.count(row, column);
+        if (value > most) table_.refuse(row, column, "a number of impacts");
+        return value;
+    }
+    void read_times(std::size_t row, Run& run) const {
+        constexpr double longest = 1e9;  // s
+        run.cpu_min = table_.number(row, "cpu_min");
+        run.cpu_median = table_.number(row, "cpu_median");
+        if (std::isnan(run.cpu_min) && std::isnan(run.cpu_median)) return;  // not timed
+        if (!(run.cpu_min >= 0 && run.cpu_min <= longest)) table_.refuse(row, "cpu_min", "a time");
+        if (!(run.cpu_median >= run.cpu_min && run.cpu_median <= longest))
+            table_.refuse(row, "cpu_median", "a time, and at least the least one");
+    }
+
+    using Place = std::tuple<std::ptrdiff_t, std::ptrdiff_t, std::size_t>;
+
+    const CsvTable& table_;
+    const Plan& plan_;
+    const Unit& unit_;
+    Place last_;
+};
+
+}  // namespace
+
+std::string to_csv(const std::vector<Run>& runs) {
+    std::ostringstream out;
+    out << "variant,entrant,dt,window,seconds,failure,error,typical,impacts,missed,spurious,cpu_min,"
+           "cpu_median\n";
     CsvRow row;
     for (const Run& run : runs) {
         row.add(run.variant).add(run.entrant).add(run.dt).add(run.window).add(run.seconds);
         row.add(run.outcome.failure).add(run.outcome.error).add(run.outcome.typical);
         row.add(run.outcome.impacts).add(run.outcome.missed).add(run.outcome.spurious);
-        row.add(run.cpu_min).add(run.cpu_median).write(whole.out());
+        row.add(run.cpu_min).add(run.cpu_median).write(out);
     }
-    whole.finish();
+    return out.str();
 }
 
-std::vector<Run> read_runs(const std::filesystem::path& file) {
-    const CsvTable table(file);
-    std::vector<Run> runs(table.rows());
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        Run& run = runs[i];
-        run.variant = table.text(i, "variant");
-        run.entrant = table.text(i, "entrant");
-        run.dt = table.number(i, "dt");
-        run.window = table.count(i, "window");
-        run.seconds = table.number(i, "seconds");
-        run.outcome.failure = table.text(i, "failure");
-        run.outcome.error = table.number(i, "error");
-        run.outcome.typical = table.number(i, "typical");
-        run.outcome.impacts = table.count(i, "impacts");
-        run.outcome.missed = table.count(i, "missed");
-        run.outcome.spurious = table.count(i, "spurious");
-        run.cpu_min = table.number(i, "cpu_min");
-        run.cpu_median = table.number(i, "cpu_median");
-    }
+std::vector<Run> parse_runs(const std::string& csv, const std::filesystem::path& file, const Plan& plan,
+                            const Unit& unit) {
+    const CsvTable table(file, csv);
+    RunReader reader(table, plan, unit);
+    std::vector<Run> runs;
+    for (std::size_t row = 0; row < table.rows(); ++row) runs.push_back(reader.read(row));
     return runs;
 }
 

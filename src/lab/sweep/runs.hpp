@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lab/sweep/measure.hpp"
+#include "lab/sweep/plan.hpp"
 
 namespace flipside::lab::sweep {
 
@@ -21,8 +22,11 @@ struct Run {
 
 /// CSV; columns named cpu_* hold measurements of time, everything else is the same on every machine:
 /// variant,entrant,dt,window,seconds,failure,error,typical,impacts,missed,spurious,cpu_min,cpu_median
-void write_runs(const std::filesystem::path& file, const std::vector<Run>& runs);
-/// Throws InputError for what is no such file.
-[[nodiscard]] std::vector<Run> read_runs(const std::filesystem::path& file);
+[[nodiscard]] std::string to_csv(const std::vector<Run>& runs);
+/// Throws InputError for what are no runs of this unit: each of an entrant of the plan at one of its step
+/// sizes, on a window of the unit, once, in this order, with numbers that such a run may have. `file` is for
+/// messages.
+[[nodiscard]] std::vector<Run> parse_runs(const std::string& csv, const std::filesystem::path& file,
+                                          const Plan& plan, const Unit& unit);
 
 }  // namespace flipside::lab::sweep

@@ -4,28 +4,16 @@
 #include <cmath>
 #include <tuple>
 
-#include <nlohmann/json.hpp>
-
 #include "lab/csv.hpp"
+#include "lab/data_file.hpp"
 #include "lab/whole_file.hpp"
 #include "world/input_error.hpp"
-#include "world/json_file.hpp"
 
 namespace flipside::lab::sweep {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-/// Files of a folder by name. Folders list theirs in any order.
-std::vector<fs::path> files_in(const fs::path& folder, std::string_view extension) {
-    std::vector<fs::path> files;
-    if (!fs::is_directory(folder)) return files;
-    for (const auto& entry : fs::directory_iterator(folder))
-        if (entry.path().extension() == extension) files.push_back(entry.path());
-    std::ranges::sort(files);
-    return files;
-}
 
 auto place(const Run& run) {
     return std::tie(run.variant, run.entrant, run.dt, run.window);
@@ -88,27 +76,37 @@ std::string text_of(const std::map<std::string, std::size_t>& failures) {
     return text;
 }
 
-void require_one_plan(std::span<const fs::path> folders) {
+/// The text of the plan that all folders have.
+std::string common_plan(std::span<const fs::path> folders) {
     std::string first;
     for (const fs::path& folder : folders) {
-        const std::string plan = read_file(folder / "plan.json");
+        const std::string plan = read_plan(folder);
         if (first.empty()) first = plan;
         if (plan != first)
             throw InputError((folder / "plan.json").string(), "",
                              "differs from that of " + folders.front().string() +
                                  "; allowed are folders of one and the same sweep");
     }
+    return first;
 }
 
 }  // namespace
 
 std::vector<Run> gather(std::span<const fs::path> folders) {
-    require_one_plan(folders);
+    const std::string text = common_plan(folders);
+    const Plan plan = parse_plan(text, (folders.front() / "plan.json").string());
     std::vector<Run> all;
     for (const fs::path& folder : folders) {
-        const std::vector<fs::path> files = files_in(folder / "runs", ".csv");
-        if (files.empty()) throw InputError(folder.string(), "", "holds no runs of a sweep");
-        for (const fs::path& file : files) std::ranges::move(read_runs(file), std::back_inserter(all));
+        bool has_runs = false;
+        for (const Unit& unit : units_of(plan)) {
+            const fs::path file = runs_file(unit, folder);
+            if (!is_there(file)) continue;
+            has_runs = true;
+            std::ranges::move(
+                parse_runs(read_data_file(file, origin_of_unit("runs", text, unit)), file, plan, unit),
+                std::back_inserter(all));
+        }
+        if (!has_runs) throw InputError(folder.string(), "", "holds no runs of its sweep");
     }
     std::ranges::stable_sort(all, before);
     const auto same = [](const Run& a, const Run& b) { return place(a) == place(b); };
@@ -145,22 +143,6 @@ void write_summary(const fs::path& file, std::span<const Figures> all) {
         row.add(f.timed).add(f.cpu_min).add(f.cpu_median).write(whole.out());
     }
     whole.finish();
-}
-
-std::map<std::string, Windows> count_windows(std::span<const fs::path> folders) {
-    std::map<std::string, nlohmann::json> files;  // by name: one that several folders hold counts once
-    for (const fs::path& folder : folders)
-        for (const fs::path& file : files_in(folder / "windows", ".json"))
-            files[file.stem()] = parse_json(read_file(file), file.string());
-    std::map<std::string, Windows> counts;
-    for (const auto& [name, json] : files) {
-        Windows& of_variant = counts[name.substr(0, name.rfind('-'))];
-        of_variant.windows += json.at("windows").size();
-        of_variant.trajectories += json.at("trajectories").get<std::size_t>();
-        for (const auto& [reason, count] : json.at("skipped").items())
-            of_variant.skipped[reason] += count.get<std::size_t>();
-    }
-    return counts;
 }
 
 }  // namespace flipside::lab::sweep

@@ -3,8 +3,9 @@
 /// entrant and step size. Figures and report are drawn from this.
 
 #include <map>
+#include <span>
 
-#include "lab/sweep/sweep.hpp"
+#include "lab/sweep/runs.hpp"
 
 namespace flipside::lab::sweep {
 
@@ -28,20 +29,13 @@ struct Figures {
 };
 
 /// All runs of these folders, sorted by variant, entrant, step size (largest first) and window; a run
-/// that several folders hold counts once. Throws InputError for a folder without runs, and for folders of
-/// different plans.
+/// that several folders hold counts once. Throws InputError for a folder without runs, for folders of
+/// different plans, and for a file that is damaged or does not belong there.
 [[nodiscard]] std::vector<Run> gather(std::span<const std::filesystem::path> folders);
 /// In the order of `runs`, which must be sorted as gather() does.
 [[nodiscard]] std::vector<Figures> summarize(std::span<const Run> runs);
 
 /// The CSV of the same columns, failures as "2 lost ball; 1 refused".
 void write_summary(const std::filesystem::path& file, std::span<const Figures> all);
-
-/// States that made no window, by variant and reason; and the trajectories that were followed.
-struct Windows {
-    std::size_t windows = 0, trajectories = 0;
-    std::map<std::string, std::size_t> skipped;
-};
-[[nodiscard]] std::map<std::string, Windows> count_windows(std::span<const std::filesystem::path> folders);
 
 }  // namespace flipside::lab::sweep

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "world/input_error.hpp"
+
 namespace flipside::lab::sweep {
 
 namespace {
@@ -26,18 +28,26 @@ struct Task {
     std::vector<double> cpu{};
 };
 
+/// The windows of the block that are run at this step size.
+std::vector<std::size_t> windows_at(double dt, const Plan& plan, const Unit& unit, const Block& block) {
+    std::vector<std::size_t> windows;
+    for (std::size_t i = 0; i < block.windows.size(); ++i) {
+        const double longest = unit.variant->longest * window_unit;
+        const std::size_t number = unit.block * plan.block_size + i;
+        if (number % thinning(plan, block.windows[i].start.balls.size(), longest, dt) == 0)
+            windows.push_back(i);
+    }
+    return windows;
+}
+
 std::vector<Task> tasks_of(const Plan& plan, const Unit& unit, const Block& block,
                            const std::vector<Lane>& lanes) {
     std::vector<Task> tasks;
     for (const Lane& lane : lanes)
-        for (std::size_t i = 0; i < block.windows.size(); ++i) {
+        for (const std::size_t i : windows_at(lane.dt, plan, unit, block)) {
             const Window& window = block.windows[i];
-            const std::size_t balls = window.start.balls.size();
-            const double longest = unit.variant->longest * window_unit;
-            const std::size_t number = unit.block * plan.block_size + i;
-            if (number % thinning(plan, balls, longest, lane.dt) != 0) continue;
-            tasks.push_back(
-                {&lane, i, i < plan.timed, static_cast<double>(balls) * window.seconds / lane.dt});
+            const auto balls = static_cast<double>(window.start.balls.size());
+            tasks.push_back({&lane, i, i < plan.timed, balls * window.seconds / lane.dt});
         }
     return tasks;
 }
@@ -88,6 +98,17 @@ std::vector<Run> measure_unit(const Plan& plan, const Unit& unit, const Block& b
         }
     for (std::size_t i = 0; i < runs.size(); ++i) note_times(runs[i], tasks[i].cpu);
     return runs;
+}
+
+void require_all_runs(const std::vector<Run>& runs, const Plan& plan, const Unit& unit, const Block& block,
+                      const std::filesystem::path& file) {
+    std::size_t wanted = 0;
+    for (const Entrant* entrant : plan.entrants)
+        for (const double dt : steps_of(*entrant, plan)) wanted += windows_at(dt, plan, unit, block).size();
+    if (runs.size() != wanted)
+        throw InputError(
+            file.string(), "",
+            "has " + std::to_string(runs.size()) + " runs; its windows make " + std::to_string(wanted));
 }
 
 }  // namespace flipside::lab::sweep

@@ -1,7 +1,7 @@
 #pragma once
 /// One work unit of a sweep: every entrant at every step size on one block of windows.
 
-#include "lab/sweep/sweep.hpp"
+#include "lab/sweep/runs.hpp"
 
 namespace flipside::lab::sweep {
 
@@ -11,5 +11,10 @@ namespace flipside::lab::sweep {
 [[nodiscard]] std::vector<Run> measure_unit(const Plan& plan, const Unit& unit, const Block& block,
                                             const std::shared_ptr<const Scene>& scene,
                                             const std::function<void(double)>& watch);
+
+/// Throws InputError where these are not all runs that measure_unit() makes of the block. They must be as
+/// parse_runs() leaves them; `file` is for messages.
+void require_all_runs(const std::vector<Run>& runs, const Plan& plan, const Unit& unit, const Block& block,
+                      const std::filesystem::path& file);
 
 }  // namespace flipside::lab::sweep

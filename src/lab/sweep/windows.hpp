@@ -10,7 +10,6 @@
 ///     (a ball that rolls over an edge turns 1e-16 into 1e-8), so no engine that computes in double could do
 ///     better, and the window would tell nothing of the engine.
 
-#include <filesystem>
 #include <functional>
 #include <map>
 
@@ -68,9 +67,11 @@ struct BlockPlan {
                                const Truth& truth, const std::function<void()>& watch);
 inline constexpr std::size_t most_trajectories = 60;
 
-/// A JSON file, every number with all its bits.
-void write_block(const std::filesystem::path& file, const Block& block, const Scene& scene);
-/// Throws InputError for what is no such file of this scene.
-[[nodiscard]] Block read_block(const std::filesystem::path& file, const Scene& scene);
+/// JSON, every number with all its bits; one line.
+[[nodiscard]] std::string to_json(const Block& block, const Scene& scene);
+/// Throws InputError for what is no block of this plan, with the pointer of what is wrong: so a window is one
+/// that can be run in bounded time, and everything in it exists in the scene. `file` is for messages.
+[[nodiscard]] Block parse_block(std::string_view json, const std::string& file, const BlockPlan& plan,
+                                const Scene& scene);
 
 }  // namespace flipside::lab::sweep

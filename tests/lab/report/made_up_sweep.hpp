@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <limits>
 
-#include "lab/sweep/sweep.hpp"
-#include "lab/whole_file.hpp"
+#include "lab/data_file.hpp"
+#include "lab/sweep/runs.hpp"
 
 namespace flipside::lab::report {
 
@@ -26,18 +26,19 @@ inline double made_up_cost(double dt) {
 inline void make_up_sweep(const std::filesystem::path& folder) {
     const sweep::Plan plan = sweep::quick_plan(sweep::variants_of({"toy"}, 0), 1);
     std::filesystem::create_directories(folder / "runs");
-    write_whole_file(folder / "plan.json", sweep::to_json(plan));
+    const std::string text = sweep::to_json(plan);
+    sweep::write_plan(folder, text);
     std::vector<sweep::Run> runs;
     for (const char* entrant : {"custom-continuous", "custom-discrete", "box2d", "box2d-no-bullets"}) {
         for (const double dt : sweep::steps_of(sweep::entrant_named(entrant), plan)) {
             for (std::size_t window = 0; window < 3; ++window) {  // the median is the one in the middle
                 sweep::Run run;
                 run.variant = plan.variants.front().name, run.entrant = entrant;
-                run.dt = dt, run.window = window, run.seconds = 0.1;
+                run.dt = dt, run.window = window, run.seconds = 3 * sweep::window_unit;
                 const double error = made_up_error(entrant, dt);
                 run.outcome = {std::isinf(error) ? "lost ball" : "",
                                error * (0.5 + 0.5 * static_cast<double>(window)),
-                               error,
+                               0.5 * error,
                                2,
                                0,
                                0};
@@ -46,7 +47,9 @@ inline void make_up_sweep(const std::filesystem::path& folder) {
             }
         }
     }
-    sweep::write_runs(folder / "runs" / "toy-001.csv", runs);
+    const sweep::Unit unit{&plan.variants.front(), 0};
+    write_data_file(sweep::runs_file(unit, folder), sweep::origin_of_unit("runs", text, unit),
+                    sweep::to_csv(runs));
 }
 
 }  // namespace flipside::lab::report

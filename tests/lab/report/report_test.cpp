@@ -23,6 +23,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Where nothing is damaged, nothing is noticed.
+const Notice unnoticed = [](const std::string& sentence) { ADD_FAILURE() << sentence; };
+
 class Reports : public ::testing::Test {
   protected:
     fs::path folder = fs::temp_directory_path() / ("flipside-report-" + std::to_string(getpid()));
@@ -32,13 +35,15 @@ class Reports : public ::testing::Test {
 
     [[nodiscard]] ReportInput input(const fs::path& out) const { return {out, {swept}, tiny_effort()}; }
     void make(const fs::path& out) const {
-        make_report(input(out), [](double) {});
+        make_report(
+            input(out), [](double) {}, unnoticed);
     }
 
     [[nodiscard]] std::vector<Figure> figures_in(const fs::path& out) const {
         std::vector<Figure> figures;
         for (const Chapter& chapter : chapters(tiny_effort(), {swept}))
-            for (Figure& figure : chapter.show(out / "data").figures) figures.push_back(std::move(figure));
+            for (Figure& figure : chapter.show({out / "data", tiny_effort().name, unnoticed}).figures)
+                figures.push_back(std::move(figure));
         return figures;
     }
     /// Everything below a folder that must be the same in two reports with the same measurements.
@@ -103,9 +108,12 @@ TEST_F(Reports, OneThatWasStoppedEndsAsOneThatWasNot) {
     // Stopped after each of several shares of the work, with what is left of a measurement under way removed.
     for (const double stop : {0.2, 0.5, 0.9}) {
         try {
-            make_report(input(folder / "parts"), [stop](double share) {
-                if (share > stop) throw Failure("stopped");
-            });
+            make_report(
+                input(folder / "parts"),
+                [stop](double share) {
+                    if (share > stop) throw Failure("stopped");
+                },
+                unnoticed);
             FAIL() << "was not stopped";
         } catch (const Failure& stopped) {
             EXPECT_STREQ(stopped.what(), "stopped");
@@ -135,7 +143,7 @@ const Series& series_named(const Figure& figure, const std::string& name) {
 TEST_F(Reports, WorkAndPrecisionAreThoseOfTheSweep) {
     const Chapter chapter = work_precision_chapter(tiny_effort(), {swept});
     EXPECT_TRUE(chapter.measurements.empty());
-    const Content content = chapter.show({});
+    const Content content = chapter.show({{}, "", unnoticed});
     ASSERT_EQ(content.figures.size(), 2U);
     const Figure &work = content.figures[0], &order = content.figures[1];
     for (const char* entrant : {"custom-continuous", "custom-discrete", "box2d"}) {
@@ -163,15 +171,19 @@ TEST_F(Reports, WorkAndPrecisionAreThoseOfTheSweep) {
 }
 
 TEST_F(Reports, FoldersWithoutASweepAreRefused) {
-    EXPECT_THROW(make_report({folder / "out", {folder}, tiny_effort()}, [](double) {}), InputError);
+    EXPECT_THROW(make_report(
+                     {folder / "out", {folder}, tiny_effort()}, [](double) {}, unnoticed),
+                 InputError);
 }
 
 TEST_F(Reports, DataOfAnotherEffortAreRefused) {
     const auto stop = [](double) { throw Failure("stopped"); };
-    EXPECT_THROW(make_report(input(folder), stop), Failure);
+    EXPECT_THROW(make_report(input(folder), stop, unnoticed), Failure);
     Effort other = tiny_effort();
     other.name = "other";
-    EXPECT_THROW(make_report({folder, {swept}, other}, [](double) {}), InputError);
+    EXPECT_THROW(make_report(
+                     {folder, {swept}, other}, [](double) {}, unnoticed),
+                 InputError);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "lab/csv_table.hpp"
-#include "lab/whole_file.hpp"
+#include "lab/data_file.hpp"
 #include "world/input_error.hpp"
 
 namespace flipside::lab::sweep {
@@ -31,11 +31,18 @@ class SweepSummary : public ::testing::Test {
     fs::path base = fs::temp_directory_path() / ("flipside-summary-" + std::to_string(getpid()));
     void TearDown() override { fs::remove_all(base); }
 
-    fs::path folder(const char* name, const Plan& plan, const Runs& runs) const {
+    /// With these runs, by block.
+    fs::path folder(const char* name, const Plan& plan, const std::vector<Runs>& blocks) const {
         fs::path made = base / name;
         fs::create_directories(made / "runs");
-        write_whole_file(made / "plan.json", to_json(plan));
-        write_runs(made / "runs" / (std::string("toy-") + name + ".csv"), runs);
+        const std::string text = to_json(plan);
+        write_plan(made, text);
+        for (std::uint32_t block = 0; block < blocks.size(); ++block) {
+            const Unit unit{&plan.variants.front(), block};
+            if (!blocks[block].empty())
+                write_data_file(runs_file(unit, made), origin_of_unit("runs", text, unit),
+                                to_csv(blocks[block]));
+        }
         return made;
     }
 };
@@ -64,15 +71,13 @@ TEST_F(SweepSummary, FiguresByNearestRankWithFailuresAsInfinite) {
 }
 
 TEST_F(SweepSummary, FoldersTogetherAreAsOne) {
-    const Plan plan{.variants = standard_variants()};
-    const Runs a{run("box2d", 1.0 / 60, 0, 0.1), run("box2d", 1.0 / 30, 0, 0.2),
-                 run("custom-discrete", 1.0 / 60, 0, 0.3)};
-    const Runs b{run("box2d", 1.0 / 60, 1, inf), run("box2d", 1.0 / 30, 1, 0.4),
-                 run("custom-discrete", 1.0 / 60, 1, 0.5)};
-    Runs both = b;
-    both.insert(both.end(), a.begin(), a.end());
-    const fs::path apart[] = {folder("b", plan, b), folder("a", plan, a), folder("again", plan, a)};
-    const fs::path whole[] = {folder("ab", plan, both)};
+    const Plan plan{.variants = variants_of({"toy"}, 0), .block_size = 1};
+    const Runs a{run("custom-discrete", 1.0 / 60, 0, 0.3), run("box2d", 1.0 / 30, 0, 0.2),
+                 run("box2d", 1.0 / 60, 0, 0.1)};
+    const Runs b{run("custom-discrete", 1.0 / 60, 1, 0.5), run("box2d", 1.0 / 30, 1, 0.4),
+                 run("box2d", 1.0 / 60, 1, inf)};
+    const fs::path apart[] = {folder("b", plan, {{}, b}), folder("a", plan, {a}), folder("again", plan, {a})};
+    const fs::path whole[] = {folder("ab", plan, {a, b})};
     const auto figures = summarize(gather(apart));
     write_summary(base / "apart.csv", figures);
     write_summary(base / "whole.csv", summarize(gather(whole)));
@@ -89,10 +94,10 @@ TEST_F(SweepSummary, FoldersTogetherAreAsOne) {
 }
 
 TEST_F(SweepSummary, RefusesWhatDoesNotBelongTogether) {
-    Plan plan{.variants = standard_variants()}, other = plan;
+    Plan plan{.variants = variants_of({"toy"}, 0)}, other = plan;
     other.seed = 2;
     const Runs runs{run("box2d", 1.0 / 60, 0, 0.1)};
-    const fs::path folders[] = {folder("a", plan, runs), folder("b", other, runs)};
+    const fs::path folders[] = {folder("a", plan, {runs}), folder("b", other, {runs})};
     EXPECT_THROW(static_cast<void>(gather(folders)), InputError);
     fs::remove_all(folders[0] / "runs");
     EXPECT_THROW(static_cast<void>(gather({folders, 1})), InputError);

@@ -1,0 +1,167 @@
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "lab/assets.hpp"
+#include "lab/build_commit.hpp"
+#include "lab/data_file.hpp"
+#include "lab/sweep/plan.hpp"
+#include "world/input_error.hpp"
+#include "world/schema.hpp"
+
+namespace flipside::lab::sweep {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path file_name = "plan.json";
+constexpr const char *plan_format = "flipside-sweep/2", *plan_origin = "plan";
+
+/// Numbers stay so small that nothing that is reckoned from them overflows.
+constexpr std::string_view plan_schema = R"({
+  "type": "object",
+  "additionalProperties": false,
+  "required": ["format", "commit", "seed", "blocks", "windows_per_block", "timed_per_block", "repetitions",
+               "finest_steps_per_second", "most_work", "variants", "entrants"],
+  "properties": {
+    "format": {"const": "flipside-sweep/2"},
+    "commit": {"type": "string"},
+    "seed": {"type": "integer", "minimum": 0},
+    "blocks": {"type": "integer", "minimum": 1, "maximum": 10000},
+    "windows_per_block": {"type": "integer", "minimum": 1, "maximum": 100000},
+    "timed_per_block": {"type": "integer", "minimum": 0, "maximum": 100000},
+    "repetitions": {"type": "integer", "minimum": 0, "maximum": 100000},
+    "finest_steps_per_second": {"type": "integer", "minimum": 30, "maximum": 7680},
+    "most_work": {"type": "number", "minimum": 1, "maximum": 1e12},
+    "variants": {"type": "array", "minItems": 1, "maxItems": 100, "items": {
+      "type": "object",
+      "additionalProperties": false,
+      "required": ["name", "scene", "scene_xxh3", "balls", "from", "until", "shortest", "longest"],
+      "properties": {
+        "name": {"type": "string", "minLength": 1, "maxLength": 255},
+        "scene": {"type": "string"},
+        "scene_xxh3": {"type": "string"},
+        "balls": {"type": "integer", "minimum": 0, "maximum": 1000000},
+        "from": {"type": "number", "minimum": 0, "maximum": 1000000},
+        "until": {"type": "number", "minimum": 0, "maximum": 1000000},
+        "shortest": {"type": "integer", "minimum": 1, "maximum": 1000},
+        "longest": {"type": "integer", "minimum": 1, "maximum": 1000}
+      }}},
+    "entrants": {"type": "array", "minItems": 1, "maxItems": 100, "items": {
+      "type": "object",
+      "additionalProperties": false,
+      "required": ["name", "engine", "settings", "about"],
+      "properties": {
+        "name": {"type": "string"},
+        "engine": {"type": "string"},
+        "settings": {"type": "string"},
+        "about": {"type": "string"}
+      }}}
+  }
+})";
+
+/// Of the scene's file and of the script that belongs to it.
+std::string scene_checksum(const Variant& variant) {
+    const fs::path scene = scene_file(variant.scene);
+    const auto script = script_beside(scene);
+    return checksum(checksum(read_file(scene)) + (script ? checksum(read_file(*script)) : ""));
+}
+
+/// A name that is part of a file's.
+void require_file_name(const Node& node) {
+    const std::string name = node.text("name");
+    if (name.find('/') != std::string::npos || name.find('\0') != std::string::npos)
+        node.fail("name", "is " + in_quotes(name) + "; allowed is what may be part of a file's name");
+}
+
+Variant parse_variant(const Node& node) {
+    require_file_name(node);
+    return {.name = node.text("name"),
+            .scene = node.text("scene"),
+            .balls = static_cast<int>(node.integer("balls")),
+            .from = node.real("from"),
+            .until = node.real("until"),
+            .shortest = static_cast<int>(node.integer("shortest")),
+            .longest = static_cast<int>(node.integer("longest"))};
+}
+
+const Entrant* parse_entrant(const Node& node) {
+    const Entrant& entrant = entrant_named(node.text("name"));
+    if (node.text("engine") != entrant.engine || node.text("settings") != entrant.settings)
+        node.fail("is another entrant than " + std::string(entrant.name) +
+                  " of this version; allowed is the same one");
+    return &entrant;
+}
+
+void require_different_names(const Node& root, const Plan& plan) {
+    std::vector<std::string_view> names;
+    for (const Variant& variant : plan.variants) names.push_back(variant.name);
+    for (const Entrant* entrant : plan.entrants) names.push_back(entrant->name);
+    const auto middle = names.begin() + static_cast<std::ptrdiff_t>(plan.variants.size());
+    std::sort(names.begin(), middle);
+    std::sort(middle, names.end());
+    if (std::adjacent_find(names.begin(), middle) != middle) root.fail("variants", "are there twice");
+    if (std::adjacent_find(middle, names.end()) != names.end()) root.fail("entrants", "are there twice");
+}
+
+}  // namespace
+
+std::string to_json(const Plan& plan) {
+    nlohmann::ordered_json variants, all;
+    for (const Variant& variant : plan.variants)
+        variants.push_back({{"name", variant.name},
+                            {"scene", variant.scene},
+                            {"scene_xxh3", scene_checksum(variant)},
+                            {"balls", variant.balls},
+                            {"from", variant.from},
+                            {"until", variant.until},
+                            {"shortest", variant.shortest},
+                            {"longest", variant.longest}});
+    for (const Entrant* entrant : plan.entrants)
+        all.push_back({{"name", entrant->name},
+                       {"engine", entrant->engine},
+                       {"settings", entrant->settings},
+                       {"about", entrant->about}});
+    const nlohmann::ordered_json json{{"format", plan_format},
+                                      {"commit", build_commit()},
+                                      {"seed", plan.seed},
+                                      {"blocks", plan.blocks},
+                                      {"windows_per_block", plan.block_size},
+                                      {"timed_per_block", plan.timed},
+                                      {"repetitions", plan.repetitions},
+                                      {"finest_steps_per_second", plan.finest},
+                                      {"most_work", plan.most_work},
+                                      {"variants", variants},
+                                      {"entrants", all}};
+    return json.dump(2) + '\n';
+}
+
+Plan parse_plan(std::string_view json, const std::string& file) {
+    const Json document = parse_json(json, file);
+    check_form(document, plan_schema, file);
+    const Node root(document, file);
+    Plan plan;
+    plan.seed = document.at("seed").get<std::uint64_t>();  // above what a double holds
+    plan.blocks = static_cast<std::uint32_t>(root.integer("blocks"));
+    plan.block_size = static_cast<std::size_t>(root.integer("windows_per_block"));
+    plan.timed = static_cast<std::size_t>(root.integer("timed_per_block"));
+    plan.repetitions = static_cast<std::size_t>(root.integer("repetitions"));
+    plan.finest = static_cast<int>(root.integer("finest_steps_per_second"));
+    plan.most_work = root.real("most_work");
+    for (const Node& node : root.each("variants")) plan.variants.push_back(parse_variant(node));
+    plan.entrants.clear();
+    for (const Node& node : root.each("entrants")) plan.entrants.push_back(parse_entrant(node));
+    require_different_names(root, plan);
+    return plan;
+}
+
+void write_plan(const fs::path& folder, const std::string& json) {
+    write_data_file(folder / file_name, plan_origin, json);
+}
+
+std::string read_plan(const fs::path& folder) {
+    return read_data_file(folder / file_name, plan_origin);
+}
+
+}  // namespace flipside::lab::sweep

@@ -1,0 +1,102 @@
+// Sweeps and reports that are killed or interrupted at random moments, and taken up again until they are
+// done: what they leave is whole, and what they end with is what an undisturbed one ends with.
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <random>
+#include <thread>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "scenarios.hpp"
+
+namespace flipside::faults {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// FLIPSIDE_KILLS=N asks for more than fits into a test.
+int kills_wanted(int usual) {
+    const char* const wish = std::getenv("FLIPSIDE_KILLS");
+    return wish != nullptr ? std::atoi(wish) : usual;
+}
+
+bool is_temporary(const std::string& name) {
+    return name.ends_with(".part");
+}
+
+class Kills : public ::testing::Test {
+  protected:
+    fs::path base = fs::temp_directory_path() / ("flipside-kills-" + std::to_string(getpid()));
+    fs::path now = base / "now";
+    std::mt19937 dice{std::random_device{}()};
+
+    void TearDown() override { fs::remove_all(base); }
+
+    /// An undisturbed run, and how long it takes, s.
+    std::pair<Contents, double> undisturbed(const std::vector<std::string>& command) const {
+        fs::create_directories(base / "whole");
+        const auto begin = std::chrono::steady_clock::now();
+        const Ended ended = Child(command, base / "whole").wait(600);
+        EXPECT_EQ(ended.code, 0) << ended.err;
+        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+        return {contents_of(base / "whole"), taken.count()};
+    }
+
+    /// Starts the command, sends it the signal at a random moment, and looks at what is there. Whether it was
+    /// done before.
+    bool disturb(const std::vector<std::string>& command, int signal, double longest, const Contents& whole) {
+        const double seconds = std::uniform_real_distribution<double>(0, longest)(dice);
+        Child child(command, now);
+        std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+        child.signal(signal);
+        const Ended ended = child.wait(60);
+        Contents found = contents_of(now);
+        if (signal == SIGKILL) {
+            EXPECT_TRUE(ended.code == -SIGKILL || ended.code == 0) << ended.code << ": " << ended.err;
+            std::erase_if(found, [](const auto& file) { return is_temporary(file.first); });
+        } else {
+            // Before the signal is caught nothing has been written.
+            if (ended.code != -signal) EXPECT_EQ(unclear_end(ended, false), "") << ended.code;
+        }
+        EXPECT_EQ(half_files(found, {}, whole), "") << "after " << seconds << " s, signal " << signal;
+        return ended.code == 0;
+    }
+
+    void expect_the_same_after_kills(const std::vector<std::string>& command, int usual) {
+        const auto [whole, taken] = undisturbed(command);
+        int kills = 0, rounds = 0;
+        const int signals[] = {SIGKILL, SIGINT, SIGKILL, SIGTERM};
+        for (const int wanted = kills_wanted(usual); kills < wanted; ++rounds) {
+            fs::remove_all(now);
+            fs::create_directories(now);
+            // What is done before each kill stays done, so this ends.
+            constexpr int most = 20;
+            for (int i = 0; i < most && kills < wanted; ++i) {
+                if (disturb(command, signals[kills % 4], 0.7 * taken, whole)) break;
+                ++kills;
+            }
+            const Ended ended = Child(command, now).wait(600);
+            EXPECT_EQ(ended.code, 0) << ended.err;
+            EXPECT_EQ(ended.err, "");
+            Contents found = contents_of(now);
+            std::erase_if(found, [](const auto& file) { return is_temporary(file.first); });
+            EXPECT_EQ(found, whole);
+        }
+        std::cout << kills << " kills in " << rounds << " rounds; undisturbed it takes " << taken << " s\n";
+    }
+};
+
+TEST_F(Kills, OfASweepChangeNothing) {
+    expect_the_same_after_kills(
+        {FLIPSIDE_EXECUTABLE, "sweep", "drop", "toy", "--finest", "60", "--quick", "--out", "sweep"}, 8);
+}
+
+TEST_F(Kills, OfAReportChangeNothing) {
+    expect_the_same_after_kills({TINY_REPORT, "report"}, 3);
+}
+
+}  // namespace
+}  // namespace flipside::faults
