@@ -5,6 +5,7 @@ build_packages=(
     g++ cmake ninja-build pkg-config           # compiler and build
     libbox2d-dev                               # the other engine
     libsfml-dev libimgui-dev libgl-dev         # window, panel
+    libpng-dev                                 # pictures
     libcli11-dev                               # command line
     nlohmann-json3-dev libvalijson-dev         # scene files and their schema
     libxxhash-dev                              # checksums of files of measurements

@@ -4,27 +4,36 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <iostream>
+#include <filesystem>
+#include <sstream>
 
 #include "app/cli/commands.hpp"
+#include "app/cli/output.hpp"
 #include "lab/assets.hpp"
+#include "lab/path_error.hpp"
 #include "world/input_error.hpp"
 
 namespace {
 
 using namespace flipside;
+namespace fs = std::filesystem;
 
-int fail(int code, std::string message) {
-    std::ranges::replace(message, '\n', ' ');
-    std::cerr << "flipside: " << message << '\n';
+int fail(int code, std::string_view message) {
+    app::say(message);
     return code;
 }
 
+/// Does it, and turns what it throws into an exit code.
 int act(const app::Action& action) {
     try {
-        return action();
+        const int code = action();
+        app::finish_output();
+        return code;
     } catch (const InputError& error) {
         return fail(2, error.what());
+    } catch (const fs::filesystem_error& error) {
+        return fail(lab::is_bad_path(error.code()) ? 2 : 1,
+                    error.path1().string() + ": cannot be used (" + error.code().message() + ")");
     } catch (const std::exception& error) {
         return fail(1, error.what());
     }
@@ -57,6 +66,24 @@ std::vector<std::string> with_command(const CLI::App& program, std::vector<std::
     return arguments;
 }
 
+/// Sets `chosen` to what the arguments ask for; --help and --version among them.
+void parse(CLI::App& program, app::Action& chosen, std::vector<std::string> arguments) {
+    try {
+        arguments = with_command(program, std::move(arguments));
+        std::ranges::reverse(arguments);  // as CLI11 takes them
+        program.parse(arguments);
+    } catch (const CLI::Success& asked) {
+        std::ostringstream text;
+        program.exit(asked, text, text);
+        chosen = [words = text.str()] {
+            app::print_text(words);
+            return 0;
+        };
+    } catch (const CLI::ParseError& error) {
+        throw InputError(error.what());
+    }
+}
+
 /// Reads the command line and does what it asks for.
 int command_line(int argc, char** argv) {
     CLI::App program("One pinball table, two interchangeable 2D physics engines, side by side.", "flipside");
@@ -76,21 +103,16 @@ int command_line(int argc, char** argv) {
     app::add_scenes(program, chosen);
     app::add_engines(program, chosen);
     app::add_check(program, chosen);
-    try {
-        auto arguments = with_command(program, {argv + 1, argv + argc});
-        std::ranges::reverse(arguments);  // as CLI11 takes them
-        program.parse(arguments);
-    } catch (const CLI::Success& asked) {  // --help, --version
-        return program.exit(asked);
-    } catch (const std::exception& error) {  // CLI::ParseError, InputError
-        return fail(2, error.what());
-    }
-    return act(chosen);
+    return act([&] {
+        parse(program, chosen, {argv + 1, argv + argc});
+        return chosen();
+    });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+    app::prepare_streams();
     try {
         return command_line(argc, argv);
     } catch (...) {

@@ -5,6 +5,7 @@
 
 #include <SFML/Graphics/RenderTexture.hpp>
 
+#include "app/window/png_file.hpp"
 #include "app/window/screen.hpp"
 #include "world/input_error.hpp"
 #include "world/refusal.hpp"
@@ -59,8 +60,7 @@ int render(const RenderOptions& options) {
     for (const Run& run : stage.runs()) readings.scores.push_back(run.session().game().score());
     screen.draw(picture, stage, layout, camera, look, readings);
     picture.display();
-    if (!picture.getTexture().copyToImage().saveToFile(options.out.string()))
-        throw std::runtime_error("cannot write " + options.out.string());
+    write_png(picture.getTexture().copyToImage(), options.out);
     return 0;
 }
 

@@ -44,7 +44,11 @@ std::vector<std::string> scene_names() {
 }
 
 fs::path scene_file(const std::string& name_or_path) {
-    if (fs::exists(name_or_path) && !fs::is_directory(name_or_path)) return name_or_path;
+    std::error_code why;
+    const fs::file_type type = fs::status(name_or_path, why).type();
+    if (type == fs::file_type::none)
+        throw InputError(name_or_path, "", "cannot be read (" + why.message() + ")");
+    if (type != fs::file_type::not_found && type != fs::file_type::directory) return name_or_path;
     const std::vector<std::string> names = scene_names();
     if (std::ranges::binary_search(names, name_or_path))
         return scenes_folder() / (name_or_path + std::string(ending));
@@ -55,7 +59,8 @@ fs::path scene_file(const std::string& name_or_path) {
 
 std::optional<fs::path> script_beside(const fs::path& scene_file) {
     const fs::path script = fs::path(scene_file).replace_extension("script.json");
-    return fs::exists(script) ? std::optional(script) : std::nullopt;
+    std::error_code unknown;  // its name may be too long to be one
+    return fs::exists(script, unknown) ? std::optional(script) : std::nullopt;
 }
 
 }  // namespace flipside::lab

@@ -2,6 +2,7 @@
 
 #include "lab/compare.hpp"
 #include "lab/csv.hpp"
+#include "world/json_file.hpp"
 
 namespace flipside::lab {
 
@@ -85,7 +86,7 @@ std::string to_json(const Comparison& comparison) {
                     {"engines", engines},
                     {"pairs", pairs},
                     {"times", comparison.times}};
-    return json.dump(2) + '\n';
+    return json_text(json, 2) + '\n';
 }
 
 }  // namespace flipside::lab

@@ -3,24 +3,29 @@
 #include <charconv>
 #include <ostream>
 
+#include "world/printable.hpp"
+
 namespace flipside::lab {
 
 CsvRow& CsvRow::add(double value) {
     char text[32];
     const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 17).ptr;
-    return add(std::string_view(text, end));
+    return append(std::string_view(text, end));
 }
 
-CsvRow& CsvRow::add(std::string_view word) {
+CsvRow& CsvRow::add(std::string_view text) {
+    std::string word = printable(text);
+    if (word.find_first_of("=+-@'") == 0) word.insert(0, 1, '\'');
+    if (word.find_first_of(",\"") == std::string::npos) return append(word);
+    std::string quoted = "\"";
+    for (const char c : word) quoted.append(c == '"' ? 2 : 1, c);
+    return append(quoted + '"');
+}
+
+CsvRow& CsvRow::append(std::string_view field) {
     if (begun_) line_ += ',';
     begun_ = true;
-    if (word.find_first_of(",\"\r\n") == std::string::npos) {
-        line_ += word;
-        return *this;
-    }
-    line_ += '"';
-    for (const char c : word) line_.append(c == '"' ? 2 : 1, c);
-    line_ += '"';
+    line_ += field;
     return *this;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 /// CSV (RFC 4180, lines end with \n): rows of any table, trajectories and events among them. Numbers have 17
-/// significant digits, so they read back to the same bits, and do not depend on the locale.
+/// significant digits, so they read back to the same bits, and do not depend on the locale. Text is
+/// printable() and so in one line; one that begins with = + - @ or ' gets a ' before it, for a spreadsheet
+/// takes the first four for a formula. A reader takes one ' off the beginning of a text that has one.
 
 #include <iosfwd>
 #include <span>
@@ -18,14 +20,17 @@ inline constexpr std::string_view events_header = "time,kind,ball,other,x,y,nx,n
 class CsvRow {
   public:
     CsvRow& add(double value);
-    CsvRow& add(std::uint32_t value) { return add(std::string_view(std::to_string(value))); }
-    CsvRow& add(std::uint64_t value) { return add(std::string_view(std::to_string(value))); }
-    /// In quotes where a comma, a quote or a line end asks for it.
-    CsvRow& add(std::string_view word);
+    CsvRow& add(std::uint32_t value) { return append(std::to_string(value)); }
+    CsvRow& add(std::uint64_t value) { return append(std::to_string(value)); }
+    /// Text, in quotes where a comma or a quote asks for it.
+    CsvRow& add(std::string_view text);
     /// Writes the line and is empty again.
     void write(std::ostream& out);
 
   private:
+    /// A field as it is.
+    CsvRow& append(std::string_view field);
+
     std::string line_;
     bool begun_ = false;
 };

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "lab/plain_name.hpp"
 #include "world/input_error.hpp"
 #include "world/json_file.hpp"
 
@@ -99,14 +100,33 @@ std::size_t CsvTable::index(std::string_view column) const {
 }
 
 void CsvTable::refuse(std::size_t row, std::string_view column, std::string_view wanted) const {
+    constexpr std::size_t enough = 60;  // of what may be a megabyte
+    std::string found = text(row, column).substr(0, enough + 1);
+    if (found.size() > enough) found.replace(enough, 1, "...");
     throw InputError(file_.string() + ": line " + std::to_string(lines_[row]) + ": " + std::string(column) +
-                     " '" + text(row, column) + "' is not " + std::string(wanted));
+                     " '" + found + "' is not " + std::string(wanted));
 }
 
 const std::string& CsvTable::text(std::size_t row, std::string_view column) const {
     const std::size_t at = index(column);
     if (row >= rows_.size()) throw InputError(file_.string() + ": has no row " + std::to_string(row + 1));
     return rows_[row][at];
+}
+
+const std::string& CsvTable::name(std::size_t row, std::string_view column) const {
+    const std::string& found = text(row, column);
+    if (!is_plain_name(found)) refuse(row, column, "a name; allowed are " + std::string(plain_name_rule));
+    return found;
+}
+
+const std::string& CsvTable::one_of(std::size_t row, std::string_view column,
+                                    std::span<const std::string_view> allowed) const {
+    const std::string& found = text(row, column);
+    if (std::ranges::find(allowed, found) != allowed.end()) return found;
+    std::string known;
+    for (const std::string_view word : allowed)
+        known += (known.empty() ? "" : ", ") + ("'" + std::string(word) + "'");
+    refuse(row, column, "one of " + known);
 }
 
 double CsvTable::number(std::size_t row, std::string_view column) const {

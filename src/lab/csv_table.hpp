@@ -3,6 +3,7 @@
 /// an InputError that names the file, the line and the column.
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,11 @@ class CsvTable {
     [[nodiscard]] bool has(std::string_view column) const;
     /// All that follow throw where there is no such row or column.
     [[nodiscard]] const std::string& text(std::size_t row, std::string_view column) const;
+    /// Throws for what is no plain name (plain_name.hpp).
+    [[nodiscard]] const std::string& name(std::size_t row, std::string_view column) const;
+    /// Throws for what is none of the words allowed.
+    [[nodiscard]] const std::string& one_of(std::size_t row, std::string_view column,
+                                            std::span<const std::string_view> allowed) const;
     /// Throws for what is no number; "inf" and "nan" are some.
     [[nodiscard]] double number(std::size_t row, std::string_view column) const;
     /// Throws for "inf" and "nan" too.

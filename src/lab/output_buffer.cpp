@@ -5,12 +5,12 @@
 
 #include <unistd.h>
 
-#include "lab/failure.hpp"
+#include "lab/path_error.hpp"
 
 namespace flipside::lab {
 
 void fail_to_write(const std::filesystem::path& target, int error) {
-    throw Failure(target.string() + ": cannot be written (" + std::generic_category().message(error) + ")");
+    throw_path_error(target, "cannot be written", std::error_code(error, std::generic_category()));
 }
 
 void OutputBuffer::write_all(const char* text, std::size_t size) const {

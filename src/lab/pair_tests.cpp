@@ -10,6 +10,7 @@
 #include "lab/cpu_clock.hpp"
 #include "lab/dice.hpp"
 #include "lab/engines.hpp"
+#include "world/json_file.hpp"
 
 namespace flipside::lab {
 
@@ -225,7 +226,7 @@ std::string to_json(const PairTests& found) {
                     {"balls", {{"from", PairTests::fewest}, {"to", PairTests::most}}},
                     {"toy", toy},
                     {"growth", growth}};
-    return json.dump(2) + '\n';
+    return json_text(json, 2) + '\n';
 }
 
 }  // namespace flipside::lab

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lab/run.hpp"
+#include "world/json_file.hpp"
 
 namespace flipside::lab {
 
@@ -41,7 +42,7 @@ std::string to_json(const RunFigures& figures) {
                                       {"overlaps", figures.overlaps},
                                       {"asleep", figures.asleep},
                                       {"score", figures.score}};
-    return json.dump(2) + '\n';
+    return json_text(json, 2) + '\n';
 }
 
 }  // namespace flipside::lab

@@ -1,6 +1,7 @@
 #include "lab/whole_file.hpp"
 
 #include <cerrno>
+#include <climits>
 #include <cstdio>
 #include <system_error>
 #include <utility>
@@ -8,7 +9,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "lab/failure.hpp"
+#include "lab/path_error.hpp"
 
 namespace flipside::lab {
 
@@ -87,6 +88,8 @@ WholeFile::WholeFile(fs::path target)
       buffer_(descriptor_, target_),
       out_(&buffer_) {
     if (descriptor_ < 0) fail_to_write(target_, errno);
+    // The temporary file's name is shorter, so this would come out at the end only.
+    if (place_.filename().native().size() > NAME_MAX) fail_to_write(target_, ENAMETOOLONG);
     out_.exceptions(std::ios::badbit);
 }
 
@@ -106,7 +109,7 @@ void WholeFile::finish() {
 void make_folder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
-    if (error) throw Failure(folder.string() + ": cannot be made (" + error.message() + ")");
+    if (error) throw_path_error(folder, "cannot be made", error);
 }
 
 void write_whole_file(const fs::path& target, std::string_view text) {

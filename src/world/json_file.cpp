@@ -1,5 +1,6 @@
 #include "world/json_file.hpp"
 
+#include <cerrno>
 #include <fstream>
 #include <numbers>
 
@@ -104,12 +105,15 @@ std::string read_file(const std::filesystem::path& file) {
     const std::string name = file.string();
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
+    if (status.type() == std::filesystem::file_type::none)
+        throw InputError(name, "", "cannot be read: " + error.message());
     if (!std::filesystem::exists(status)) throw InputError(name, "", "there is no such file");
     if (!std::filesystem::is_regular_file(status)) throw InputError(name, "", "this is not a regular file");
     const std::uintmax_t size = std::filesystem::file_size(file, error);
     if (error) throw InputError(name, "", "cannot be read: " + error.message());
     if (size > largest_file) throw InputError(name, "", "this file is too large; allowed are 64 MB");
     std::ifstream stream(file, std::ios::binary);
+    if (!stream) throw InputError(name, "", "cannot be read: " + std::generic_category().message(errno));
     std::string text(size, '\0');
     if (!stream.read(text.data(), static_cast<std::streamsize>(size)))
         throw InputError(name, "", "cannot be read");

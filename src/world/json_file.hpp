@@ -20,6 +20,13 @@ using Json = nlohmann::json;
 /// a key is there twice, a number is beyond double's range, or the nesting is deeper than 64.
 [[nodiscard]] Json parse_json(std::string_view text, const std::string& file);
 
+/// JSON to be written, in ASCII alone: so that no text in it means anything to a terminal. Bytes that are no
+/// UTF-8 become U+FFFD. `indent` as in nlohmann::json::dump: -1 is one line.
+template <class AnyJson>
+[[nodiscard]] std::string json_text(const AnyJson& json, int indent = -1) {
+    return json.dump(indent, ' ', /*ensure_ascii=*/true, AnyJson::error_handler_t::replace);
+}
+
 /// A word from a file as error messages show it: quoted, on one line, in ASCII, not too long.
 [[nodiscard]] std::string in_quotes(std::string_view word);
 /// The names of things for error messages, the first of them where there are many. `name` gives "" for

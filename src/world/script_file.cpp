@@ -67,7 +67,7 @@ std::string to_json(const Script& script, const Scene& scene) {
         json["time"] = timed.time;
         controls.push_back(std::move(json));
     }
-    return Json{{"format", script_format}, {"controls", std::move(controls)}}.dump(1) + "\n";
+    return json_text(Json{{"format", script_format}, {"controls", std::move(controls)}}, 1) + "\n";
 }
 
 Script parse_script(std::string_view text, const std::string& file, const Scene& scene) {

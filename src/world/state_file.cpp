@@ -179,7 +179,7 @@ std::string to_json(const State& state, const Scene& scene) {
         json["pressings"].push_back({{"a", p.a}, {"b", p.b}, {"normal", p.normal}, {"tangent", p.tangent}});
     for (const Blocked& b : state.blocked)
         json["blocked"].push_back({{"gate", scene.parts[b.gate].name}, {"ball", b.ball}});
-    return json.dump() + "\n";
+    return json_text(json) + "\n";
 }
 
 State parse_state(std::string_view text, const std::string& file, const Scene& scene) {

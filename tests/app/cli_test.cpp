@@ -2,90 +2,13 @@
 /// files.
 
 #include <csignal>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <sstream>
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <sys/wait.h>
-#include <unistd.h>
 
+#include "command_line.hpp"
+
+namespace flipside::app {
 namespace {
-
-namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
-}
-
-using Rows = std::vector<std::map<std::string, std::string>>;
-
-/// Fields by the names in the first line. No field here has quotes.
-Rows rows_of(const fs::path& csv) {
-    const auto fields = [](const std::string& line) {
-        std::vector<std::string> all(1);
-        for (const char c : line) {
-            if (c == ',')
-                all.emplace_back();
-            else
-                all.back() += c;
-        }
-        return all;
-    };
-    std::ifstream in(csv);
-    std::string line;
-    std::getline(in, line);
-    const auto names = fields(line);
-    Rows rows;
-    while (std::getline(in, line)) {
-        const auto values = fields(line);
-        EXPECT_EQ(values.size(), names.size()) << line;
-        rows.emplace_back();
-        for (std::size_t i = 0; i < names.size() && i < values.size(); ++i) rows.back()[names[i]] = values[i];
-    }
-    return rows;
-}
-
-class CommandLine : public ::testing::Test {
-  protected:
-    struct Result {
-        int code;
-        std::string out, err;
-    };
-    fs::path folder = fs::temp_directory_path() / ("flipside-cli-" + std::to_string(getpid()));
-
-    void SetUp() override { fs::create_directory(folder); }
-    void TearDown() override { fs::remove_all(folder); }
-
-    [[nodiscard]] std::string file(const std::string& name) const { return (folder / name).string(); }
-
-    std::string environment = "env -u DISPLAY";
-
-    [[nodiscard]] Result flipside(const std::string& arguments) const {
-        const std::string command = environment + " " FLIPSIDE_EXECUTABLE " " + arguments + " > " +
-                                    file("out") + " 2> " + file("err") + " < /dev/null";
-        const int status = std::system(command.c_str());
-        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(file("out")), text_of(file("err"))};
-    }
-
-    /// Ends with `code` and one line on stderr in which `words` are found.
-    void expect_refused(const std::string& arguments, int code, const std::string& words) const {
-        const Result result = flipside(arguments);
-        EXPECT_EQ(result.code, code) << arguments;
-        EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << arguments << ": " << result.err;
-        EXPECT_NE(result.err.find(words), std::string::npos) << arguments << ": " << result.err;
-        EXPECT_EQ(result.out, "") << arguments;
-    }
-    void expect_good(const std::string& arguments) const {
-        const Result result = flipside(arguments);
-        EXPECT_EQ(result.code, 0) << arguments << ": " << result.err;
-    }
-};
 
 TEST_F(CommandLine, BadUsageIsExitTwoAndOneLine) {
     expect_refused("run", 2, "scene");
@@ -343,3 +266,4 @@ TEST_F(CommandLine, AnInterruptLeavesNoFile) {
 }
 
 }  // namespace
+}  // namespace flipside::app

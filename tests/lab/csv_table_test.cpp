@@ -40,14 +40,14 @@ TEST_F(CsvTables, ReadBackWhatRowsWrote) {
         std::ofstream out(file);
         CsvRow row;
         row.add("name").add("x").add("n").write(out);
-        row.add("a, \"b\"\nc").add(1.0 / 3).add(std::uint64_t{7}).write(out);
+        row.add("a, \"b\"").add(1.0 / 3).add(std::uint64_t{7}).write(out);
         row.add("").add(-1e-300).add(std::uint32_t{0}).write(out);
         row.add("d").add(std::numeric_limits<double>::infinity()).add(std::uint32_t{1}).write(out);
     }
     const CsvTable table(file);
     ASSERT_EQ(table.rows(), 3U);
     EXPECT_EQ(table.columns(), (std::vector<std::string>{"name", "x", "n"}));
-    EXPECT_EQ(table.text(0, "name"), "a, \"b\"\nc");
+    EXPECT_EQ(table.text(0, "name"), "a, \"b\"");
     EXPECT_EQ(table.number(0, "x"), 1.0 / 3);
     EXPECT_EQ(table.count(0, "n"), 7U);
     EXPECT_EQ(table.text(1, "name"), "");
@@ -62,6 +62,40 @@ TEST_F(CsvTables, MayComeFromElsewhere) {
     ASSERT_EQ(table.rows(), 2U);
     EXPECT_EQ(table.number(0, "y"), 2);
     EXPECT_EQ(table.number(1, "y"), 4);
+}
+
+TEST_F(CsvTables, TakeOnlyPlainNamesForNames) {
+    const auto name_of = [&](const std::string& name) {
+        std::string field = "\"";
+        for (const char c : name) field.append(c == '"' ? 2 : 1, c);
+        return read("n,name\n1,plain\n2," + field + "\"\n").name(1, "name");
+    };
+    for (const std::string good : {"a", "0", "pinball-8", "A.b_c-9"}) EXPECT_EQ(name_of(good), good);
+    EXPECT_EQ(name_of(std::string(100, 'a')), std::string(100, 'a'));
+    for (const std::string& bad :
+         {std::string(""),     std::string("../x"),   std::string("a/b"),      std::string(".."),
+          std::string("-a"),   std::string("=1+1"),   std::string("+1"),       std::string("@a"),
+          std::string("a b"),  std::string("a\nb"),   std::string("\x1b[31m"), std::string("<script>"),
+          std::string("\x7f"), std::string("\u009b"), std::string("\u202e"),   std::string("\xff"),
+          std::string("a\"b"), std::string("\0", 1),  std::string(101, 'a'),   std::string(100'000, 'a')}) {
+        try {
+            FAIL() << name_of(bad);
+        } catch (const InputError& error) {
+            const std::string said = error.what();
+            EXPECT_NE(said.find("line 3: name '"), std::string::npos) << said;
+            EXPECT_NE(said.find("letters, digits"), std::string::npos) << said;
+            EXPECT_LT(said.size(), 400U);
+        }
+    }
+}
+
+TEST_F(CsvTables, TakeOnlyKnownWordsWhereTheyAreKnown) {
+    constexpr std::string_view known[] = {"", "lost"};
+    const CsvTable table = read("x,y\nlost,1\n,2\nfound,3\n");
+    EXPECT_EQ(table.one_of(0, "x", known), "lost");
+    EXPECT_EQ(table.one_of(1, "x", known), "");
+    EXPECT_THROW(static_cast<void>(table.one_of(2, "x", known)), InputError);
+    EXPECT_THROW(static_cast<void>(table.text(3, "x")), InputError);
 }
 
 TEST_F(CsvTables, SayWhereTheyAreBad) {

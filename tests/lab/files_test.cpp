@@ -63,6 +63,15 @@ TEST(Csv, EventsNameWhatWasMet) {
               "2,lost,2,,5,6,0,0,0,0\n");
 }
 
+TEST(Csv, TextIsInOneLineAndNoFormula) {
+    std::ostringstream out;
+    CsvRow row;
+    for (const char* text : {"=1+1", "+1", "-1", "@a", "'a", "a=1"}) row.add(text);
+    row.add(-1.0).add("a\nb\r\x1b\x7f\u202e\xff").add("=\"a\"").write(out);
+    EXPECT_EQ(out.str(),
+              "'=1+1,'+1,'-1,'@a,''a,a=1,-1,a\\x0ab\\x0d\\x1b\\x7f\\u{202e}\\xff,\"'=\"\"a\"\"\"\n");
+}
+
 class WholeFiles : public ::testing::Test {
   protected:
     fs::path folder = fs::temp_directory_path() / ("flipside-files-" + std::to_string(getpid()));
@@ -122,6 +131,16 @@ TEST_F(WholeFiles, SayAtOnceWhyTheyCannotBeWritten) {
     }
     fs::create_symlink("self", folder / "self");
     EXPECT_THROW(WholeFile(folder / "self"), Failure);
+}
+
+TEST_F(WholeFiles, MayHaveNamesAsLongAsNamesAre) {
+    const fs::path target = folder / std::string(255, 'n');
+    write_whole_file(target, "text");
+    EXPECT_EQ(text_of(target), "text");
+    EXPECT_EQ(files(), 1);
+    EXPECT_THROW(write_whole_file(folder / std::string(256, 'n'), ""), InputError);
+    EXPECT_THROW(write_whole_file(folder / std::string(256, 'n') / "x", ""), InputError);
+    EXPECT_EQ(files(), 1);
 }
 
 TEST_F(WholeFiles, FailWhereNothingCanBeWritten) {

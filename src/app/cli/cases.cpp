@@ -1,14 +1,16 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "app/cli/commands.hpp"
+#include "app/cli/distinct_files.hpp"
 #include "app/cli/interrupt.hpp"
+#include "app/cli/output.hpp"
 #include "app/cli/progress.hpp"
 #include "lab/cases/case.hpp"
 #include "lab/cases/stability_map.hpp"
 #include "lab/engines.hpp"
 #include "lab/whole_file.hpp"
+#include "world/printable.hpp"
 
 namespace flipside::app {
 
@@ -31,44 +33,43 @@ std::string number(const char* format, std::optional<double> value) {
     return text;
 }
 
-void print(const lab::CaseRun& run) {
+void print_case(const lab::CaseRun& run) {
     const lab::CaseResult& result = run.result;
-    std::printf("\n%2d %s: %s  (%.3g s of CPU)\n", run.which->number, std::string(run.which->name).c_str(),
-                std::string(name_of(result.verdict)).c_str(), result.cpu_seconds);
+    print("\n%2d %s: %s  (%.3g s of CPU)\n", run.which->number, std::string(run.which->name).c_str(),
+          std::string(name_of(result.verdict)).c_str(), result.cpu_seconds);
     for (const lab::SettingChange& change : run.recommended)
-        std::printf("   with %s=%s, as the case recommends\n", change.name.c_str(), change.value.c_str());
-    if (!result.reason.empty()) std::printf("   %s\n", result.reason.c_str());
+        print("   with %s=%s, as the case recommends\n", change.name.c_str(), change.value.c_str());
+    if (!result.reason.empty()) print("   %s\n", printable(result.reason).c_str());
     if (result.handed_over > 0)
-        std::printf("   balls left to the time-stepping solver, summed over the steps: %llu\n",
-                    static_cast<unsigned long long>(result.handed_over));
+        print("   balls left to the time-stepping solver, summed over the steps: %llu\n",
+              static_cast<unsigned long long>(result.handed_over));
     for (const lab::CaseRow& row : result.rows) {
         const std::string name = row.quantity + (row.unit.empty() ? "" : " [" + row.unit + "]");
-        std::printf("   %-62s %14s %14s %9s %9s  %s\n", name.c_str(), number("%.9g", row.expected).c_str(),
-                    number("%.9g", row.measured).c_str(), number("%.2g", row.error).c_str(),
-                    number("%.2g", row.tolerance).c_str(), std::string(name_of(row.verdict)).c_str());
+        print("   %-62s %14s %14s %9s %9s  %s\n", name.c_str(), number("%.9g", row.expected).c_str(),
+              number("%.9g", row.measured).c_str(), number("%.2g", row.error).c_str(),
+              number("%.2g", row.tolerance).c_str(), std::string(name_of(row.verdict)).c_str());
     }
 }
 
 void print_head(const lab::CaseInput& input) {
-    std::printf("Hard cases on %s, dt = %.6g s%s\n\n   %-62s %14s %14s %9s %9s  %s\n",
-                std::string(input.entrant.engine->name).c_str(), input.dt, input.quick ? ", quick" : "",
-                "quantity", "expected", "measured", "error", "tolerance", "verdict");
+    print("Hard cases on %s, dt = %.6g s%s\n\n   %-62s %14s %14s %9s %9s  %s\n",
+          std::string(input.entrant.engine->name).c_str(), input.dt, input.quick ? ", quick" : "", "quantity",
+          "expected", "measured", "error", "tolerance", "verdict");
 }
 
 void print_summary(std::span<const lab::CaseRun> runs) {
-    std::printf("\n%zu cases:", runs.size());
+    print("\n%zu cases:", runs.size());
     for (const std::string_view name : lab::verdict_names) {
         const auto count = std::ranges::count(
             runs, name, [](const lab::CaseRun& run) { return name_of(run.result.verdict); });
-        if (count > 0) std::printf(" %td %s", count, std::string(name).c_str());
+        if (count > 0) print(" %td %s", count, std::string(name).c_str());
     }
-    std::printf("\n");
+    print("\n");
 }
 
 int list_cases() {
     for (const lab::Case& one : lab::cases())
-        std::printf("%2d %-20s %s\n", one.number, std::string(one.name).c_str(),
-                    std::string(one.about).c_str());
+        print("%2d %-20s %s\n", one.number, std::string(one.name).c_str(), std::string(one.about).c_str());
     return 0;
 }
 
@@ -102,7 +103,7 @@ int map_stability(const CasesOptions& options) {
     file.finish();
     const auto stable =
         std::ranges::count_if(points, [](const lab::StabilityPoint& point) { return point.failure.empty(); });
-    std::printf("Stable in %td of %zu runs, mass ratio x speed x step\n", stable, points.size());
+    print("Stable in %td of %zu runs, mass ratio x speed x step\n", stable, points.size());
     return 0;
 }
 
@@ -119,8 +120,8 @@ int run_cases(const CasesOptions& options) {
             progress.at(static_cast<double>(runs.size()));
             runs.push_back(run_recommended(*one, input, changes));
         }
-        print(runs.back());
-        std::fflush(stdout);
+        print_case(runs.back());
+        finish_output();
     }
     if (!options.json.empty()) lab::write_whole_file(options.json, to_json(runs, input));
     print_summary(runs);
@@ -147,14 +148,17 @@ void add_cases(CLI::App& program, Action& chosen) {
         ->type_name("K=V");
     command.add_flag("--quick", options->quick, "Fewer hits and shorter runs; the rows name the numbers");
     command.add_flag("--list", options->list, "List the cases, a sentence each");
-    command.add_option("--json", options->json, "Everything found, as JSON")->type_name("FILE");
+    CLI::Option* json =
+        command.add_option("--json", options->json, "Everything found, as JSON")->type_name("FILE");
     command
         .add_option("--map", options->map,
                     "Instead of the cases: where the engine holds, mass ratio x speed x step, as CSV")
+        ->excludes(json)
         ->type_name("FILE");
     command.callback([options, &chosen] {
         chosen = [options] {
             if (options->list) return list_cases();
+            require_distinct({{}, {{"--json", options->json}, {"--map", options->map}}, true});
             return options->map.empty() ? run_cases(*options) : map_stability(*options);
         };
     });

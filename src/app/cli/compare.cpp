@@ -1,16 +1,16 @@
 #include "lab/compare.hpp"
 
 #include <algorithm>
-#include <cstdio>
-#include <iostream>
 
 #include "app/cli/commands.hpp"
 #include "app/cli/interrupt.hpp"
+#include "app/cli/output.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/run_options.hpp"
 #include "lab/csv.hpp"
 #include "lab/whole_file.hpp"
 #include "world/input_error.hpp"
+#include "world/printable.hpp"
 
 namespace flipside::app {
 
@@ -30,21 +30,21 @@ void print_run(const lab::EngineRun& run) {
     const lab::Totals& t = f.totals;
     const double per_step = t.steps > 0 ? 1e6 * t.step_seconds / static_cast<double>(t.steps) : 0;
     const double per_second = f.sim_seconds > 0 ? 1e3 * t.step_seconds / f.sim_seconds : 0;
-    std::printf("%-10s %7llu %9.2f %9.3f %11.4g %11.4g %11.3g %8llu %9llu %6llu %8.3g\n",
-                name_of(run).c_str(), static_cast<unsigned long long>(t.steps), per_step, per_second,
-                f.energy_first, f.energy_last, f.energy_last - f.energy_first,
-                static_cast<unsigned long long>(t.impacts), static_cast<unsigned long long>(t.launched),
-                static_cast<unsigned long long>(t.lost), 1e3 * t.max_penetration);
+    print("%-10s %7llu %9.2f %9.3f %11.4g %11.4g %11.3g %8llu %9llu %6llu %8.3g\n", name_of(run).c_str(),
+          static_cast<unsigned long long>(t.steps), per_step, per_second, f.energy_first, f.energy_last,
+          f.energy_last - f.energy_first, static_cast<unsigned long long>(t.impacts),
+          static_cast<unsigned long long>(t.launched), static_cast<unsigned long long>(t.lost),
+          1e3 * t.max_penetration);
 }
 
 void print_impact(const std::string& engine, const std::optional<Event>& impact, const Scene& scene) {
     if (!impact) {
-        std::printf("  %-10s no further impact of this ball\n", engine.c_str());
+        print("  %-10s no further impact of this ball\n", engine.c_str());
         return;
     }
-    std::printf("  %-10s ball %u on %s at %.6f s, point (%.5f, %.5f) m, %.4g m/s\n", engine.c_str(),
-                impact->ball, lab::name_of_other(*impact, scene).c_str(), impact->time, impact->point.x,
-                impact->point.y, impact->speed);
+    print("  %-10s ball %u on %s at %.6f s, point (%.5f, %.5f) m, %.4g m/s\n", engine.c_str(), impact->ball,
+          printable(lab::name_of_other(*impact, scene)).c_str(), impact->time, impact->point.x,
+          impact->point.y, impact->speed);
 }
 
 void print_pair(const lab::Pair& pair, const lab::Comparison& comparison) {
@@ -52,44 +52,45 @@ void print_pair(const lab::Pair& pair, const lab::Comparison& comparison) {
     const std::string first = name_of(comparison.runs.front());
     const std::string second = name_of(comparison.runs[pair.second]);
     const lab::ImpactMatch& match = pair.match;
-    std::printf("\n%s and %s: %zu contacts with the same parts in the same order, %zu of them within a step",
-                first.c_str(), second.c_str(), match.in_order, match.total);
+    print("\n%s and %s: %zu contacts with the same parts in the same order, %zu of them within a step",
+          first.c_str(), second.c_str(), match.in_order, match.total);
     if (const auto& parting = match.parting) {
-        std::printf(", %zu before they part\n", match.before_parting);
-        std::printf("First impact where they part: number %zu of ball %u, at %.4f s\n", parting->index + 1,
-                    parting->ball, parting->time);
+        print(", %zu before they part\n", match.before_parting);
+        print("First impact where they part: number %zu of ball %u, at %.4f s\n", parting->index + 1,
+              parting->ball, parting->time);
         print_impact(first, parting->first, scene);
         print_impact(second, parting->second, scene);
     } else {
-        std::printf("; no impact where they part\n");
+        print("; no impact where they part\n");
     }
     if (const auto& parted = pair.parted) {
-        const std::string on = parted->after ? ", after ball " + std::to_string(parted->spread.ball) +
-                                                   " met " + lab::name_of_other(*parted->after, scene)
-                                             : "";
+        const std::string on = parted->after
+                                   ? ", after ball " + std::to_string(parted->spread.ball) + " met " +
+                                         printable(lab::name_of_other(*parted->after, scene))
+                                   : "";
         const char* how = parted->spread.same_balls ? "a ball is more than its radius apart"
                                                     : "one has a ball that the other has not";
-        std::printf("Positions: at %.4f s %s%s; %.3g radii apart at the end\n", parted->time, how, on.c_str(),
-                    pair.at_end.radii);
+        print("Positions: at %.4f s %s%s; %.3g radii apart at the end\n", parted->time, how, on.c_str(),
+              pair.at_end.radii);
     } else {
-        std::printf("Positions: never a radius apart; %.3g radii at the end\n", pair.at_end.radii);
+        print("Positions: never a radius apart; %.3g radii at the end\n", pair.at_end.radii);
     }
     if (match.matched.size() < 2) return;
-    std::printf("Contacts matched by ball:");
+    print("Contacts matched by ball:");
     constexpr std::size_t enough = 12;
     std::size_t shown = 0;
     for (const auto& [ball, count] : match.matched)
-        if (shown++ < enough) std::printf(" %u:%zu", ball, count);
-    std::printf(shown > enough ? " ...\n" : "\n");
+        if (shown++ < enough) print(" %u:%zu", ball, count);
+    print(shown > enough ? " ...\n" : "\n");
 }
 
-void print(const lab::Comparison& comparison) {
+void print_comparison(const lab::Comparison& comparison) {
     const lab::CompareInput& input = comparison.input;
-    std::printf("%s: %g s in steps of %.6g s\n\n", input.scene->name.c_str(), input.seconds, input.dt);
-    std::printf("%-10s %7s %9s %9s %11s %11s %11s %8s %9s %6s %8s\n", "engine", "steps", "CPU/step",
-                "CPU/sim.s", "energy", "energy", "energy", "impacts", "launched", "lost", "deepest");
-    std::printf("%-10s %7s %9s %9s %11s %11s %11s %8s %9s %6s %8s\n", "", "", "us", "ms", "first, J",
-                "last, J", "drift, J", "", "", "", "mm");
+    print("%s: %g s in steps of %.6g s\n\n", printable(input.scene->name).c_str(), input.seconds, input.dt);
+    print("%-10s %7s %9s %9s %11s %11s %11s %8s %9s %6s %8s\n", "engine", "steps", "CPU/step", "CPU/sim.s",
+          "energy", "energy", "energy", "impacts", "launched", "lost", "deepest");
+    print("%-10s %7s %9s %9s %11s %11s %11s %8s %9s %6s %8s\n", "", "", "us", "ms", "first, J", "last, J",
+          "drift, J", "", "", "", "mm");
     for (const lab::EngineRun& run : comparison.runs) print_run(run);
     for (const lab::Pair& pair : comparison.pairs) print_pair(pair, comparison);
 }
@@ -108,6 +109,7 @@ std::vector<const Engine*> chosen_engines(const std::vector<std::string>& names)
 int compare(const CompareOptions& options) {
     const std::vector<const Engine*> engines = chosen_engines(options.engines);
     const auto changes = lab::parse_changes(options.settings, engines);
+    require_distinct({options.inputs(), {{"--json", options.json}}, true});
     lab::CompareInput input;
     input.scene = options.load();
     for (const Engine* engine : engines)
@@ -125,7 +127,7 @@ int compare(const CompareOptions& options) {
         });
     }();
     if (!options.json.empty()) lab::write_whole_file(options.json, to_json(comparison));
-    print(comparison);
+    print_comparison(comparison);
     return 0;
 }
 

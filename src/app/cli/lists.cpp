@@ -1,9 +1,11 @@
-#include <iostream>
+#include <sstream>
 
 #include "app/cli/commands.hpp"
+#include "app/cli/output.hpp"
 #include "lab/assets.hpp"
 #include "lab/engines.hpp"
 #include "lab/scene_notes.hpp"
+#include "world/printable.hpp"
 #include "world/scene_file.hpp"
 
 namespace flipside::app {
@@ -12,7 +14,8 @@ namespace {
 
 int list_scenes() {
     for (const std::string& name : lab::scene_names())
-        std::cout << name << "\n    " << load_scene(lab::scene_file(name)).about << '\n';
+        print("%s\n    %s\n", printable(name).c_str(),
+              printable(load_scene(lab::scene_file(name)).about).c_str());
     return 0;
 }
 
@@ -34,11 +37,13 @@ std::string range_of(const SettingSpec& spec) {
 
 int list_engines() {
     for (const Engine* engine : lab::engines()) {
-        std::cout << engine->name << ": " << engine->about << '\n';
+        std::ostringstream text;
+        text << engine->name << ": " << engine->about << '\n';
         const Settings defaults(engine->settings);
         for (const SettingSpec& spec : engine->settings)
-            std::cout << "  " << spec.name << " = " << defaults.text(spec.name) << "  (" << range_of(spec)
-                      << ")\n      " << spec.about << '\n';
+            text << "  " << spec.name << " = " << defaults.text(spec.name) << "  (" << range_of(spec)
+                 << ")\n      " << spec.about << '\n';
+        print_text(text.str());
     }
     return 0;
 }
@@ -49,9 +54,9 @@ int check(const std::string& name_or_path) {
     const auto scene = std::make_shared<const Scene>(load_scene(file));
     static_cast<void>(lab::step_for(*scene));
     for (const Engine* engine : lab::engines()) engine->make(scene, lab::settings_for(*engine, *scene));
-    std::cout << file.string() << ": good: scene '" << scene->name << "', parts " << scene->parts.size()
-              << ", balls " << scene->balls.size() << '\n';
-    for (const std::string& note : lab::notes_on(*scene)) std::cout << "note: " << note << '\n';
+    print("%s: good: scene '%s', parts %zu, balls %zu\n", printable(file.string()).c_str(),
+          printable(scene->name).c_str(), scene->parts.size(), scene->balls.size());
+    for (const std::string& note : lab::notes_on(*scene)) print("note: %s\n", printable(note).c_str());
     return 0;
 }
 

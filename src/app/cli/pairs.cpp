@@ -1,8 +1,9 @@
 #include <algorithm>
-#include <cstdio>
 
 #include "app/cli/commands.hpp"
+#include "app/cli/distinct_files.hpp"
 #include "app/cli/interrupt.hpp"
+#include "app/cli/output.hpp"
 #include "app/cli/progress.hpp"
 #include "lab/pair_tests.hpp"
 #include "lab/whole_file.hpp"
@@ -18,51 +19,52 @@ struct PairsOptions {
 };
 
 void print_toy(const lab::PairTests& found) {
-    std::printf("Box tests per search, insertion included: balls of 42 px in 960 x 704 px, %g s at 60 Hz\n\n",
-                found.seconds);
+    print("Box tests per search, insertion included: balls of 42 px in 960 x 704 px, %g s at 60 Hz\n\n",
+          found.seconds);
     constexpr int shown[] = {2, 4, 6, 8, 16, 24, 32};
-    std::printf("%-18s", "n =");
-    for (const int n : shown) std::printf(" %6d", n);
-    std::printf(" %8s %7s %9s %9s\n", "slope", "R2", "crossing", "quadtree");
+    print("%-18s", "n =");
+    for (const int n : shown) print(" %6d", n);
+    print(" %8s %7s %9s %9s\n", "slope", "R2", "crossing", "quadtree");
     double quadtree = 0;
     for (const auto& row : found.rows)
         if (row.broad_phase == "quadtree") quadtree = row.tests.back();
     for (const auto& row : found.rows) {
-        std::printf("%-18s", row.broad_phase.c_str());
+        print("%-18s", row.broad_phase.c_str());
         for (const int n : shown)
-            std::printf(" %6.1f", row.tests[static_cast<std::size_t>(n - lab::PairTests::fewest)]);
-        std::printf(" %8.3f %7.4f", row.line.slope, row.line.r_squared);
+            print(" %6.1f", row.tests[static_cast<std::size_t>(n - lab::PairTests::fewest)]);
+        print(" %8.3f %7.4f", row.line.slope, row.line.r_squared);
         if (row.crossing)
-            std::printf(" %9.2f", *row.crossing);
+            print(" %9.2f", *row.crossing);
         else
-            std::printf(" %9s", "-");
-        std::printf(" %8.2fx\n", quadtree / row.tests.back());
+            print(" %9s", "-");
+        print(" %8.2fx\n", quadtree / row.tests.back());
     }
-    std::printf(
+    print(
         "\nslope, R2: of the straight line through n = 2 ... 32. crossing: where that line meets\n"
         "n(n-1)/2. quadtree: how many times fewer tests than the quadtree's at n = 32.\n");
 }
 
 void print_growth(const lab::PairTests& found) {
-    std::printf("\nGrowth, as dense as 32 balls above: box tests and CPU time (ns) per ball and search\n\n");
-    std::printf("%-9s", "balls");
-    for (const auto& row : found.rows) std::printf(" %20s", row.broad_phase.c_str());
-    std::printf("\n");
+    print("\nGrowth, as dense as 32 balls above: box tests and CPU time (ns) per ball and search\n\n");
+    print("%-9s", "balls");
+    for (const auto& row : found.rows) print(" %20s", row.broad_phase.c_str());
+    print("\n");
     for (const auto& growth : found.growth) {
-        std::printf("%-9zu", growth.balls);
+        print("%-9zu", growth.balls);
         for (const auto& row : found.rows) {
             const auto cost =
                 std::ranges::find(growth.costs, row.broad_phase, &lab::PairTests::Growth::Cost::broad_phase);
             if (cost == growth.costs.end())
-                std::printf(" %20s", "-");
+                print(" %20s", "-");
             else
-                std::printf(" %11.2f %8.1f", cost->tests_per_ball, cost->ns_per_ball);
+                print(" %11.2f %8.1f", cost->tests_per_ball, cost->ns_per_ball);
         }
-        std::printf("\n");
+        print("\n");
     }
 }
 
 int pairs(const PairsOptions& options) {
+    require_distinct({{}, {{"--json", options.json}}, true});
     catch_interrupts();
     const lab::PairTests found = [&] {
         Progress progress(1);

@@ -1,11 +1,12 @@
 #include "lab/report/report.hpp"
 
-#include <cstdio>
 #include <memory>
 
 #include "app/cli/commands.hpp"
 #include "app/cli/interrupt.hpp"
+#include "app/cli/output.hpp"
 #include "app/cli/progress.hpp"
+#include "world/printable.hpp"
 
 namespace flipside::app {
 
@@ -30,7 +31,7 @@ int report(const ReportOptions& options) {
                                   options.quick ? lab::report::quick_effort() : lab::report::full_effort()},
                                  watch, say);
     }
-    std::printf("%s\n", (std::filesystem::path(options.out) / "index.html").c_str());
+    print("%s\n", printable((std::filesystem::path(options.out) / "index.html").string()).c_str());
     return 0;
 }
 

@@ -1,9 +1,8 @@
 #include "lab/run.hpp"
 
-#include <iostream>
-
 #include "app/cli/commands.hpp"
 #include "app/cli/interrupt.hpp"
+#include "app/cli/output.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/run_options.hpp"
 #include "lab/csv.hpp"
@@ -19,6 +18,13 @@ struct SingleRunOptions : RunOptions {
     std::string engine;
     std::string from, out, events, stats, save;  ///< files; "" where not asked for
     std::uint64_t every = 1;
+
+    [[nodiscard]] FilesOfCommand files() const {
+        FilesOfCommand files{inputs(),
+                             {{"--out", out}, {"--events", events}, {"--stats", stats}, {"--save", save}}};
+        files.inputs.push_back({"--from", from});
+        return files;
+    }
 };
 
 /// A CSV file that may not have been asked for.
@@ -49,6 +55,7 @@ lab::Session make_session(const SingleRunOptions& options, const std::shared_ptr
 }
 
 int run_scene(const SingleRunOptions& options) {
+    require_distinct(options.files());
     const auto scene = options.load();
     lab::Session session = make_session(options, scene);
     const lab::Timeline timeline(session.world().time(), options.seconds, options.step(*scene));
@@ -77,7 +84,7 @@ int run_scene(const SingleRunOptions& options) {
     if (!options.save.empty()) lab::write_whole_file(options.save, to_json(session.world().save(), *scene));
     const bool silent =
         options.out.empty() && options.events.empty() && options.stats.empty() && options.save.empty();
-    if (silent) std::cout << stats;
+    if (silent) print_text(stats);
     return 0;
 }
 

@@ -1,7 +1,6 @@
 #include "app/cli/run_options.hpp"
 
-#include <iostream>
-
+#include "app/cli/output.hpp"
 #include "lab/assets.hpp"
 #include "world/scene_file.hpp"
 #include "world/script_file.hpp"
@@ -56,12 +55,15 @@ std::optional<std::filesystem::path> RunOptions::script_path() const {
     return lab::script_beside(lab::scene_file(scene));
 }
 
+std::vector<NamedFile> RunOptions::inputs() const {
+    return {{"the scene", lab::scene_file(scene)}, {"the script", script_path().value_or("")}};
+}
+
 Script RunOptions::load_script(const Scene& loaded) const {
     const auto path = script_path();
     if (!path) return {};
     Script controls = flipside::load_script(*path, loaded);
-    if (script.empty())
-        std::cerr << "flipside: controls from " << path->string() << " (--script none: none)\n";
+    if (script.empty()) say("controls from " + path->string() + " (--script none: none)");
     return controls;
 }
 

@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/distinct_files.hpp"
 #include "lab/engines.hpp"
 
 namespace flipside::app {
@@ -25,6 +26,8 @@ struct RunOptions {
     [[nodiscard]] std::shared_ptr<const Scene> load() const;
     [[nodiscard]] double step(const Scene& loaded) const;
     [[nodiscard]] std::optional<std::filesystem::path> script_path() const;
+    /// What is read: the scene and its controls.
+    [[nodiscard]] std::vector<NamedFile> inputs() const;
     /// Says on stderr when it takes the one beside the scene.
     [[nodiscard]] Script load_script(const Scene& loaded) const;
 };

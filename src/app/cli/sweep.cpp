@@ -1,15 +1,16 @@
 #include "lab/sweep/sweep.hpp"
 
 #include <algorithm>
-#include <cstdio>
-#include <iostream>
 
 #include "app/cli/commands.hpp"
 #include "app/cli/interrupt.hpp"
+#include "app/cli/output.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/run_options.hpp"
+#include "lab/assets.hpp"
 #include "lab/sweep/summary.hpp"
 #include "world/input_error.hpp"
+#include "world/printable.hpp"
 
 namespace flipside::app {
 
@@ -39,31 +40,39 @@ sweep::Shard parse_shard(const std::string& text) {
     return shard;
 }
 
-void print(const std::map<std::string, sweep::Windows>& windows) {
+void print_windows(const std::map<std::string, sweep::Windows>& windows) {
     for (const auto& [variant, counts] : windows) {
-        std::printf("%s: %zu windows from %zu trajectories", variant.c_str(), counts.windows,
-                    counts.trajectories);
+        print("%s: %zu windows from %zu trajectories", printable(variant).c_str(), counts.windows,
+              counts.trajectories);
         const char* separator = "; states passed over: ";
         for (const auto& [reason, count] : counts.skipped) {
-            std::printf("%s%s %zu", separator, reason.c_str(), count);
+            print("%s%s %zu", separator, printable(reason).c_str(), count);
             separator = ", ";
         }
-        std::printf("\n");
+        print("\n");
     }
 }
 
-void print(const std::vector<sweep::Figures>& all) {
-    std::printf("\n%-10s %-22s %7s %5s %9s %9s %9s %9s %5s %6s %6s %6s %9s\n", "variant", "entrant",
-                "1/dt, Hz", "runs", "median", "95 %", "largest", "typical", "exact", "missed", "extra",
-                "failed", "CPU ms/s");
+void print_figures(const std::vector<sweep::Figures>& all) {
+    print("\n%-10s %-22s %7s %5s %9s %9s %9s %9s %5s %6s %6s %6s %9s\n", "variant", "entrant", "1/dt, Hz",
+          "runs", "median", "95 %", "largest", "typical", "exact", "missed", "extra", "failed", "CPU ms/s");
     for (const sweep::Figures& f : all)
-        std::printf("%-10s %-22s %7.0f %5zu %9.2e %9.2e %9.2e %9.2e %5zu %6zu %6zu %6zu %9.4g\n",
-                    f.variant.c_str(), f.entrant.c_str(), 1 / f.dt, f.windows, f.median, f.p95, f.max,
-                    f.typical_median, f.exact, f.missed, f.spurious, f.failed, 1e3 * f.cpu_min);
-    std::printf(
+        print("%-10s %-22s %7.0f %5zu %9.2e %9.2e %9.2e %9.2e %5zu %6zu %6zu %6zu %9.4g\n",
+              printable(f.variant).c_str(), printable(f.entrant).c_str(), 1 / f.dt, f.windows, f.median,
+              f.p95, f.max, f.typical_median, f.exact, f.missed, f.spurious, f.failed, 1e3 * f.cpu_min);
+    print(
         "\nmedian, 95 %%, largest: error of position at the end of a window, in radii, worst ball. typical: "
         "median\nwindow, median of the balls that hit something. exact: windows within 1e-9 radii. missed, "
         "extra: impacts.\nCPU: ms per simulated second.\n");
+}
+
+FilesOfCommand files_of(const SweepOptions& options) {
+    const std::filesystem::path folder = options.out;
+    FilesOfCommand files{
+        {}, {{"the plan", folder / "plan.json"}, {"the summary", folder / "sweep.csv"}}, true};
+    for (const std::string& scene : options.scenes)
+        files.inputs.push_back({"the scene", lab::scene_file(scene)});
+    return files;
 }
 
 int run_sweep(const SweepOptions& options) {
@@ -75,6 +84,7 @@ int run_sweep(const SweepOptions& options) {
     if (!options.entrants.empty()) plan.entrants.clear();
     for (const std::string& name : options.entrants) plan.entrants.push_back(&sweep::entrant_named(name));
     const std::filesystem::path folder = options.out;
+    require_distinct(files_of(options));
     catch_interrupts();
     {
         Progress progress(1);
@@ -87,14 +97,15 @@ int run_sweep(const SweepOptions& options) {
             say);
     }
     const sweep::Inventory inventory = sweep::take_inventory(plan, folder, say);
-    print(inventory.windows);
+    print_windows(inventory.windows);
     if (!inventory.is_complete) {
-        std::cout << "Shard " << options.shard << " is done; sweep.csv is written once all runs are there.\n";
+        print("Shard %s is done; sweep.csv is written once all runs are there.\n",
+              printable(options.shard).c_str());
         return 0;
     }
     const std::vector<sweep::Figures> figures = sweep::summarize(sweep::gather({&folder, 1}));
     sweep::write_summary(folder / "sweep.csv", figures);
-    print(figures);
+    print_figures(figures);
     return 0;
 }
 

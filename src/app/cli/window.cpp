@@ -38,6 +38,7 @@ int render(RenderArguments arguments) {
     run.scene = options.scene;
     run.dt = arguments.dt;
     run.script = arguments.script;
+    require_distinct({run.inputs(), {{"--out", options.out}}});
     const auto scene = run.load();
     options.dt = run.step(*scene);
     options.script = run.script_path();
@@ -66,7 +67,9 @@ void add_play(CLI::App& program, Action& chosen) {
     add_size(command, options->width, options->height);
     command.callback([options, &chosen] {
         chosen = [options] {
-            static_cast<void>(lab::scene_file(options->scene));
+            require_distinct({{{"the scene", lab::scene_file(options->scene)},
+                               {"the script", options->script.value_or("")}},
+                              {{"--report", options->report.value_or("")}}});
             require_display();
             return play(*options);
         };

@@ -9,6 +9,7 @@
 #include <SFML/Window/Event.hpp>
 
 #include "app/window/panel.hpp"
+#include "app/window/png_file.hpp"
 
 namespace flipside::app {
 
@@ -239,17 +240,19 @@ void App::draw() {
 void App::save_screenshot() {
     screenshot_wanted_ = false;
     std::filesystem::path file;
-    for (int i = 1; file.empty() || exists(file); ++i)
+    std::error_code ignored;  // writing says what is wrong with the folder
+    for (int i = 1; file.empty() || exists(file, ignored); ++i)
         file = screenshots_ / ("flipside-" + std::to_string(i) + ".png");
     sf::Texture texture;
     texture.create(window_.getSize().x, window_.getSize().y);
     texture.update(window_);
-    std::error_code ignored;  // saving says whether the folder is there
     create_directories(screenshots_, ignored);
-    if (texture.copyToImage().saveToFile(file.string()))
+    try {
+        write_png(texture.copyToImage(), file);
         state_.last_screenshot = file.string();
-    else
-        controls_.notice = "cannot write " + file.string();
+    } catch (const std::runtime_error& error) {
+        controls_.notice = error.what();
+    }
 }
 
 void App::measure(double frame, double busy) {

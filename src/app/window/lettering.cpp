@@ -7,6 +7,8 @@
 
 #include <SFML/System/String.hpp>
 
+#include "world/printable.hpp"
+
 namespace flipside::app {
 
 namespace {
@@ -15,8 +17,10 @@ bool is_digit(sf::Uint32 letter) {
     return letter >= '0' && letter <= '9';
 }
 
+/// What is no text is shown as its escape, as everywhere (printable.hpp).
 sf::String decode(std::string_view utf8) {
-    return sf::String::fromUtf8(utf8.begin(), utf8.end());
+    const std::string shown = printable(utf8);
+    return sf::String::fromUtf8(shown.begin(), shown.end());
 }
 
 }  // namespace

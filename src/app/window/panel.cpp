@@ -7,6 +7,7 @@
 #include "app/window/panel_parts.hpp"
 #include "app/window/words.hpp"
 #include "lab/assets.hpp"
+#include "world/printable.hpp"
 
 namespace flipside::app {
 
@@ -23,6 +24,14 @@ bool slider(const char* id, double& value, double min, double max, const char* f
             ImGuiSliderFlags flags = 0) {
     return ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &min, &max, format,
                                flags | ImGuiSliderFlags_AlwaysClamp);
+}
+
+/// Of a thing called by the name of a file. ImGui would take ## and what follows for an id and not show it.
+std::string label_of(const std::string& name) {
+    std::string shown = printable(name);
+    for (auto at = shown.find("##"); at != std::string::npos; at = shown.find("##", at))
+        shown.insert(at + 1, 1, ' ');
+    return shown;
 }
 
 struct PanelParts {
@@ -45,17 +54,18 @@ struct PanelParts {
     }
     void scene_chooser() const {
         ImGui::SetNextItemWidth(-1);
-        const std::string shown = stage.scene().name.empty() ? stage.scene_name() : stage.scene().name;
+        const std::string shown =
+            printable(stage.scene().name.empty() ? stage.scene_name() : stage.scene().name);
         if (ImGui::BeginCombo("##scene", shown.c_str())) {
             for (const std::string& name : lab::scene_names())
-                if (ImGui::Selectable(name.c_str(), name == stage.scene_name())) open(name);
+                if (ImGui::Selectable(label_of(name).c_str(), name == stage.scene_name())) open(name);
             ImGui::EndCombo();
         }
-        tooltip(stage.scene().about.empty() ? "The scene on the table" : stage.scene().about);
+        tooltip(stage.scene().about.empty() ? "The scene on the table" : printable(stage.scene().about));
         note(places, "Scene");
         if (!controls.notice.empty()) {
             ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(colour::warning));
-            ImGui::TextWrapped("%s", controls.notice.c_str());
+            ImGui::TextWrapped("%s", printable(controls.notice).c_str());
             ImGui::PopStyleColor();
         }
     }

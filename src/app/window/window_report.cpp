@@ -1,10 +1,14 @@
 #include "app/window/window_report.hpp"
 
-#include <stdexcept>
+#include <cerrno>
+#include <system_error>
 
 #include <nlohmann/json.hpp>
 
 #include "app/window/claim.hpp"
+#include "lab/failure.hpp"
+#include "lab/path_error.hpp"
+#include "world/json_file.hpp"
 
 namespace flipside::app {
 
@@ -105,14 +109,15 @@ Json json_of(const Divergence& divergence, const Scene& scene) {
 }  // namespace
 
 WindowReport::WindowReport(const std::filesystem::path& file) : out_(file) {
-    if (!out_) throw std::runtime_error("cannot write " + file.string());
+    if (!out_)
+        lab::throw_path_error(file, "cannot be written", std::error_code(errno, std::generic_category()));
 }
 
 void WindowReport::write(double now, const Stage& stage, const WindowState& window,
                          const WindowControls& controls, const Layout& layout, const Camera& camera,
                          const ControlPlaces& places) {
     Json j = still(stage, window, controls, layout, places);
-    std::string state = j.dump();
+    std::string state = json_text(j);
     if (state == last_state_ && now < written_ + 0.1) return;
     last_state_ = std::move(state);
     written_ = now;
@@ -127,7 +132,8 @@ void WindowReport::write(double now, const Stage& stage, const WindowState& wind
             json_of(stage.runs()[i], layout.panes[layout.panes.size() == 1 ? 0 : i], camera));
     for (const Divergence& divergence : stage.divergences())
         j["divergences"].push_back(json_of(divergence, stage.scene()));
-    out_ << j.dump() << std::endl;
+    out_ << json_text(j) << std::endl;
+    if (!out_) throw lab::Failure("the window's report cannot be written");
 }
 
 }  // namespace flipside::app

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lab/cases/case.hpp"
+#include "world/json_file.hpp"
 
 namespace flipside::lab {
 
@@ -61,7 +62,7 @@ std::string to_json(std::span<const CaseRun> runs, const CaseInput& input) {
                     {"quick", input.quick},
                     {"verdicts", verdicts},
                     {"cases", all}};
-    return json.dump(2) + '\n';
+    return json_text(json, 2) + '\n';
 }
 
 }  // namespace flipside::lab

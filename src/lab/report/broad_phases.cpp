@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <sstream>
+#include <tuple>
 
 #include "lab/csv.hpp"
 #include "lab/csv_table.hpp"
@@ -41,17 +41,17 @@ std::string to_csv(const PairTests& found) {
 }
 
 /// Broad phases are no engines: colours and shapes of their own.
+constexpr std::string_view broad_phases[] = {"brute force", "quadtree", "adaptive quadtree", "grid",
+                                             "sweep and prune"};
+constexpr std::tuple<std::string_view, int, int> looks[] = {{colour::grey, 1, 4},
+                                                            {colour::blue, 1, 7},
+                                                            {colour::violet, 2, 9},
+                                                            {colour::olive, 1, 5},
+                                                            {colour::wine, 4, 13}};
+
 Series series_named(const std::string& broad_phase) {
-    static const std::map<std::string, std::tuple<std::string_view, int, int>> looks{
-        {"brute force", {colour::grey, 1, 4}},
-        {"quadtree", {colour::blue, 1, 7}},
-        {"adaptive quadtree", {colour::violet, 2, 9}},
-        {"grid", {colour::olive, 1, 5}},
-        {"sweep and prune", {colour::wine, 4, 13}}};
-    const auto look = looks.find(broad_phase);
-    if (look == looks.end())
-        throw InputError(std::string(pairs_file) + ": unknown broad phase " + broad_phase);
-    const auto& [line, dash, marker] = look->second;
+    const auto at = std::ranges::find(broad_phases, broad_phase) - std::begin(broad_phases);
+    const auto& [line, dash, marker] = looks[at];
     return {broad_phase, std::string(line), dash, marker, 0.7, true, {}};
 }
 
@@ -60,7 +60,7 @@ std::vector<Series> series_of(const CsvTable& table, const std::string& experime
     std::vector<Series> all;
     for (std::size_t row = 0; row < table.rows(); ++row) {
         if (table.text(row, "experiment") != experiment) continue;
-        const std::string& name = table.text(row, "broad_phase");
+        const std::string& name = table.one_of(row, "broad_phase", broad_phases);
         if (all.empty() || all.back().name != name) {
             const auto at = std::ranges::find(all, name, &Series::name);
             if (at == all.end()) all.push_back(series_named(name));

@@ -49,7 +49,7 @@ struct Mark {
 };
 
 struct Figure {
-    std::string id;  ///< of its files and of its place in the page: letters, digits, hyphens
+    std::string id;  ///< of its files and of its place in the page; a plain name (plain_name.hpp)
     std::string title;
     Axis x, y;
     std::vector<Series> series;

@@ -3,14 +3,17 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <sstream>
 
 #include "lab/failure.hpp"
+#include "lab/plain_name.hpp"
 #include "lab/report/process.hpp"
 #include "lab/report/svg.hpp"
 #include "lab/whole_file.hpp"
 #include "world/input_error.hpp"
 #include "world/json_file.hpp"
+#include "world/printable.hpp"
 
 namespace flipside::lab::report {
 
@@ -18,11 +21,30 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// In gnuplot's single quotes nothing but the quote itself has a meaning.
-std::string in_single_quotes(std::string_view text) {
-    std::string out = "'";
-    for (const char c : text) out.append(c == '\'' ? 2 : 1, c == '\n' ? ' ' : c);
-    return out + "'";
+/// The only way of any text into a script: in double quotes, and every byte that is no letter, digit, space
+/// or one of a few harmless signs as \ooo. So nothing is there that any of gnuplot's passes (comments,
+/// backquotes, macros, escapes) could take for something else.
+std::string string_literal(std::string_view text) {
+    constexpr std::string_view harmless = " .,:;_-+=()/#";
+    std::string out = "\"";
+    for (const char c : printable(text)) {
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+        if (plain || harmless.find(c) != std::string_view::npos) {
+            out += c;
+        } else {
+            char escape[8];
+            std::snprintf(escape, sizeof escape, "\\%03o", static_cast<unsigned char>(c));
+            out += escape;
+        }
+    }
+    return out + '"';
+}
+
+/// Names of files must not mean pipes or other folders to gnuplot.
+void require_plain_id(const Figure& figure) {
+    if (!is_plain_name(figure.id))
+        throw Failure("figure '" + figure.id + "' cannot have files of its name; allowed are " +
+                      std::string(plain_name_rule));
 }
 
 std::string number(double value) {
@@ -64,7 +86,7 @@ void write_axis(std::ostream& out, char name, const Axis& axis, const Range& ran
     if (axis.logarithmic)
         out << "set logscale " << name << "\nset " << name << "tics " << decades(range) << '\n';
     out << "set " << name << "range [" << number(range.from) << ':' << number(range.to) << "]\n"
-        << "set " << name << "label " << in_single_quotes(axis.label)
+        << "set " << name << "label " << string_literal(axis.label)
         << " noenhanced textcolor rgb ink\n"
         // An infinite value, of a failed run, comes to the upper edge; what is below the range to the lower.
         // Just inside: what rounds to beyond the border is not drawn.
@@ -76,7 +98,8 @@ void write_frame(std::ostream& out, const Figure& figure) {
     const auto across = [](double px) { return number(px / picture_width); };
     const auto up = [](double px) { return number(1 - px / picture_height); };
     const Frame frame = frame_of(figure);
-    out << "ink = " << in_single_quotes(ink) << "\nset encoding utf8\nset datafile separator comma\n"
+    out << "ink = " << string_literal(ink)
+        << "\nset encoding utf8\nset datafile separator comma\nset datafile commentschars ''\n"
         << "set lmargin at screen " << across(box_left) << "\nset rmargin at screen " << across(box_right)
         << "\nset tmargin at screen " << up(box_top) << "\nset bmargin at screen " << up(box_bottom) << '\n'
         << "set border 3 linecolor rgb ink\nset tics nomirror textcolor rgb ink\n"
@@ -87,10 +110,10 @@ void write_frame(std::ostream& out, const Figure& figure) {
     write_axis(out, 'y', figure.y, frame.y);
     for (const Mark& mark : figure.marks)
         out << "set arrow from " << number(mark.x) << ", graph 0 to " << number(mark.x)
-            << ", graph 1 nohead dashtype 3 linewidth 2 linecolor rgb " << in_single_quotes(mark.colour)
-            << "\nset label " << in_single_quotes(mark.says) << " at " << number(mark.x)
+            << ", graph 1 nohead dashtype 3 linewidth 2 linecolor rgb " << string_literal(mark.colour)
+            << "\nset label " << string_literal(mark.says) << " at " << number(mark.x)
             << ", graph 0.61 rotate by -90 offset 1.2,0 center noenhanced font ',11' textcolor rgb "
-            << in_single_quotes(mark.colour) << '\n';
+            << string_literal(mark.colour) << '\n';
 }
 
 /// The plot elements that show one series, whose rows in the CSV file begin with number `row`.
@@ -98,7 +121,7 @@ std::vector<std::string> elements_of(const Series& series, std::size_t row) {
     const auto failed = static_cast<std::size_t>(
         std::ranges::count_if(series.points, [](const Point& p) { return std::isinf(p.y); }));
     const std::size_t good = series.points.size() - failed;
-    const std::string look = " linecolor rgb " + in_single_quotes(series.colour);
+    const std::string look = " linecolor rgb " + string_literal(series.colour);
     const auto rows = [](std::size_t from, std::size_t count) {
         return "csv skip 1 every ::" + std::to_string(from) + "::" + std::to_string(from + count - 1) +
                " using (at_x($2)):(at_y($3))";
@@ -117,7 +140,7 @@ std::vector<std::string> elements_of(const Series& series, std::size_t row) {
     if (good > 0) elements.push_back(labels(row, good, series.marker, series.size));
     if (failed > 0) elements.push_back(labels(row + good, failed, 2, 1.2));
     elements.push_back("NaN with " + (series.joined ? "linespoints" + line : std::string("points")) + marker +
-                       look + " title " + in_single_quotes(series.name));
+                       look + " title " + string_literal(series.name));
     return elements;
 }
 
@@ -145,12 +168,13 @@ std::string picture(const fs::path& file, std::string_view end, const fs::path& 
 }  // namespace
 
 std::string script_of(const Figure& figure, const std::string& csv) {
+    require_plain_id(figure);
     std::ostringstream out;
-    out << "# " << figure.id << ": run by `gnuplot -d " << figure.id << ".gp` in this folder.\n"
-        << "csv = " << in_single_quotes(csv) << '\n';
+    out << "# Run in this folder by: gnuplot -d " << figure.id << ".gp\n"
+        << "csv = " << string_literal(csv) << '\n';
     for (const char* picture : {"svg", "png"})
         out << "if (!exists('" << picture << "')) " << picture << " = "
-            << in_single_quotes(figure.id + "." + picture) << '\n';
+            << string_literal(figure.id + "." + picture) << '\n';
     write_frame(out, figure);
     std::string plot = "plot ";
     std::size_t row = 0;
@@ -163,7 +187,7 @@ std::string script_of(const Figure& figure, const std::string& csv) {
         return number(scale * picture_width) + "," + number(scale * picture_height);
     };
     out << "set terminal svg size " << size(1) << " font 'sans-serif,14' name "
-        << in_single_quotes(svg_name(figure)) << "\nset output svg\n"
+        << string_literal(svg_name(figure)) << "\nset output svg\n"
         << plot << '\n'
         << "set terminal pngcairo size " << size(2)
         << " fontscale 1.9 linewidth 2 pointscale 2 font 'DejaVu Sans,11'\n"
@@ -172,18 +196,19 @@ std::string script_of(const Figure& figure, const std::string& csv) {
 }
 
 std::string draw(const Figure& figure, const fs::path& csv, const fs::path& pictures) {
+    require_plain_id(figure);
     const fs::path script = pictures / (figure.id + ".gp");
     const fs::path svg = pictures / (figure.id + ".svg"), png = pictures / (figure.id + ".png");
     write_whole_file(script, script_of(figure, fs::relative(csv, pictures).string()));
     // gnuplot is no judge of whether what it wrote arrived; so it does not write into their places.
     const TemporaryFile drawn_svg(svg), drawn_png(png);
     const auto name = [](const TemporaryFile& file) {
-        return in_single_quotes(file.path().filename().string());
+        return string_literal(file.path().filename().string());
     };
-    const Finished done = run_program({"gnuplot", "-d", "-e",
-                                       "cd " + in_single_quotes(fs::absolute(pictures).string()) +
-                                           "; svg = " + name(drawn_svg) + "; png = " + name(drawn_png),
-                                       fs::absolute(script)});
+    Finished done = run_program({"gnuplot", "-d", "-e", "svg = " + name(drawn_svg) + "; png = " + name(drawn_png),
+                                 figure.id + ".gp"},
+                                pictures);
+    std::ranges::replace(done.said, '\n', ' ');
     if (done.code != 0)
         fail_to_draw(script, done.said.empty() ? "exit code " + std::to_string(done.code) : done.said);
     std::string text = inline_svg(picture(drawn_svg.path(), "</svg>", script), figure);

@@ -18,7 +18,8 @@ inline constexpr double box_left = 90, box_right = 590, box_top = 20, box_bottom
 [[nodiscard]] std::string script_of(const Figure& figure, const std::string& csv);
 
 /// Writes ID.gp, ID.svg and ID.png into `pictures`; the figure's CSV file must be there. Returns the SVG's
-/// text as it stands in a page, see svg.hpp. Throws Failure when gnuplot does not.
+/// text as it stands in a page, see svg.hpp. Throws Failure when gnuplot does not, or for an id that is no
+/// plain name.
 std::string draw(const Figure& figure, const std::filesystem::path& csv,
                  const std::filesystem::path& pictures);
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "lab/report/markup.hpp"
 #include "lab/report/page_style.hpp"
-#include "lab/report/svg.hpp"
 
 namespace flipside::lab::report {
 
@@ -21,7 +21,7 @@ std::string with_id(const std::string& id) {
 std::string cell_html(const Table::Cell& cell, bool names_row) {
     if (names_row) return element("th", cell.text, "scope=\"row\"");
     std::string classes = cell.is_number ? "number" : "";
-    if (!cell.kind.empty()) classes += (classes.empty() ? "" : " ") + cell.kind;
+    if (!cell.kind.empty()) classes += (classes.empty() ? "" : " ") + escape(cell.kind);
     return element("td", cell.text, classes.empty() ? "" : "class=\"" + classes + "\"");
 }
 
@@ -57,7 +57,8 @@ std::string points_html(const Figure& figure) {
 }
 
 std::string figure_html(const Figure& figure, const std::string& svg) {
-    const std::string csv = "data/figure-" + figure.id + ".csv", picture = "figures/" + figure.id;
+    const std::string csv = escape("data/figure-" + figure.id + ".csv"),
+                      picture = escape("figures/" + figure.id);
     return "<figure " + with_id(figure.id) + ">\n" + element("h3", figure.title) +
            "\n<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"" + escape(figure.title) +
            "\">\n" + svg + "</div>\n<figcaption>" + element("p", figure.reading) +

@@ -1,6 +1,7 @@
 #include "lab/report/process.hpp"
 
 #include <cerrno>
+#include <csignal>
 #include <system_error>
 
 #include <fcntl.h>
@@ -19,8 +20,9 @@ namespace {
 /// What the child does with its files before it starts.
 class FileActions {
   public:
-    explicit FileActions(const int (&pipe)[2]) {
+    FileActions(const int (&pipe)[2], const std::filesystem::path& folder) {
         posix_spawn_file_actions_init(&actions_);
+        posix_spawn_file_actions_addchdir_np(&actions_, folder.c_str());
         posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
         posix_spawn_file_actions_adddup2(&actions_, pipe[1], STDOUT_FILENO);
         posix_spawn_file_actions_adddup2(&actions_, pipe[1], STDERR_FILENO);
@@ -40,7 +42,13 @@ class Attributes {
   public:
     Attributes() {
         posix_spawnattr_init(&attributes_);
-        posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP);
+        // Signals that we ignore would stay ignored in the child.
+        sigset_t usual;
+        sigemptyset(&usual);
+        sigaddset(&usual, SIGPIPE);
+        sigaddset(&usual, SIGXFSZ);
+        posix_spawnattr_setsigdefault(&attributes_, &usual);
+        posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
     }
     ~Attributes() { posix_spawnattr_destroy(&attributes_); }
     Attributes(const Attributes&) = delete;
@@ -69,7 +77,7 @@ std::string read_all(int from) {
 
 }  // namespace
 
-Finished run_program(const std::vector<std::string>& command) {
+Finished run_program(const std::vector<std::string>& command, const std::filesystem::path& folder) {
     std::vector<char*> arguments;
     for (const std::string& argument : command) arguments.push_back(const_cast<char*>(argument.c_str()));
     arguments.push_back(nullptr);
@@ -77,7 +85,7 @@ Finished run_program(const std::vector<std::string>& command) {
     int pipe[2];
     if (pipe2(pipe, O_CLOEXEC) != 0) fail(command.front(), errno);
     pid_t child = 0;
-    const FileActions actions(pipe);
+    const FileActions actions(pipe, folder);
     const Attributes attributes;
     const int error =
         posix_spawnp(&child, arguments[0], actions.get(), attributes.get(), arguments.data(), environ);

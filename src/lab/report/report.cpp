@@ -21,7 +21,7 @@ void claim(const Data& data, const Effort& effort) {
     const std::string file = "report.json", origin = "report";
     const nlohmann::ordered_json json{
         {"format", "flipside-report-data/2"}, {"effort", effort.name}, {"commit", build_commit()}};
-    const std::string text = json.dump(2) + '\n';
+    const std::string text = json_text(json, 2) + '\n';
     const auto found = read_back(
         data.path(file), data.notice(), [&] { return read_data_file(data.path(file), origin); },
         "it is made again");

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lab/failure.hpp"
+#include "lab/report/markup.hpp"
 
 namespace flipside::lab::report {
 
@@ -47,33 +48,10 @@ std::string with_words(const std::string& svg, const Figure& figure) {
 
 }  // namespace
 
-std::string escape(std::string_view text) {
-    std::string out;
-    for (const char c : text) switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            case '\'':
-                out += "&#39;";
-                break;
-            default:
-                out += c;
-        }
-    return out;
-}
-
 std::string svg_name(const Figure& figure) {
     std::string name = figure.id;
-    std::ranges::replace(name, '-', '_');
+    for (char& c : name)
+        if (c == '-' || c == '.') c = '_';
     return name;
 }
 

@@ -11,7 +11,7 @@ namespace flipside::lab::report {
 /// gnuplot draws in this colour what has no colour of its own: text, axes. In a page it is the text's.
 inline constexpr std::string_view ink = "#010101";
 
-/// The figure's id as gnuplot takes it for names in an SVG file.
+/// The figure's id as gnuplot takes it for names in an SVG file: letters, digits, underscores.
 [[nodiscard]] std::string svg_name(const Figure& figure);
 
 /// What a point says when it is pointed at: series, setting, coordinates; several lines.
@@ -20,8 +20,5 @@ inline constexpr std::string_view ink = "#010101";
 /// `svg` as gnuplot wrote it for the figure. Each point becomes <g class="point"><title>its words</title>…;
 /// no scripts and nothing from elsewhere are asked for any more.
 [[nodiscard]] std::string inline_svg(const std::string& svg, const Figure& figure);
-
-/// & < > and both quotes as entities.
-[[nodiscard]] std::string escape(std::string_view text);
 
 }  // namespace flipside::lab::report

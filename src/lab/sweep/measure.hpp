@@ -5,13 +5,12 @@
 
 namespace flipside::lab::sweep {
 
-/// Why a run may fail.
-inline constexpr std::string_view failures[] = {"refused", "not a number", "lost ball"};
+/// Why a run failed; "" where it did not.
+inline constexpr std::string_view failures[] = {"", "refused", "not a number", "lost ball"};
 
 /// What an entrant made of a window.
 struct Outcome {
-    /// "", or one of the failures. Its errors are infinite then.
-    std::string failure;
+    std::string failure;       ///< one of `failures`; its errors are infinite where it failed
     double error = 0;          ///< radii: position at the end, the worst ball whose end is known
     double typical = 0;        ///< radii: the same, the median over the known balls that were hit
     std::size_t impacts = 0;   ///< of the reference

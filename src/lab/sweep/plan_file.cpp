@@ -5,8 +5,10 @@
 #include "lab/assets.hpp"
 #include "lab/build_commit.hpp"
 #include "lab/data_file.hpp"
+#include "lab/plain_name.hpp"
 #include "lab/sweep/plan.hpp"
 #include "world/input_error.hpp"
+#include "world/printable.hpp"
 #include "world/schema.hpp"
 
 namespace flipside::lab::sweep {
@@ -69,14 +71,14 @@ std::string scene_checksum(const Variant& variant) {
 }
 
 /// A name that is part of a file's.
-void require_file_name(const Node& node) {
+void require_plain_name(const Node& node) {
     const std::string name = node.text("name");
-    if (name.find('/') != std::string::npos || name.find('\0') != std::string::npos)
-        node.fail("name", "is " + in_quotes(name) + "; allowed is what may be part of a file's name");
+    if (!is_plain_name(name))
+        node.fail("name", "is " + in_quotes(name) + "; allowed are " + std::string(plain_name_rule));
 }
 
 Variant parse_variant(const Node& node) {
-    require_file_name(node);
+    require_plain_name(node);
     return {.name = node.text("name"),
             .scene = node.text("scene"),
             .balls = static_cast<int>(node.integer("balls")),
@@ -111,7 +113,7 @@ std::string to_json(const Plan& plan) {
     nlohmann::ordered_json variants, all;
     for (const Variant& variant : plan.variants)
         variants.push_back({{"name", variant.name},
-                            {"scene", variant.scene},
+                            {"scene", printable(variant.scene)},
                             {"scene_xxh3", scene_checksum(variant)},
                             {"balls", variant.balls},
                             {"from", variant.from},
@@ -134,7 +136,7 @@ std::string to_json(const Plan& plan) {
                                       {"most_work", plan.most_work},
                                       {"variants", variants},
                                       {"entrants", all}};
-    return json.dump(2) + '\n';
+    return json_text(json, 2) + '\n';
 }
 
 Plan parse_plan(std::string_view json, const std::string& file) {

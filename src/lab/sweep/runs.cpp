@@ -20,9 +20,9 @@ class RunReader {
 
     Run read(std::size_t row) {
         Run run;
-        run.variant = table_.text(row, "variant");
+        run.variant = table_.name(row, "variant");
         if (run.variant != unit_.variant->name) table_.refuse(row, "variant", "the one of this file");
-        run.entrant = table_.text(row, "entrant");
+        run.entrant = table_.name(row, "entrant");
         run.dt = table_.finite(row, "dt");
         run.window = table_.count(row, "window");
         require_order(row, run);
@@ -51,9 +51,7 @@ class RunReader {
         last_ = place;
     }
     void read_outcome(std::size_t row, Outcome& outcome) const {
-        outcome.failure = table_.text(row, "failure");
-        if (std::ranges::find(failures, outcome.failure) == std::end(failures) && !outcome.failure.empty())
-            table_.refuse(row, "failure", "a failure of a run");
+        outcome.failure = table_.one_of(row, "failure", failures);
         outcome.error = error(row, "error", outcome.failure);
         outcome.typical = error(row, "typical", outcome.failure);
         if (outcome.typical > outcome.error) table_.refuse(row, "typical", "at most the largest error");

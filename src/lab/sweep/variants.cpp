@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "lab/assets.hpp"
+#include "lab/plain_name.hpp"
 #include "world/input_error.hpp"
+#include "world/json_file.hpp"
 #include "world/scene_file.hpp"
 #include "world/script_file.hpp"
 
@@ -41,6 +43,16 @@ Variant variant_of(const std::string& scene, const std::string& name) {
     return variant;
 }
 
+/// Their files would be the same.
+void require_different(const std::vector<Variant>& variants) {
+    for (std::size_t i = 0; i < variants.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (variants[i].name == variants[j].name)
+                throw InputError("scenes '" + variants[j].scene + "' and '" + variants[i].scene +
+                                 "' are both called '" + variants[i].name +
+                                 "'; allowed are scenes of different names");
+}
+
 }  // namespace
 
 std::vector<Variant> variants_of(const std::vector<std::string>& scenes, int balls) {
@@ -57,6 +69,11 @@ std::vector<Variant> variants_of(const std::vector<std::string>& scenes, int bal
         std::ranges::copy_if(standard, std::back_inserter(variants),
                              [&](const Variant& variant) { return variant.scene == name; });
         const auto scene = load_scene(scene_file(name));
+        if (!is_plain_name(scene.name))
+            throw InputError(scene_file(name).string(), "/name",
+                             "the scene's name is " + in_quotes(scene.name) +
+                                 ", and files of a sweep are called by it; allowed are " +
+                                 std::string(plain_name_rule));
         if (variants.size() == before) variants.push_back(variant_of(name, scene.name));
         if (balls == 0) continue;
         if (!scene.launcher && !has_field(name))
@@ -65,6 +82,7 @@ std::vector<Variant> variants_of(const std::vector<std::string>& scenes, int bal
         variants.back().name = scene.name + "-" + std::to_string(balls);
         variants.back().balls = balls;
     }
+    require_different(variants);
     return variants;
 }
 

@@ -13,7 +13,7 @@ namespace flipside::lab::sweep {
 
 /// A scene with a number of balls. Windows start between `from` and `until` of a trajectory.
 struct Variant {
-    std::string name;                ///< stable, as in all files: "pinball-8"
+    std::string name;                ///< plain (plain_name.hpp) and stable, as in all files: "pinball-8"
     std::string scene;               ///< a name in assets/scenes or the path of a scene file
     int balls = 0;                   ///< fired by the launcher, or generated; 0: as scene and script say
     double from = 0, until = 10;     ///< s since the trajectory's start
@@ -28,8 +28,8 @@ inline constexpr double window_unit = 1.0 / 30;
 /// pinball with 1 ball and with 8, toy, rain.
 [[nodiscard]] std::vector<Variant> standard_variants();
 /// The standard ones of these scenes (all where none is named), a plain one for any other scene; with
-/// `balls` > 0 one for that number each. Throws InputError for unknown scenes and those that cannot have
-/// another number of balls.
+/// `balls` > 0 one for that number each. Throws InputError for unknown scenes, those that cannot have
+/// another number of balls, those whose name is no plain one (plain_name.hpp) and two of the same name.
 [[nodiscard]] std::vector<Variant> variants_of(const std::vector<std::string>& scenes, int balls);
 
 /// Its balls come from the launcher: each from a launch of its own, all put on one table at once.

@@ -166,7 +166,7 @@ std::string to_json(const Block& block, const Scene& scene) {
                     {"trajectories", block.trajectories},
                     {"skipped", block.skipped},
                     {"windows", windows}};
-    return json.dump() + "\n";
+    return json_text(json) + "\n";
 }
 
 Block parse_block(std::string_view json, const std::string& file, const BlockPlan& plan, const Scene& scene) {

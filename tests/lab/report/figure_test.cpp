@@ -9,6 +9,8 @@
 #include "lab/csv_table.hpp"
 #include "lab/failure.hpp"
 #include "lab/report/gnuplot.hpp"
+#include "lab/report/markup.hpp"
+#include "lab/report/page.hpp"
 #include "lab/report/process.hpp"
 #include "lab/report/svg.hpp"
 
@@ -122,6 +124,67 @@ TEST_F(Figures, TheSvgStandsInAPageByItself) {
     for (const char* unwanted :
          {"<script", "onmouse", "gnuplot_svg", "<?xml", "<!DOCTYPE", "gpPt", "rgb(  1,   1,   1)"})
         EXPECT_EQ(svg.find(unwanted), std::string::npos) << unwanted;
+}
+
+/// What a script, a page or a shell might take for more than text.
+constexpr const char* hostile =
+    "#x' \"\nsystem 'touch RUN'\n`touch RUN` $(touch RUN) @a \\\n<script>alert(1)</script>]]>{/*=+ "
+    "\x1b[31m\x7f\u202e\xff";
+
+TEST_F(Figures, AreDrawnWithTheSamePointsWhateverTheTextsSay) {
+    Figure figure = awkward();
+    write_csv(figure, folder / "f.csv");
+    const auto plain = points_of(draw(figure, folder / "f.csv", folder));
+    figure.title = figure.reading = figure.x.label = figure.y.label = figure.marks[0].says = hostile;
+    for (Series& series : figure.series) {
+        series.name = hostile;
+        for (Point& point : series.points) point.says = hostile;
+    }
+    write_csv(figure, folder / "f.csv");
+    const std::string svg = draw(figure, folder / "f.csv", folder);
+    const auto points = points_of(svg);
+    ASSERT_EQ(points.size(), plain.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        EXPECT_EQ(points[i].x, plain[i].x);
+        EXPECT_EQ(points[i].y, plain[i].y);
+    }
+    EXPECT_FALSE(fs::exists(folder / "RUN")) << text_of(folder / "awk-ward.gp");
+    for (const fs::path& file : {folder / "awk-ward.svg", folder / "awk-ward.gp", folder / "f.csv"})
+        for (const char* bad : {"\x1b", "\x7f", "\u202e", "\xff"})
+            EXPECT_EQ(text_of(file).find(bad), std::string::npos) << file;
+    EXPECT_EQ(svg.find("<script"), std::string::npos);
+    EXPECT_EQ(CsvTable(folder / "f.csv").rows(), 4U);
+}
+
+TEST_F(Figures, HavePlainIds) {
+    Figure figure = awkward();
+    write_csv(figure, folder / "f.csv");
+    for (const char* id : {"../x", "|touch RUN", "<touch RUN", "a\nb", "", "-e", "a b", "a'b"}) {
+        figure.id = id;
+        EXPECT_THROW(draw(figure, folder / "f.csv", folder), Failure) << id;
+        EXPECT_THROW(static_cast<void>(script_of(figure, "f.csv")), Failure) << id;
+    }
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
+    figure.id = "a.b_c-d";
+    EXPECT_EQ(points_of(draw(figure, folder / "f.csv", folder)).size(), 4U);
+}
+
+TEST(Markup, HasNoMarkupLeft) {
+    EXPECT_EQ(escape("<a href='x'>\"&\n\x1b\u202e"), "&lt;a href=&#39;x&#39;&gt;&quot;&amp;\n\\x1b\\u{202e}");
+}
+
+TEST(Markup, IsUsedForEveryTextOfAPage) {
+    Figure figure;
+    figure.id = "f";
+    figure.title = figure.reading = figure.x.label = figure.y.label = hostile;
+    figure.series.push_back({hostile, "#000000", 1, 7, 1, true, {{1, 1, hostile}}});
+    const Table table{hostile, hostile, {hostile}, {{{hostile, false, hostile}}}, hostile};
+    const Page page{
+        hostile, hostile, {{hostile, hostile, hostile, {{figure}, {table}}, {""}}}, {{hostile, hostile}}};
+    std::string html = html_of(page);
+    EXPECT_EQ(html.find("<script>alert"), std::string::npos);
+    for (const char* bad : {"\x1b", "\x7f", "\u202e", "\xff", "'touch", "\"\nsystem"})
+        EXPECT_EQ(html.find(bad), std::string::npos) << bad;
 }
 
 TEST_F(Figures, ASeriesMayBeEmptyAndAFigureToo) {

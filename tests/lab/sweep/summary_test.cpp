@@ -47,6 +47,58 @@ class SweepSummary : public ::testing::Test {
     }
 };
 
+TEST_F(SweepSummary, RefusesNamesThatAreMoreThanNames) {
+    const Plan plan = quick_plan(variants_of({"toy"}, 0), 1);
+    const Run good = run("box2d", 1.0 / 60, 0, 0.1);
+    int which = 0;
+    for (const char* bad : {"a\nsystem 'touch RUN'\n#", "<script>", "../a", "=1+1", "\x1b[31m", "\u202e"})
+        for (const char* column : {"variant", "entrant", "failure"}) {
+            Run hostile = good;
+            (column[0] == 'v'   ? hostile.variant
+             : column[0] == 'e' ? hostile.entrant
+                                : hostile.outcome.failure) = bad;
+            const fs::path made = folder(std::to_string(which++).c_str(), plan, {good, hostile});
+            try {
+                static_cast<void>(gather({&made, 1}));
+                ADD_FAILURE() << column << ": " << bad;
+            } catch (const InputError& error) {
+                EXPECT_NE(std::string(error.what()).find(std::string(": line 3: ") + column),
+                          std::string::npos)
+                    << error.what();
+            }
+        }
+}
+
+TEST_F(SweepSummary, RefusesWindowsFilesThatAreMoreThanNames) {
+    fs::create_directories(base / "windows");
+    write_whole_file(base / "windows" / "toy-001.json",
+                     R"({"windows": [], "trajectories": 3, "skipped": {}})");
+    EXPECT_EQ(count_windows({&base, 1}).at("toy").trajectories, 3U);
+    write_whole_file(base / "windows" / "a\x1b[31m-001.json", "{}");
+    EXPECT_THROW(static_cast<void>(count_windows({&base, 1})), InputError);
+}
+
+TEST(SweepVariants, HavePlainNamesAndDifferentOnes) {
+    const fs::path folder = fs::temp_directory_path() / ("flipside-variants-" + std::to_string(getpid()));
+    fs::create_directory(folder);
+    const auto scene = [&](const std::string& file, const std::string& name) {
+        write_whole_file(
+            folder / file,
+            R"({"format": "flipside-scene/1", "bounds": {"min": [0, 0], "max": [1, 1]}, "name": )" + name +
+                "}");
+        return (folder / file).string();
+    };
+    const std::string a = scene("a.json", R"("same")"), b = scene("b.json", R"("same")"),
+                      c = scene("c.json", R"("other")");
+    EXPECT_EQ(variants_of({a, c}, 0).size(), 2U);
+    EXPECT_THROW(static_cast<void>(variants_of({a, b}, 0)), InputError);
+    EXPECT_THROW(static_cast<void>(variants_of({"toy", "toy"}, 0)), InputError);
+    for (const char* bad :
+         {R"("../x")", R"("a\nb")", R"("\u001b[31m")", R"("a b")", R"("=1")", R"("\u202e")"})
+        EXPECT_THROW(static_cast<void>(variants_of({scene("bad.json", bad)}, 0)), InputError) << bad;
+    fs::remove_all(folder);
+}
+
 TEST_F(SweepSummary, FiguresByNearestRankWithFailuresAsInfinite) {
     Runs runs;
     for (std::size_t i = 0; i < 20; ++i) runs.push_back(run("box2d", 1.0 / 60, i, 0.01 * double(20 - i)));

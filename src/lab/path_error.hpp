@@ -1,0 +1,19 @@
+#pragma once
+/// What the system says when a path that somebody gave cannot be used, as an error that says whose fault it
+/// is.
+
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+namespace flipside::lab {
+
+/// Whether the path itself is wrong: too long, not permitted, a link to itself. All else (a full disk, a
+/// folder that is missing) is the world's fault.
+[[nodiscard]] bool is_bad_path(std::error_code why);
+
+/// "PATH: PROBLEM (why)": InputError where is_bad_path(why), else Failure.
+[[noreturn]] void throw_path_error(const std::filesystem::path& path, const std::string& problem,
+                                   std::error_code why);
+
+}  // namespace flipside::lab
