@@ -7,6 +7,7 @@
 #include "lab/report/gnuplot.hpp"
 #include "lab/whole_file.hpp"
 #include "world/input_error.hpp"
+#include "world/json_file.hpp"
 
 namespace flipside::lab::report {
 

@@ -5,10 +5,12 @@
 #include <limits>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include "lab/csv_table.hpp"
 #include "lab/data_file.hpp"
+#include "lab/whole_file.hpp"
 #include "world/input_error.hpp"
 
 namespace flipside::lab::sweep {
@@ -47,35 +49,70 @@ class SweepSummary : public ::testing::Test {
     }
 };
 
-TEST_F(SweepSummary, RefusesNamesThatAreMoreThanNames) {
-    const Plan plan = quick_plan(variants_of({"toy"}, 0), 1);
-    const Run good = run("box2d", 1.0 / 60, 0, 0.1);
-    int which = 0;
-    for (const char* bad : {"a\nsystem 'touch RUN'\n#", "<script>", "../a", "=1+1", "\x1b[31m", "\u202e"})
-        for (const char* column : {"variant", "entrant", "failure"}) {
-            Run hostile = good;
-            (column[0] == 'v'   ? hostile.variant
-             : column[0] == 'e' ? hostile.entrant
-                                : hostile.outcome.failure) = bad;
-            const fs::path made = folder(std::to_string(which++).c_str(), plan, {good, hostile});
-            try {
-                static_cast<void>(gather({&made, 1}));
-                ADD_FAILURE() << column << ": " << bad;
-            } catch (const InputError& error) {
-                EXPECT_NE(std::string(error.what()).find(std::string(": line 3: ") + column),
-                          std::string::npos)
-                    << error.what();
-            }
-        }
+/// What a script, a page, a path, a spreadsheet or a terminal would take for more than a name.
+constexpr const char* hostile_names[] = {"a\nsystem 'touch RUN'\n#",
+                                         "<script>",
+                                         "../a",
+                                         "=1+1",
+                                         "-1",
+                                         "\x1b[31m",
+                                         "\x7f",
+                                         "\u009b",
+                                         "\u202e",
+                                         "\xff",
+                                         "a b",
+                                         ""};
+
+std::string in_quotes_of_csv(const std::string& text) {
+    std::string quoted = "\"";
+    for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
+    return quoted + '"';
 }
 
-TEST_F(SweepSummary, RefusesWindowsFilesThatAreMoreThanNames) {
-    fs::create_directories(base / "windows");
-    write_whole_file(base / "windows" / "toy-001.json",
-                     R"({"windows": [], "trajectories": 3, "skipped": {}})");
-    EXPECT_EQ(count_windows({&base, 1}).at("toy").trajectories, 3U);
-    write_whole_file(base / "windows" / "a\x1b[31m-001.json", "{}");
-    EXPECT_THROW(static_cast<void>(count_windows({&base, 1})), InputError);
+/// The folder is whole and its checksums hold: whoever made it meant it.
+TEST_F(SweepSummary, RefusesRunsWhoseNamesAreMoreThanNames) {
+    const Plan plan = quick_plan(variants_of({"toy"}, 0), 1);
+    const std::string good = to_csv({run("box2d", 1.0 / 60, 0, 0.1)});
+    const fs::path made = folder("hostile", plan, {});
+    const Unit unit{&plan.variants.front(), 0};
+    const std::string origin = origin_of_unit("runs", to_json(plan), unit);
+    const auto refusal = [&](const std::string& row) -> std::string {
+        write_data_file(runs_file(unit, made), origin, good + row);
+        try {
+            static_cast<void>(gather({&made, 1}));
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    for (const std::string bad : hostile_names) {
+        const std::string field = in_quotes_of_csv(bad), rest = ",0.1,0.05,3,1,0,nan,nan\n";
+        EXPECT_NE(refusal(field + ",box2d,0.016666666666666666,1,0.5," + rest).find(": line 3: variant '"),
+                  std::string::npos);
+        EXPECT_NE(refusal("toy," + field + ",0.016666666666666666,1,0.5," + rest).find(": line 3: entrant '"),
+                  std::string::npos);
+        if (!bad.empty())
+            EXPECT_NE(
+                refusal("toy,box2d,0.016666666666666666,1,0.5," + field + rest).find(": line 3: failure '"),
+                std::string::npos);
+    }
+    EXPECT_EQ(refusal("toy,box2d,0.016666666666666666,1,0.5,,0.1,0.05,3,1,0,nan,nan\n"), "");
+}
+
+TEST_F(SweepSummary, RefusesPlansWhoseNamesAreMoreThanNames) {
+    auto json = nlohmann::json::parse(to_json(quick_plan(variants_of({"toy"}, 0), 1)));
+    EXPECT_EQ(parse_plan(json.dump(), "plan.json").variants.size(), 1U);
+    for (const std::string bad : hostile_names) {
+        if (bad == "\xff") continue;  // which JSON cannot hold
+        json["variants"][0]["name"] = bad;
+        try {
+            static_cast<void>(parse_plan(json.dump(), "plan.json"));
+            ADD_FAILURE() << bad;
+        } catch (const InputError& error) {
+            EXPECT_NE(std::string(error.what()).find("plan.json: /variants/0"), std::string::npos)
+                << error.what();
+        }
+    }
 }
 
 TEST(SweepVariants, HavePlainNamesAndDifferentOnes) {
