@@ -6,6 +6,7 @@
 #include "app/play.hpp"
 #include "app/render.hpp"
 #include "lab/assets.hpp"
+#include "world/input_error.hpp"
 
 namespace flipside::app {
 
@@ -39,6 +40,9 @@ int render(RenderArguments arguments) {
     run.dt = arguments.dt;
     run.script = arguments.script;
     require_distinct({run.inputs(), {{"--out", options.out}}});
+    if (options.out.extension() != ".png")
+        throw InputError("--out '" + options.out.string() +
+                         "' is no name of a picture; allowed is one as x.png");
     const auto scene = run.load();
     options.dt = run.step(*scene);
     options.script = run.script_path();

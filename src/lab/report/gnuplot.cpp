@@ -205,9 +205,9 @@ std::string draw(const Figure& figure, const fs::path& csv, const fs::path& pict
     const auto name = [](const TemporaryFile& file) {
         return string_literal(file.path().filename().string());
     };
-    Finished done = run_program({"gnuplot", "-d", "-e", "svg = " + name(drawn_svg) + "; png = " + name(drawn_png),
-                                 figure.id + ".gp"},
-                                pictures);
+    Finished done = run_program(
+        {"gnuplot", "-d", "-e", "svg = " + name(drawn_svg) + "; png = " + name(drawn_png), figure.id + ".gp"},
+        pictures);
     std::ranges::replace(done.said, '\n', ' ');
     if (done.code != 0)
         fail_to_draw(script, done.said.empty() ? "exit code " + std::to_string(done.code) : done.said);
