@@ -2,42 +2,17 @@
 /// 0: done. 1: what was asked could not be done. 2: bad usage or bad input.
 
 #include <algorithm>
-#include <cstdio>
-#include <exception>
-#include <filesystem>
-#include <sstream>
 
 #include "app/cli/commands.hpp"
+#include "app/cli/exit_code.hpp"
 #include "app/cli/output.hpp"
 #include "lab/assets.hpp"
-#include "lab/path_error.hpp"
+#include "lab/text_stream.hpp"
 #include "world/input_error.hpp"
 
 namespace {
 
 using namespace flipside;
-namespace fs = std::filesystem;
-
-int fail(int code, std::string_view message) {
-    app::say(message);
-    return code;
-}
-
-/// Does it, and turns what it throws into an exit code.
-int act(const app::Action& action) {
-    try {
-        const int code = action();
-        app::finish_output();
-        return code;
-    } catch (const InputError& error) {
-        return fail(2, error.what());
-    } catch (const fs::filesystem_error& error) {
-        return fail(lab::is_bad_path(error.code()) ? 2 : 1,
-                    error.path1().string() + ": cannot be used (" + error.code().message() + ")");
-    } catch (const std::exception& error) {
-        return fail(1, error.what());
-    }
-}
 
 std::string names_of(const std::vector<const CLI::App*>& commands) {
     std::string names;
@@ -73,7 +48,7 @@ void parse(CLI::App& program, app::Action& chosen, std::vector<std::string> argu
         std::ranges::reverse(arguments);  // as CLI11 takes them
         program.parse(arguments);
     } catch (const CLI::Success& asked) {
-        std::ostringstream text;
+        lab::TextStream text;
         program.exit(asked, text, text);
         chosen = [words = text.str()] {
             app::print_text(words);
@@ -103,20 +78,13 @@ int command_line(int argc, char** argv) {
     app::add_scenes(program, chosen);
     app::add_engines(program, chosen);
     app::add_check(program, chosen);
-    return act([&] {
-        parse(program, chosen, {argv + 1, argv + argc});
-        return chosen();
-    });
+    parse(program, chosen, {argv + 1, argv + argc});
+    return chosen();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
     app::prepare_streams();
-    try {
-        return command_line(argc, argv);
-    } catch (...) {
-        std::fputs("flipside: out of memory\n", stderr);
-        return 1;
-    }
+    return app::exit_code_of([=] { return command_line(argc, argv); });
 }

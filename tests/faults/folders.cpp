@@ -96,8 +96,10 @@ std::string half_files(const Contents& found, const Contents& before, const Cont
 std::string unclear_end(const Ended& ended, bool may_refuse) {
     if (ended.code == 0) return "";
     const bool is_allowed = ended.code == 1 || (may_refuse && ended.code == 2);
-    const bool is_line = std::ranges::count(ended.err, '\n') == 1 && ended.err.ends_with('\n') &&
-                         ended.err.starts_with("flipside: ") && ended.err.size() > 15;
+    // What cannot be read back may have been named before.
+    const bool is_line = (may_refuse || std::ranges::count(ended.err, '\n') == 1) &&
+                         ended.err.ends_with('\n') && ended.err.starts_with("flipside: ") &&
+                         ended.err.size() > 15;
     return is_allowed && is_line ? "" : "code " + std::to_string(ended.code) + ", said: " + ended.err;
 }
 

@@ -1,10 +1,9 @@
-#include <sstream>
-
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
 #include "lab/assets.hpp"
 #include "lab/engines.hpp"
 #include "lab/scene_notes.hpp"
+#include "lab/text_stream.hpp"
 #include "world/printable.hpp"
 #include "world/scene_file.hpp"
 
@@ -20,7 +19,7 @@ int list_scenes() {
 }
 
 std::string range_of(const SettingSpec& spec) {
-    std::ostringstream text;
+    lab::TextStream text;
     switch (spec.type) {
         case SettingType::toggle:
             return "on, off";
@@ -37,7 +36,7 @@ std::string range_of(const SettingSpec& spec) {
 
 int list_engines() {
     for (const Engine* engine : lab::engines()) {
-        std::ostringstream text;
+        lab::TextStream text;
         text << engine->name << ": " << engine->about << '\n';
         const Settings defaults(engine->settings);
         for (const SettingSpec& spec : engine->settings)

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <tuple>
 
 #include "lab/csv.hpp"
 #include "lab/csv_table.hpp"
 #include "lab/pair_tests.hpp"
 #include "lab/report/chapter.hpp"
+#include "lab/text_stream.hpp"
 #include "world/input_error.hpp"
 
 namespace flipside::lab::report {
@@ -18,7 +18,7 @@ constexpr const char* pairs_file = "pairs.csv";
 /// Tests are per search in the toy's experiment, per ball and search in the growth; the time, of the growth
 /// alone, is per ball and search.
 std::string to_csv(const PairTests& found) {
-    std::ostringstream file;
+    TextStream file;
     CsvRow row;
     row.add("experiment").add("broad_phase").add("balls").add("tests").add("cpu_ns").write(file);
     for (const PairTests::Row& line : found.rows)

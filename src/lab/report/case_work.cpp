@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "lab/cases/case.hpp"
 #include "lab/csv.hpp"
 #include "lab/csv_table.hpp"
 #include "lab/report/chapter.hpp"
 #include "lab/report/contender.hpp"
+#include "lab/text_stream.hpp"
 
 namespace flipside::lab::report {
 
@@ -45,7 +45,7 @@ void write_row(CsvRow& row, std::ostream& out, const Story& story, double dt, co
 /// CSV: case,dt,error,failure,cpu_seconds.
 Measurement work_measurement(const Contender& contender, const Effort& effort) {
     const auto measure = [=](const Watch& watch) {
-        std::ostringstream file;
+        TextStream file;
         CsvRow row;
         row.add("case").add("dt").add("error").add("failure").add("cpu_seconds").write(file);
         double done = 0;

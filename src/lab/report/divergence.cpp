@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <sstream>
 
 #include "lab/assets.hpp"
 #include "lab/csv.hpp"
@@ -10,6 +9,7 @@
 #include "lab/report/chapter.hpp"
 #include "lab/report/contender.hpp"
 #include "lab/run.hpp"
+#include "lab/text_stream.hpp"
 #include "world/refusal.hpp"
 #include "world/scene_file.hpp"
 #include "world/script_file.hpp"
@@ -59,7 +59,7 @@ std::string measure(const Duel& duel, double seconds, const Watch& watch) {
     for (const Contender* contender : {&duel.first, &duel.second})
         sessions.emplace_back(scene, engine_named(contender->engine), settings_of(*contender, *scene));
 
-    std::ostringstream csv;
+    TextStream csv;
     CsvRow row;
     row.add("time").add("radii").add("uncertainty").add("failure").write(csv);
     const auto after = [&](const Session& session, std::uint64_t, double time) {

@@ -4,12 +4,12 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <sstream>
 
 #include "lab/failure.hpp"
 #include "lab/plain_name.hpp"
 #include "lab/report/process.hpp"
 #include "lab/report/svg.hpp"
+#include "lab/text_stream.hpp"
 #include "lab/whole_file.hpp"
 #include "world/input_error.hpp"
 #include "world/json_file.hpp"
@@ -169,7 +169,7 @@ std::string picture(const fs::path& file, std::string_view end, const fs::path& 
 
 std::string script_of(const Figure& figure, const std::string& csv) {
     require_plain_id(figure);
-    std::ostringstream out;
+    TextStream out;
     out << "# Run in this folder by: gnuplot -d " << figure.id << ".gp\n"
         << "csv = " << string_literal(csv) << '\n';
     for (const char* picture : {"svg", "png"})

@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "lab/assets.hpp"
 #include "lab/csv.hpp"
 #include "lab/csv_table.hpp"
 #include "lab/report/chapter.hpp"
 #include "lab/report/recording.hpp"
+#include "lab/text_stream.hpp"
 #include "world/scene_file.hpp"
 
 namespace flipside::lab::report {
@@ -42,7 +42,7 @@ std::string measure(const RunPlan& plan, const Watch& watch) {
     std::ranges::sort(overlaps, std::greater{});
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double ball_steps = static_cast<double>(balls) * static_cast<double>(totals.steps);
-    std::ostringstream file;
+    TextStream file;
     CsvRow row;
     row.add("balls").add("overlap_99").add("strays").add("failure").add("cpu_ns_per_ball_step").write(file);
     row.add(std::uint64_t{balls})

@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "lab/assets.hpp"
 #include "lab/csv.hpp"
 #include "lab/csv_table.hpp"
 #include "lab/report/chapter.hpp"
 #include "lab/report/recording.hpp"
+#include "lab/text_stream.hpp"
 #include "world/scene_file.hpp"
 
 namespace flipside::lab::report {
@@ -25,7 +25,7 @@ std::string overlaps_file(const Contender& contender) {
 /// CSV: share,depth,contacts,failure. Depth in radii; the last row is the deepest of all.
 std::string to_csv(std::vector<double> depths, const std::string& failure) {
     std::ranges::sort(depths, std::greater{});
-    std::ostringstream file;
+    TextStream file;
     CsvRow row;
     row.add("share").add("depth").add("contacts").add("failure").write(file);
     const auto count = static_cast<double>(depths.size());

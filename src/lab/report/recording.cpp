@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
-#include <sstream>
 
 #include "lab/csv.hpp"
 #include "lab/csv_table.hpp"
 #include "lab/failure.hpp"
 #include "lab/run.hpp"
+#include "lab/text_stream.hpp"
 #include "world/input_error.hpp"
 #include "world/refusal.hpp"
 
@@ -58,7 +58,7 @@ std::string run_plan(const RunPlan& plan, const std::function<void(const Session
 
 std::string record(const RunPlan& plan, const std::function<double(const Session&)>& quantity,
                    const Watch& watch) {
-    std::ostringstream csv;
+    TextStream csv;
     CsvRow row;
     row.add("time").add("value").add("failure").write(csv);
     const std::uint64_t steps = Timeline(0, plan.seconds, plan.dt).steps();

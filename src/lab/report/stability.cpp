@@ -1,10 +1,10 @@
 #include <map>
-#include <sstream>
 
 #include "lab/cases/stability_map.hpp"
 #include "lab/csv_table.hpp"
 #include "lab/report/chapter.hpp"
 #include "lab/report/contender.hpp"
+#include "lab/text_stream.hpp"
 #include "world/input_error.hpp"
 
 namespace flipside::lab::report {
@@ -19,7 +19,7 @@ Measurement map_measurement(const Contender& contender, const Effort& effort) {
     const auto measure = [contender, steps = effort.map_steps](const Watch& watch) {
         const Entrant entrant{&engine_named(contender.engine), settings_of(contender, Scene{})};
         const auto points = stability_map(entrant, steps, watch);
-        std::ostringstream file;
+        TextStream file;
         write_stability(file, entrant, points);
         return file.str();
     };

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <tuple>
 
 #include "lab/csv.hpp"
 #include "lab/csv_table.hpp"
+#include "lab/text_stream.hpp"
 
 namespace flipside::lab::sweep {
 
@@ -94,7 +94,7 @@ class RunReader {
 }  // namespace
 
 std::string to_csv(const std::vector<Run>& runs) {
-    std::ostringstream out;
+    TextStream out;
     out << "variant,entrant,dt,window,seconds,failure,error,typical,impacts,missed,spurious,cpu_min,"
            "cpu_median\n";
     CsvRow row;
