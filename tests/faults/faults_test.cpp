@@ -29,7 +29,7 @@ struct Kind {
     bool may_pass;    ///< the program may do without, or try again
 };
 constexpr Kind kinds[] = {{"write", false, false}, {"short", false, true},   {"interrupted", false, true},
-                          {"sync", false, false},  {"rename", false, false}, {"open", false, false},
+                          {"sync", false, false},  {"rename", false, false}, {"open", true, true},
                           {"close", false, true},  {"folder", false, true},  {"input", true, true},
                           {"read", true, true},    {"spawn", false, false},  {"memory", false, true}};
 
@@ -81,10 +81,10 @@ class Faults : public ::testing::Test {
         SCOPED_TRACE(scenario.name + ", " + fault + " in " + scenario.program);
         const Ended ended = run_with(scenario, fault);
         EXPECT_EQ(unclear_end(ended, kind.may_refuse), "");
-        if (!kind.may_pass) EXPECT_NE(ended.code, 0);
+        EXPECT_TRUE(kind.may_pass || ended.code != 0);
         const Contents found = contents_of(folder);
         EXPECT_EQ(half_files(found, before, after), "");
-        if (ended.code == 0) EXPECT_EQ(found, after) << "exit 0 without all files";
+        EXPECT_TRUE(ended.code != 0 || found == after) << "exit 0 without all files";
         const Ended again = Child(scenario.command, folder).wait();
         EXPECT_EQ(again.code, 0) << again.err;
         EXPECT_EQ(contents_of(folder), after) << "the same command afterwards";
@@ -106,7 +106,8 @@ class Faults : public ::testing::Test {
             for (const long k : chosen(count, std::string_view(kind.name) == "memory" ? 3 * most : most)) {
                 expect_whole(scenario, kind, std::string(kind.name) + ":" + std::to_string(k), before, after);
                 ++tried;
-                if (k % 3 != 0 && !tries_all()) continue;
+                // A signal that comes again for ever leaves no time to write.
+                if (std::string_view(kind.name) == "interrupted" || (k % 3 != 0 && !tries_all())) continue;
                 expect_whole(scenario, kind, std::string(kind.name) + ":" + std::to_string(k) + "+", before,
                              after);
                 ++tried;

@@ -27,8 +27,8 @@ Scenarios::~Scenarios() {
 
 Scenario Scenarios::run() const {
     return {"run",
-            {FLIPSIDE_EXECUTABLE, "run", "toy", "--engine", "custom", "--seconds", "0.5", "--out", "a.csv",
-             "--events", "b.csv", "--stats", "c.json", "--save", "d.json"},
+            {FLIPSIDE_EXECUTABLE, "run", "toy", "--engine", "custom", "--seconds", "0.5", "--script", "none",
+             "--out", "a.csv", "--events", "b.csv", "--stats", "c.json", "--save", "d.json"},
             base_ / "run",
             "flipside"};
 }
