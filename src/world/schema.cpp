@@ -124,7 +124,8 @@ class Checker {
         auto& parsed = parsed_[&schema];
         if (!parsed) {
             Json whole = schema;
-            whole["definitions"] = root_["definitions"];  // what references point to
+            // What references point to. A schema without any may have none.
+            if (root_.contains("definitions")) whole["definitions"] = root_["definitions"];
             parsed = std::make_unique<valijson::Schema>();
             valijson::SchemaParser(valijson::SchemaParser::kDraft7)
                 .populateSchema(valijson::adapters::NlohmannJsonAdapter(whole), *parsed);
