@@ -21,6 +21,11 @@ const Contact* find(const std::vector<Contact>& list, const Contact& pair) {
 }  // namespace
 
 void Box2dWorld::step(double dt) {
+    guard_.run(
+        table_, balls_, [&] { make_step(dt); }, [&](const State& before) { restore(before); });
+}
+
+void Box2dWorld::make_step(double dt) {
     events_.clear();
     statistics_ = {};
     for (std::size_t i = 0; i < std::size(stages); ++i) statistics_.stages[i].name = stages[i];

@@ -13,6 +13,7 @@
 #include "box2d/contact_rules.hpp"
 #include "box2d/options.hpp"
 #include "box2d/touching.hpp"
+#include "world/step_guard.hpp"
 #include "world/table.hpp"
 #include "world/world.hpp"
 
@@ -53,6 +54,7 @@ class Box2dWorld : public World {
     void find_pairs();  ///< of what was added or moved since the last step
     void look() const;
 
+    void make_step(double dt);
     void launch();
     void substep(double from, double to);
     void fall(double h);
@@ -84,6 +86,7 @@ class Box2dWorld : public World {
     std::vector<Contact> still_held_;     ///< held_ of the step in hand; kept for its memory
     std::vector<Event> events_;
     Statistics statistics_;
+    StepGuard guard_{"box2d"};
 };
 
 }  // namespace flipside::box2d

@@ -5,6 +5,8 @@
 
 namespace flipside::custom {
 
+inline constexpr std::string_view engine_name = "custom";
+
 [[nodiscard]] const Engine& engine();
 
 }  // namespace flipside::custom

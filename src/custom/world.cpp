@@ -38,6 +38,7 @@ CustomWorld::CustomWorld(std::shared_ptr<const Scene> scene, const Settings& set
 void CustomWorld::make_room() {
     custom::make_room(balls_, balls_.size() + 1);
     discrete_.reserve(balls_.size());
+    guard_.reserve(balls_.capacity(), std::max(least_room, balls_.capacity() * contacts_per_ball));
     if (steps_continuously()) continuous_.reserve(balls_.size());
     touches_.reserve(layout_.size(), balls_.size());
     sleep_.reserve(balls_.size());
@@ -47,6 +48,11 @@ void CustomWorld::make_room() {
 }
 
 void CustomWorld::step(double dt) {
+    guard_.run(
+        table_, balls_, [&] { make_step(dt); }, [&](const State& before) { restore(before); });
+}
+
+void CustomWorld::make_step(double dt) {
     const std::uint64_t tests_before = box_tests();
     record_.events.clear();
     record_.crossed.clear();
@@ -223,6 +229,7 @@ bool CustomWorld::remove(BallNumber number) {
 }
 
 void CustomWorld::restore(const State& state) {
+    guard_.forget();
     sleep_.forget();
     table_.restore(state);
     balls_ = state.balls;
@@ -276,7 +283,7 @@ void CustomWorld::inspect(Inspector& inspector) const {
 
 const Engine& engine() {
     static const Engine custom{
-        "custom", "the bespoke engine: shapes, quadtree and response written here to be read",
+        engine_name, "the bespoke engine: shapes, quadtree and response written here to be read",
         setting_specs(), [](std::shared_ptr<const Scene> scene, const Settings& settings) {
             return std::unique_ptr<World>(std::make_unique<CustomWorld>(std::move(scene), settings));
         }};

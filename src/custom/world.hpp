@@ -4,7 +4,9 @@
 #include <memory>
 
 #include "custom/continuous/continuous_solver.hpp"
+#include "custom/engine.hpp"
 #include "custom/sleep.hpp"
+#include "world/step_guard.hpp"
 #include "world/world.hpp"
 
 namespace flipside::custom {
@@ -32,6 +34,7 @@ class CustomWorld final : public World {
   private:
     [[nodiscard]] bool steps_continuously() const;
     [[nodiscard]] std::uint64_t box_tests() const;
+    void make_step(double dt);
     void launch();
     void make_room();
     bool look_over(auto&& each_ball);
@@ -58,6 +61,7 @@ class CustomWorld final : public World {
     TouchList touches_;
     std::vector<Ball> balls_;  ///< by rising number
     StepRecord record_;
+    StepGuard guard_{engine_name};
 };
 
 }  // namespace flipside::custom

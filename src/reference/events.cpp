@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "reference/simulation.hpp"
+#include "world/limits.hpp"
 #include "world/refusal.hpp"
 
 namespace flipside::reference {
@@ -47,6 +48,16 @@ void Simulation<R>::keep_order(Mover& mover) {
                                 : "its own path";
     throw Refusal("reference: ball " + std::to_string(mover.ball.number) + " meets " + met + " without end" +
                   at_time(now_) + ": it is squeezed or in a pile");
+}
+
+/// After an impact.
+template <class R>
+void Simulation<R>::require_speed(const Mover& mover, Other met) const {
+    Ball ball = mover.ball;
+    ball.velocity = narrow(mover.body.velocity);
+    ball.spin = static_cast<double>(mover.body.spin);
+    if (within_top_speed(ball)) return;
+    refuse_speed("reference", ball, met, time_ + static_cast<double>(now_ - run_start_), *scene_);
 }
 
 /// Handles the next event of a ball.
@@ -110,6 +121,7 @@ void Simulation<R>::hit_feature(Place i) {
     } else {
         const Mixed& material = mixed_[mover.ball.material * scene_->materials.size() + part.material];
         const Impact<R> impact = respond(body, mover.mass, normal, surface, material, scene_->rest_speed);
+        require_speed(mover, Other::part(index));
         if (impact.happened) report(EventKind::impact, mover, Other::part(index), impact, point, normal);
         if (impact.happened && part.target) parts_[index].down = true;
     }
@@ -146,6 +158,8 @@ void Simulation<R>::hit_ball(Place i) {
         const Mixed& material = mixed_[a.ball.material * scene_->materials.size() + b.ball.material];
         const Impact<R> impact =
             respond(a.body, a.mass, b.body, b.mass, normal, material, scene_->rest_speed);
+        require_speed(a, Other::ball(b.ball.number));
+        require_speed(b, Other::ball(a.ball.number));
         slow = !impact.happened || impact.speed <= hop;
         if (impact.happened)
             report(EventKind::impact, a, Other::ball(b.ball.number), impact,

@@ -164,6 +164,7 @@ class Simulation final : public Exact {
     void handle(Place i);
     void advance(Mover& mover);
     void keep_order(Mover& mover);
+    void require_speed(const Mover& mover, Other met) const;
     void hit_feature(Place i);
     void hit_ball(Place i);
     void refuse_piles(Mover& a, Mover& b) const;

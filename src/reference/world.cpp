@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "reference/engine.hpp"
+#include "world/limits.hpp"
 #include "world/refusal.hpp"
 #include "world/surface.hpp"
 
@@ -166,6 +167,7 @@ bool ReferenceWorld::step_within(double dt, double seconds) {
                                       std::chrono::duration<double>(std::min(seconds, long_enough)));
     bool done = true;
     on_both([&](Exact& exact) { done &= exact.go_on(deadline); });
+    if (done && !refusal_) read_within_limits(dt);
     worked_ += std::chrono::duration<double>(Clock::now() - start).count();
     if (!done && !refusal_) return false;
     under_way_ = false;
@@ -175,11 +177,20 @@ bool ReferenceWorld::step_within(double dt, double seconds) {
         events_.clear();
         throw Refusal(*refusal_);
     }
-    read_out(table_.time());
     table_.advance(dt);
     report_touches();
     statistics_.stages[0] = {"events", worked_};
     return true;
+}
+
+/// Takes over what the simulation found, unless a ball has passed the limits of a world.
+void ReferenceWorld::read_within_limits(double dt) {
+    read_out(table_.time());
+    try {
+        require_limits("reference", balls_, table_.time() + dt);
+    } catch (const Refusal& refusal) {
+        refusal_ = refusal.what();
+    }
 }
 
 /// Takes over what the simulation found. `started` is when the step did.

@@ -41,6 +41,7 @@ class ReferenceWorld final : public World {
     void on_both(auto&& act);
     void drop_twin();
     void launch();
+    void read_within_limits(double dt);
     void read_out(double started);
     void report_touches();
     void measure_uncertainty();

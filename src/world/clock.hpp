@@ -8,10 +8,13 @@ struct Clock {
     double time = 0;       ///< s
     double remainder = 0;  ///< what rounding left out of `time` so far
 
+    /// The remainder is the rounding of the last sum, which is exact (Knuth's TwoSum): at most half an ulp
+    /// of `time`. So `time` never falls, and steps below its ulp add up in the remainder until they show.
     void advance(double dt) {
         const double y = dt + remainder;
         const double t = time + y;
-        remainder = y - (t - time);
+        const double added = t - time;
+        remainder = (time - (t - added)) + (y - added);
         time = t;
     }
     friend bool operator==(const Clock&, const Clock&) = default;

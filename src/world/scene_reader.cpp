@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "world/limits.hpp"
+
 namespace flipside {
 
 namespace {
@@ -58,6 +60,9 @@ void SceneReader::add_ball(const Node& node, Ball ball) {
     if (scene_.balls.size() == most_things) node.fail("too many balls; allowed are 1000000 in a scene");
     if (!scene_.bounds.contains(ball.position))
         node.fail("a ball lies outside the bounds; allowed are places inside");
+    if (!within_top_speed(ball))
+        node.fail("a ball is too fast; allowed are speeds of its centre and its rim up to " +
+                  Json(top_speed).dump() + " m/s");
     ball.number = static_cast<BallNumber>(scene_.balls.size());
     scene_.balls.push_back(ball);
 }

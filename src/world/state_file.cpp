@@ -33,6 +33,15 @@ Json to_json(const Ball& ball, const Scene& scene) {
     return json;
 }
 
+Clock read_clock(const Node& root) {
+    const Clock clock{root.real("time"), root.real("time_remainder", 0)};
+    const double ulp = std::nextafter(clock.time, INFINITY) - clock.time;
+    if (std::abs(clock.remainder) > ulp)
+        root.fail("time_remainder", "is more than the rounding of the time; allowed: from -" +
+                                        Json(ulp).dump() + " to " + Json(ulp).dump());
+    return clock;
+}
+
 std::uint32_t read_material(const Node& node, const Scene& scene) {
     if (!node.has("material")) return 0;
     const std::string name = node.text("material");
@@ -190,7 +199,7 @@ State parse_state(std::string_view text, const std::string& file, const Scene& s
         root.fail("scene", "is a state of " + in_quotes(root.text("scene")) + "; allowed is one of " +
                                in_quotes(scene.name));
     State state;
-    state.clock = {root.real("time"), root.real("time_remainder", 0)};
+    state.clock = read_clock(root);
     state.next_number = static_cast<BallNumber>(root.integer("next_number"));
     state.balls = read_balls(root, scene);
     state.pressings = read_pressings(root, state.balls);

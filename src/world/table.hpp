@@ -76,6 +76,8 @@ class Table {
     [[nodiscard]] bool launch_waiting() const { return !state_.launches.empty(); }
 
     [[nodiscard]] State save(std::span<const Ball> balls) const;
+    /// The state without its balls; what `state` has room for is not allocated anew.
+    void copy(State& state) const { state = state_; }
     /// All of the state but its balls.
     void restore(const State& state);
 

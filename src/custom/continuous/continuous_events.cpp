@@ -1,6 +1,8 @@
 #include <algorithm>
 
 #include "custom/continuous/continuous_solver.hpp"
+#include "custom/engine.hpp"
+#include "world/limits.hpp"
 
 namespace flipside::custom {
 
@@ -73,6 +75,7 @@ void ContinuousSolver::go_on(Place i, double time) {
 
 void ContinuousSolver::report(double time, EventKind kind, const Ball& ball, Other other,
                               const Impact& impact, Vec2 point) {
+    if (!within_top_speed(ball)) refuse_speed(engine_name, ball, other, table_->time() + time, scene_);
     record_->events.push_back({table_->time() + time, kind, ball.number, other, point, impact.normal,
                                impact.speed, impact.impulse});
 }
@@ -142,6 +145,8 @@ void ContinuousSolver::hit_ball(Place i, double time) {
         if (leads_on(impact, a)) movers_[i].idle = movers_[j].idle = 0;
         report(time, EventKind::impact, a, Other::ball(b.number), impact,
                b.position + b.radius * impact.normal);
+        if (!within_top_speed(b))
+            refuse_speed(engine_name, b, Other::ball(a.number), table_->time() + time, scene_);
     }
     set_out(i, time);
     set_out(j, time);

@@ -3,13 +3,17 @@
 #include <algorithm>
 
 #include "custom/discrete/discrete_solver.hpp"
+#include "custom/engine.hpp"
 #include "custom/geometry/sweep.hpp"
 #include "custom/sift.hpp"
+#include "world/limits.hpp"
 
 namespace flipside::custom {
 
 void DiscreteSolver::report(const Ball& ball, Other other, const Impact& hit, Vec2 point, double time) {
     ++record_->statistics.impacts;
+    if (!within_top_speed(ball))
+        refuse_speed(engine_name, ball, other, table_->time() + time - hit.ago, scene_);
     record_->events.push_back({table_->time() + time - hit.ago, EventKind::impact, ball.number, other, point,
                                hit.normal, hit.speed, hit.impulse});
 }
@@ -175,7 +179,11 @@ bool DiscreteSolver::turn_back(BallPair pair) {
     Impact hit = respond(a, b, false, layout_.mixed(a.material, b.material),
                          {scene_.gravity, scene_.rest_speed, 0, 0});
     hit.ago = ago;
-    if (hit.happened) report(a, Other::ball(b.number), hit, b.position + b.radius * hit.normal, span_.end);
+    if (hit.happened) {
+        report(a, Other::ball(b.number), hit, b.position + b.radius * hit.normal, span_.end);
+        if (!within_top_speed(b))
+            refuse_speed(engine_name, b, Other::ball(a.number), table_->time() + span_.end, scene_);
+    }
     a.position += ago * a.velocity;
     b.position += ago * b.velocity;
     so_far_[pair.a].flown = so_far_[pair.b].flown = ago;
@@ -203,6 +211,8 @@ bool DiscreteSolver::collide(BallPair pair, Vec2 normal) {
     if (hit.happened) {
         if (held_a) hit.normal = -hit.normal;
         report(a, Other::ball(b.number), hit, b.position + b.radius * hit.normal, span_.end);
+        if (!within_top_speed(b))
+            refuse_speed(engine_name, b, Other::ball(a.number), table_->time() + span_.end, scene_);
     }
     if (!rounds_[pair.a].in_pile && !rounds_[pair.b].in_pile) push_out(free, other, other.asleep);
     return true;

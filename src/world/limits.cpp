@@ -1,0 +1,47 @@
+#include "world/limits.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "world/refusal.hpp"
+
+namespace flipside {
+
+namespace {
+
+std::string shown(const char* format, double value) {
+    char text[40];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+[[noreturn]] void refuse(std::string_view engine, const Ball& ball, const std::string& where, double time) {
+    const double speed = std::max(length(ball.velocity), std::abs(ball.spin) * ball.radius);
+    throw Refusal(std::string(engine) + ": ball " + std::to_string(ball.number) + " has reached " +
+                  shown("%.3g", speed) + " m/s" + where + " at " + shown("%.9g", time) +
+                  " s; the top speed, of its centre and of its rim, is " + shown("%.0e", top_speed) + " m/s");
+}
+
+}  // namespace
+
+void refuse_speed(std::string_view engine, const Ball& ball, Other met, double time, const Scene& scene) {
+    refuse(engine, ball,
+           " by an impact on " +
+               (met.is_ball ? "ball " + std::to_string(met.index) : scene.parts[met.index].name),
+           time);
+}
+
+void require_limits(std::string_view engine, std::span<const Ball> balls, double time) {
+    for (const Ball& ball : balls) {
+        if (!within_top_speed(ball)) refuse(engine, ball, "", time);
+        if (!within_reach(ball))
+            throw Refusal(std::string(engine) + ": ball " + std::to_string(ball.number) + " is " +
+                          shown("%.3g", length(ball.position)) + " m away at " + shown("%.9g", time) +
+                          " s; the farthest coordinate of a world is " + shown("%.0e", farthest) + " m");
+    }
+    if (!(time <= last_time))
+        throw Refusal(std::string(engine) + ": the time has reached " + shown("%.9g", time) +
+                      " s; the last time of a world is " + shown("%.0e", last_time) + " s");
+}
+
+}  // namespace flipside

@@ -1,0 +1,48 @@
+#pragma once
+/// Keeps the promise of Refusal for an engine that changes its balls in place: a step that is refused leaves
+/// the world as it was before it, and every further step is refused alike. Refuses where a step begins or
+/// ends beyond the limits of limits.hpp.
+
+#include <optional>
+#include <string>
+
+#include "world/limits.hpp"
+#include "world/refusal.hpp"
+#include "world/table.hpp"
+
+namespace flipside {
+
+class StepGuard {
+  public:
+    explicit StepGuard(std::string_view engine) : engine_(engine) {}
+
+    /// Makes room for so many balls and forces between them, so that steps allocate nothing.
+    void reserve(std::size_t balls, std::size_t pressings) {
+        before_.balls.reserve(balls);
+        before_.pressings.reserve(pressings);
+    }
+    /// Makes the step. Where it is refused, `restore(State)` is to bring back what was before.
+    void run(const Table& table, const std::vector<Ball>& balls, auto&& step, auto&& restore) {
+        if (refusal_) throw Refusal(*refusal_);
+        table.copy(before_);
+        before_.balls = balls;
+        try {
+            require_limits(engine_, balls, table.time());
+            step();
+            require_limits(engine_, balls, table.time());
+        } catch (const Refusal& refusal) {
+            restore(before_);
+            refusal_ = refusal.what();
+            throw;
+        }
+    }
+    /// Another state was restored: the world may step again.
+    void forget() { refusal_.reset(); }
+
+  private:
+    std::string_view engine_;
+    State before_;
+    std::optional<std::string> refusal_;
+};
+
+}  // namespace flipside
