@@ -5,6 +5,7 @@
 
 #include "app/cli/commands.hpp"
 #include "app/cli/exit_code.hpp"
+#include "app/cli/interrupt.hpp"
 #include "app/cli/output.hpp"
 #include "lab/assets.hpp"
 #include "lab/text_stream.hpp"
@@ -86,5 +87,6 @@ int command_line(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     app::prepare_streams();
+    app::end_on_interrupts();
     return app::exit_code_of([=] { return command_line(argc, argv); });
 }

@@ -56,27 +56,18 @@ void sync_folder(const fs::path& target, const fs::path& place) {
     if (error != 0 && error != EINVAL && error != EACCES) fail_to_write(target, error);
 }
 
-TemporaryFile* newest = nullptr;
+fs::path temporary_name(const fs::path& place) {
+    static unsigned count = 0;
+    const std::string name = ".flipside-" + std::to_string(getpid()) + "-" + std::to_string(count++);
+    return place.parent_path() / (name + ".part");
+}
 
 }  // namespace
 
-TemporaryFile::TemporaryFile(const fs::path& place) {
-    static unsigned count = 0;
-    const std::string name = ".flipside-" + std::to_string(getpid()) + "-" + std::to_string(count++);
-    path_ = place.parent_path() / (name + ".part");
-    older_ = std::exchange(newest, this);
-}
+TemporaryFile::TemporaryFile(const fs::path& place) : path_(temporary_name(place)), unfinished_(path_) {}
 
 TemporaryFile::~TemporaryFile() {
     unlink(path_.c_str());
-    TemporaryFile** link = &newest;
-    while (*link != this) link = &(*link)->older_;
-    *link = older_;
-}
-
-void TemporaryFile::remove_all() noexcept {
-    for (const TemporaryFile* file = newest; file != nullptr; file = file->older_)
-        unlink(file->path_.c_str());
 }
 
 WholeFile::WholeFile(fs::path target)

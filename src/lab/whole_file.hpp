@@ -3,14 +3,17 @@
 /// synced to disk, renamed into its place, and the folder synced.
 
 #include <filesystem>
+#include <optional>
 #include <ostream>
 #include <string_view>
 
 #include "lab/output_buffer.hpp"
+#include "lab/unfinished.hpp"
 
 namespace flipside::lab {
 
-/// A name for a file beside the place that it shall take. At the end the file is removed if it is there.
+/// A name for a file beside the place that it shall take. At the end the file is removed if it is there, also
+/// when a signal ends the program (unfinished.hpp).
 class TemporaryFile {
   public:
     explicit TemporaryFile(const std::filesystem::path& place);
@@ -19,12 +22,10 @@ class TemporaryFile {
     TemporaryFile& operator=(const TemporaryFile&) = delete;
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-    /// Removes all there are, for a program that must end at once; may be called anywhere in this thread.
-    static void remove_all() noexcept;
 
   private:
     std::filesystem::path path_;
-    TemporaryFile* older_;  ///< all that there are, linked
+    UnfinishedFile unfinished_;
 };
 
 /// Without finish() nothing is left behind.

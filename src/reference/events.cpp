@@ -41,6 +41,11 @@ void Simulation<R>::keep_order(Mover& mover) {
         mover.busy_since = now_;
         mover.busy = 0;
     }
+    // A billiard that spells out pi has 314,159 collisions in a moment.
+    constexpr std::uint32_t most_in_run = 5'000'000;
+    if (++mover.events > most_in_run)
+        throw Refusal("reference: ball " + std::to_string(mover.ball.number) + " has more than " +
+                      std::to_string(most_in_run) + " events in one step" + at_time(now_));
     if (++mover.busy <= most) return;
     const std::string met = mover.next == Next::feature ? scene_->parts[features_[mover.met].part].name
                             : mover.next == Next::ball
@@ -57,7 +62,7 @@ void Simulation<R>::require_speed(const Mover& mover, Other met) const {
     ball.velocity = narrow(mover.body.velocity);
     ball.spin = static_cast<double>(mover.body.spin);
     if (within_top_speed(ball)) return;
-    refuse_speed("reference", ball, met, time_ + static_cast<double>(now_ - run_start_), *scene_);
+    refuse_speed("reference", ball, met, clock(now_), *scene_);
 }
 
 /// Handles the next event of a ball.

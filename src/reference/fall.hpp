@@ -51,11 +51,11 @@ R first_fall(const F& f, R from, const R& until, const R& bound, const Smallest<
              const Meets& meets, const Again& again, bool& grazes) {
     using std::sqrt;
     const R least = bound > 0 ? R(sqrt(2 * smallest.value / bound)) : infinity<R>();
-    constexpr int most_steps = 1'000'000;  // a few, in practice
+    constexpr int most_steps = 100'000;  // a few, in practice
     int steps = 0;
     R t = from;
     while (t <= until) {
-        if (++steps > most_steps) throw Refusal("reference: a touch too close to be decided");
+        if (++steps > most_steps) throw EndlessSearch();
         const Value<R> now = f(t);
         if (now.value <= 0) {
             R later = t;

@@ -72,8 +72,10 @@ void Simulation<R>::predict_features(Mover& mover) {
         ++counts_.narrow_tests;
         const R last = std::min(mover.next_time, parts_[part].turning.stop);
         const View<R> seen{mover.path, turning(part)};
-        offer(mover, first_touch(shape(f), seen, mover.radius, now_, last, counts_.grazing), Next::feature,
-              f);
+        const R time = search(mover, Other::part(part), [&] {
+            return first_touch(shape(f), seen, mover.radius, now_, last, counts_.grazing);
+        });
+        offer(mover, time, Next::feature, f);
     }
 }
 
@@ -86,7 +88,10 @@ void Simulation<R>::predict_sensors(Mover& mover) {
         ++counts_.narrow_tests;
         const R last = std::min(mover.next_time, parts_[part].turning.stop);
         const R reach = scene_->parts[part].sensor ? mover.radius : gate_reach(mover);
-        offer(mover, leaves(parts_[part].regions, view(mover, part), reach, now_, last), Next::sensor, part);
+        const R time = search(mover, Other::part(part), [&] {
+            return leaves(parts_[part].regions, view(mover, part), reach, now_, last);
+        });
+        offer(mover, time, Next::sensor, part);
     };
     for (const PartIndex part : mover.inside) offer_exit(part);
     for (const PartIndex part : mover.blocked) offer_exit(part);
@@ -99,8 +104,10 @@ void Simulation<R>::predict_sensors(Mover& mover) {
         done = part;
         ++counts_.narrow_tests;
         const R last = std::min(mover.next_time, parts_[part].turning.stop);
-        offer(mover, enters(parts_[part].regions, view(mover, part), mover.radius, now_, last), Next::sensor,
-              part);
+        const R time = search(mover, Other::part(part), [&] {
+            return enters(parts_[part].regions, view(mover, part), mover.radius, now_, last);
+        });
+        offer(mover, time, Next::sensor, part);
     }
 }
 
@@ -114,10 +121,11 @@ void Simulation<R>::predict_balls(Place i) {
         if (!layers_meet(mover.ball, other.ball)) return;
         ++counts_.narrow_tests;
         const R last = std::min(mover.next_time, other.until);
-        offer(
-            mover,
-            first_touch(mover.path, other.path, R(mover.radius + other.radius), now_, last, counts_.grazing),
-            Next::ball, j, other.changes);
+        const R time = search(mover, Other::ball(other.ball.number), [&] {
+            return first_touch(mover.path, other.path, R(mover.radius + other.radius), now_, last,
+                               counts_.grazing);
+        });
+        offer(mover, time, Next::ball, j, other.changes);
     });
 }
 

@@ -128,7 +128,13 @@ bool Simulation<R>::take_one(Mover& mover) {
                    other.grip.parting - grip.parting * cosine >= -slow;
         });
         if (!keeps_off) continue;
-        const Ride<R> found = ride(grip, rub, mover.body, now_, R(now_ + 1), drive_);
+        Ride<R> found;
+        try {
+            found = ride(grip, rub, mover.body, now_, R(now_ + 1), drive_);
+        } catch (const EndlessSearch&) {
+            refuse_search("reference", mover.ball.number, Other::part(features_[one.feature].part),
+                          clock(now_), *scene_);
+        }
         mover.path = found.path;
         mover.until = found.until;
         mover.lets_go = found.lets_go;

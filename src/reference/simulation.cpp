@@ -307,6 +307,7 @@ template <class R>
 void Simulation<R>::begin(double seconds) {
     events_.clear();
     counts_ = {};
+    for (Mover& mover : movers_) mover.events = 0;
     run_start_ = now_;
     run_end_ = now_ + R(seconds);
     length_ = seconds;
@@ -369,7 +370,7 @@ bool Simulation<R>::ignores(PartIndex part, const Mover& mover) const {
 
 template <class R>
 std::string Simulation<R>::at_time(const R& time) const {
-    return " at " + std::to_string(time_ + static_cast<double>(time - run_start_)) + " s";
+    return " at " + std::to_string(clock(time)) + " s";
 }
 
 template class Simulation<double>;

@@ -21,6 +21,8 @@
 #include "reference/grip.hpp"
 #include "reference/region.hpp"
 #include "reference/response.hpp"
+#include "world/limits.hpp"
+#include "world/refusal.hpp"
 
 namespace flipside::reference {
 
@@ -88,6 +90,7 @@ class Simulation final : public Exact {
         int busy = 0;
         R pressed_since{};  ///< slow touches of other balls pile up since then
         int pressed = 0;
+        std::uint32_t events = 0;  ///< of this run
     };
     struct PartNow {
         Turning<R> turning;
@@ -133,6 +136,8 @@ class Simulation final : public Exact {
     }
     /// Whether the part lets the ball through now.
     [[nodiscard]] bool ignores(PartIndex part, const Mover& mover) const;
+    /// On the table's clock, s.
+    [[nodiscard]] double clock(const R& time) const { return time_ + static_cast<double>(time - run_start_); }
     [[nodiscard]] std::string at_time(const R& time) const;
 
     // Gates (gates.cpp).
@@ -149,6 +154,14 @@ class Simulation final : public Exact {
     [[nodiscard]] bool glides_over(const Mover& mover, FeatureIndex f) const;
     void predict_sensors(Mover& mover);
     void predict_balls(Place i);
+    /// What `find` finds about a ball and what it may meet. Throws Refusal where that has no end.
+    R search(const Mover& mover, Other met, auto&& find) const {
+        try {
+            return find();
+        } catch (const EndlessSearch&) {
+            refuse_search("reference", mover.ball.number, met, clock(now_), *scene_);
+        }
+    }
     void offer(Mover& mover, const R& time, Next next, std::uint32_t met = 0, std::uint32_t changes = 0);
 
     // Its path (set_out.cpp).

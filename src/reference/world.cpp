@@ -155,6 +155,7 @@ bool ReferenceWorld::step_within(double dt, double seconds) {
     if (refusal_) throw Refusal(*refusal_);
     const auto start = Clock::now();
     if (!under_way_) {
+        require_limits("reference", balls_, table_.time());
         under_way_ = true;
         worked_ = 0;
         balls_before_ = balls_;

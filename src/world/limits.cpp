@@ -15,6 +15,10 @@ std::string shown(const char* format, double value) {
     return text;
 }
 
+std::string name_of(Other met, const Scene& scene) {
+    return met.is_ball ? "ball " + std::to_string(met.index) : scene.parts[met.index].name;
+}
+
 [[noreturn]] void refuse(std::string_view engine, const Ball& ball, const std::string& where, double time) {
     const double speed = std::max(length(ball.velocity), std::abs(ball.spin) * ball.radius);
     throw Refusal(std::string(engine) + ": ball " + std::to_string(ball.number) + " has reached " +
@@ -25,10 +29,13 @@ std::string shown(const char* format, double value) {
 }  // namespace
 
 void refuse_speed(std::string_view engine, const Ball& ball, Other met, double time, const Scene& scene) {
-    refuse(engine, ball,
-           " by an impact on " +
-               (met.is_ball ? "ball " + std::to_string(met.index) : scene.parts[met.index].name),
-           time);
+    refuse(engine, ball, " by an impact on " + name_of(met, scene), time);
+}
+
+void refuse_search(std::string_view engine, BallNumber ball, Other met, double time, const Scene& scene) {
+    throw Refusal(std::string(engine) + ": ball " + std::to_string(ball) + " and " + name_of(met, scene) +
+                  ", from " + shown("%.9g", time) +
+                  " s on: the search for their next touch has passed its bound of steps");
 }
 
 void require_limits(std::string_view engine, std::span<const Ball> balls, double time) {

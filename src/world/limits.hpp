@@ -32,6 +32,9 @@ inline constexpr double last_time = 1e12;
 /// Throws Refusal for a ball that an impact with `met` at `time` has made faster than top_speed.
 [[noreturn]] void refuse_speed(std::string_view engine, const Ball& ball, Other met, double time,
                                const Scene& scene);
+/// Throws Refusal: when `ball` touches or leaves `met`, on its way from `time` on, is not found.
+[[noreturn]] void refuse_search(std::string_view engine, BallNumber ball, Other met, double time,
+                                const Scene& scene);
 /// Throws Refusal where a ball, or the time, is beyond the limits.
 void require_limits(std::string_view engine, std::span<const Ball> balls, double time);
 

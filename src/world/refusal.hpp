@@ -13,4 +13,11 @@ class Refusal : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// A search has passed its bound of steps, which is far above what any path of a real table needs. Whoever
+/// knows ball and part throws a Refusal that names them in its place (refuse_search in limits.hpp).
+class EndlessSearch : public Refusal {
+  public:
+    EndlessSearch() : Refusal("a search has passed its bound of steps") {}
+};
+
 }  // namespace flipside

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "world/crowding.hpp"
 #include "world/input_error.hpp"
 #include "world/scene_reader.hpp"
 #include "world/schema.hpp"
@@ -56,6 +57,37 @@ void read_parts(const Node& root, SceneReader& reader) {
     }
 }
 
+/// Refuses a scene of which a step would take too long and too much memory: 3,000 balls at one place have
+/// 4.5 million overlapping pairs. Heaps have three for each ball, and thousands of balls on a table of
+/// sensors, arcs and long lines some ten.
+void refuse_crowds(const Node& root, const Scene& scene) {
+    constexpr std::uint64_t always = 250'000, for_each = 64;
+    std::vector<Boxed> things;
+    for (const Ball& ball : scene.balls) {
+        const Vec2 reach{ball.radius, ball.radius};
+        things.push_back(
+            {{ball.position - reach, ball.position + reach}, true, ball.layer, ball.collides_with});
+    }
+    std::vector<PartIndex> part_of;
+    std::vector<Box> boxes;
+    for (PartIndex i = 0; i < scene.parts.size(); ++i) {
+        const Part& part = scene.parts[i];
+        boxes.clear();
+        append_boxes(part.shape, boxes);
+        for (const Box& box : boxes) things.push_back({box, false, part.layer, part.collides_with});
+        part_of.insert(part_of.end(), boxes.size(), i);
+    }
+    const std::uint64_t most = always + for_each * things.size();
+    const auto at = crowded_at(things, most);
+    if (!at) return;
+    const std::size_t balls = scene.balls.size();
+    root.fail("too much lies over one another, as where " +
+              (*at < balls ? "ball " + std::to_string(*at)
+                           : "part " + in_quotes(scene.parts[part_of[*at - balls]].name)) +
+              " is; allowed are " + std::to_string(most) +
+              " overlapping pairs of boxes, of balls and of the lines, arcs and solids of parts");
+}
+
 /// A setting's value as on the command line.
 std::string setting_text(const Json& value) {
     if (value.is_string()) return value.get<std::string>();
@@ -81,6 +113,7 @@ Scene read_scene(const Json& document, const std::string& file) {
     read_balls(root, reader);
     read_parts(root, reader);
     for (const Node& generator : root.each("generate")) generate(generator, reader);
+    refuse_crowds(root, scene);
     if (root.has("launcher")) scene.launcher = read_launcher(root.at("launcher"), reader);
     if (root.has("rules")) scene.rules = read_rules(root.at("rules"), reader);
     if (root.has("camera")) scene.camera = read_box(root.at("camera"));

@@ -113,6 +113,7 @@ class Field {
         if (low.x < 0 || low.y < 0 || high.x > side_ || high.y > side_) return false;
         bool free = true;
         each_cell(low, high, [&](const std::vector<std::uint32_t>& cell) {
+            looks_ += 1 + cell.size();
             for (const std::uint32_t i : cell)
                 free = free && distance(item, items_[i]) >= reach + items_[i].radius;
         });
@@ -123,6 +124,8 @@ class Field {
         items_.push_back(item);
         return true;
     }
+    /// At cells and at what is in them, so far.
+    [[nodiscard]] std::uint64_t looks() const { return looks_; }
 
   private:
     static constexpr std::size_t most_per_side = 1024;
@@ -140,6 +143,7 @@ class Field {
     std::size_t per_side_;
     std::vector<std::vector<std::uint32_t>> cells_;  ///< indices into items_, row by row
     std::vector<Item> items_;
+    std::uint64_t looks_ = 0;
 };
 
 double field_side(const Node& node) {
@@ -187,8 +191,10 @@ class FieldMaker {
 
     /// Draws until there is room.
     Item place(const char* key, double gap, auto&& draw) {
+        // The second is some seconds; a million balls at half the greatest density take a twentieth of it.
         constexpr int enough = 100'000;
-        for (int i = 0; i < enough; ++i)
+        constexpr std::uint64_t enough_looks = 1'000'000'000;
+        for (int i = 0; i < enough && field_.looks() < enough_looks; ++i)
             if (const Item item = draw(); field_.place(item, gap)) return item;
         node_.fail(
             key, "there is no room for all of them; allowed is a lower density, or smaller or fewer things");

@@ -101,7 +101,7 @@ std::optional<Table::Launched> Table::launch(std::span<const Ball> balls) {
 
     const auto distance = [&](const Ball& other) { return length(other.position - launcher.position); };
     const auto lies_there = [&](const Ball& other) {
-        return distance(other) < ball.radius && dot(other.velocity, launcher.direction) <= 0.5 * speed;
+        return distance(other) < ball.radius && dot(other.velocity, launcher.direction) < 0.5 * speed;
     };
     // Balls launched one after another keep a gap of one radius.
     const auto in_the_way = [&](const Ball& other) {

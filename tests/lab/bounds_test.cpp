@@ -1,33 +1,15 @@
 // A ball exactly on the bounds of its scene: Box::contains decides, on every engine alike, and the step takes
 // no longer than any other.
 
-#include <algorithm>
 #include <chrono>
 
 #include <gtest/gtest.h>
 
-#include "lab/engines.hpp"
+#include "lab/every_solver.hpp"
 #include "world/scene_builder.hpp"
 
 namespace flipside {
 namespace {
-
-/// Every engine, and every solver of the custom one.
-std::vector<std::pair<const Engine*, Settings>> every_solver() {
-    std::vector<std::pair<const Engine*, Settings>> found;
-    for (const Engine* engine : lab::engines()) {
-        const auto solver = std::ranges::find(engine->settings, "solver", &SettingSpec::name);
-        if (solver == engine->settings.end()) {
-            found.emplace_back(engine, Settings(engine->settings));
-            continue;
-        }
-        for (const std::string_view value : solver->choices) {
-            found.emplace_back(engine, Settings(engine->settings));
-            found.back().second.set("solver", value);
-        }
-    }
-    return found;
-}
 
 struct Start {
     Vec2 position, velocity, gravity;
@@ -46,7 +28,7 @@ TEST(OnTheBounds, ContainsDecidesOnEveryEngine) {
                             {{1, 1}, {-1, 0}, {0, 0}, false},    {{1, 1}, {-1, 0}, {0, -9}, false},
                             {{1, 1}, {0, 0}, {0, 9}, true},      {{0, 1}, {0, 0}, {0, 0}, false}};
     constexpr double dt = 1.0 / 60;
-    for (const auto& [engine, settings] : every_solver())
+    for (const auto& [engine, settings] : lab::every_solver())
         for (const Start& start : starts)
             for (const double damping : {0.0, 0.1}) {
                 Scene scene = empty_scene(start.gravity);

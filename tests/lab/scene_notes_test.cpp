@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "lab/assets.hpp"
+#include "world/scene_builder.hpp"
 #include "world/scene_file.hpp"
 
 namespace flipside::lab {
@@ -18,7 +19,7 @@ Ball ball(BallNumber number, Vec2 position) {
 }
 
 TEST(SceneNotes, NameBallsThatStartWhereTheyCanNotBe) {
-    Scene scene;
+    Scene scene = empty_scene();
     scene.bounds = {{0, 0}, {2, 2}};
     Part block{"block", 0, {shape::Compound{{{shape::Circle{{1, 1}, 0.3}}, {shape::Point{{0.3, 0.3}}}}}}, {}};
     scene.parts.push_back(block);
@@ -31,7 +32,7 @@ TEST(SceneNotes, NameBallsThatStartWhereTheyCanNotBe) {
 }
 
 TEST(SceneNotes, LeaveOutWhatDoesNotMeet) {
-    Scene scene;
+    Scene scene = empty_scene();
     scene.bounds = {{0, 0}, {2, 2}};
     Part sensor{"sensor", 0, {shape::Circle{{1, 1}, 0.3}}, {}};
     sensor.sensor = true;

@@ -15,7 +15,8 @@ namespace {
 
 State a_state(double number) {
     State state;
-    state.clock = {std::abs(number), number / 1e13};
+    const double time = std::abs(number), ulp = std::nextafter(time, INFINITY) - time;
+    state.clock = {time, number < 0 ? -ulp : ulp};
     state.next_number = 4'294'967'295;
     Ball ball;
     ball.number = 2;
@@ -87,6 +88,8 @@ TEST(StateFile, BadOnesAreRefusedWithTheirPlace) {
         {"/colour", 1, "/colour", "unknown key"},
         {"/time", -1, "/time", "from 0"},
         {"/time", nullptr, "/time", "is null"},
+        {"/time_remainder", 1e-3, "/time_remainder", "more than the rounding of the time; allowed: from -"},
+        {"/balls/0/position/0", 1e13, "/balls/0/position/0", "1e+12"},
         {"/next_number", 0.5, "/next_number", "whole number"},
         {"/next_number", 4294967296, "/next_number", "to 4294967295"},
         {"/next_number", 3, "/balls/1/number", "not below next_number"},

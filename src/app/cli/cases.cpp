@@ -3,7 +3,6 @@
 
 #include "app/cli/commands.hpp"
 #include "app/cli/distinct_files.hpp"
-#include "app/cli/interrupt.hpp"
 #include "app/cli/output.hpp"
 #include "app/cli/progress.hpp"
 #include "lab/cases/case.hpp"
@@ -83,21 +82,17 @@ lab::CaseInput input_of(const CasesOptions& options, std::span<const lab::Settin
     return {{&engine, lab::settings_for(engine, Scene{}, changes)},
             lab::parse_step(options.dt),
             options.quick,
-            stop_if_interrupted};
+            {}};
 }
 
 int map_stability(const CasesOptions& options) {
     const auto changes = changes_of(options);
     const lab::CaseInput input = input_of(options, changes);
-    catch_interrupts();
     lab::WholeFile file(options.map);
     std::vector<lab::StabilityPoint> points;
     {
         Progress progress(1);
-        points = lab::stability_map(input.entrant, lab::map_steps, [&](double done) {
-            progress.at(done);
-            stop_if_interrupted();
-        });
+        points = lab::stability_map(input.entrant, lab::map_steps, [&](double done) { progress.at(done); });
     }
     write_stability(file.out(), input.entrant, points);
     file.finish();
@@ -111,7 +106,6 @@ int run_cases(const CasesOptions& options) {
     const auto chosen = lab::find_cases(options.names);
     const auto changes = changes_of(options);
     const lab::CaseInput input = input_of(options, changes);
-    catch_interrupts();
     std::vector<lab::CaseRun> runs;
     print_head(input);
     for (const lab::Case* one : chosen) {

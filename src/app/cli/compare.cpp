@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "app/cli/commands.hpp"
-#include "app/cli/interrupt.hpp"
 #include "app/cli/output.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/run_options.hpp"
@@ -118,13 +117,9 @@ int compare(const CompareOptions& options) {
     input.dt = options.step(*input.scene);
     input.script = options.load_script(*input.scene);
 
-    catch_interrupts();
     const lab::Comparison comparison = [&] {
         Progress progress(options.seconds);
-        return lab::compare(std::move(input), [&](double time) {
-            progress.at(time);
-            stop_if_interrupted();
-        });
+        return lab::compare(std::move(input), [&](double time) { progress.at(time); });
     }();
     if (!options.json.empty()) lab::write_whole_file(options.json, to_json(comparison));
     print_comparison(comparison);

@@ -8,7 +8,7 @@
 
 #include "app/cli/output.hpp"
 #include "lab/path_error.hpp"
-#include "lab/whole_file.hpp"
+#include "lab/unfinished.hpp"
 #include "world/input_error.hpp"
 
 namespace flipside::app {
@@ -47,7 +47,7 @@ int code_of(const std::function<int()>& action) {
 
 /// Destructors of libraries may ask for memory (nlohmann-json's do), and nothing can catch what they throw.
 [[noreturn]] void end_at_once() {
-    lab::TemporaryFile::remove_all();
+    lab::abandon_unfinished();
     try {
         if (const auto error = std::current_exception()) std::rethrow_exception(error);
     } catch (const std::bad_alloc&) {

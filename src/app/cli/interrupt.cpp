@@ -1,29 +1,38 @@
 #include "app/cli/interrupt.hpp"
 
 #include <csignal>
+#include <cstring>
 
-#include "lab/failure.hpp"
+#include <unistd.h>
+
+#include "lab/unfinished.hpp"
 
 namespace flipside::app {
 
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
+/// On a terminal the line of the progress bar is wiped first. Set before the handler is.
+const char* message = "";
 
-void note(int signal) {
-    interrupted = 1;
-    std::signal(signal, SIG_DFL);
+/// Only what is safe in a signal handler.
+void end_program(int /*signal*/) {
+    lab::abandon_unfinished();
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message, std::strlen(message));
+    constexpr int could_not_be_done = 1;
+    _exit(could_not_be_done);
 }
 
 }  // namespace
 
-void catch_interrupts() {
-    std::signal(SIGINT, note);
-    std::signal(SIGTERM, note);
-}
-
-void stop_if_interrupted() {
-    if (interrupted != 0) throw lab::Failure("interrupted");
+void end_on_interrupts() {
+    message = isatty(STDERR_FILENO) != 0 ? "\r\033[Kflipside: interrupted\n" : "flipside: interrupted\n";
+    struct sigaction action {};
+    action.sa_handler = end_program;
+    sigemptyset(&action.sa_mask);
+    sigaddset(&action.sa_mask, SIGINT);
+    sigaddset(&action.sa_mask, SIGTERM);
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
 }
 
 }  // namespace flipside::app

@@ -2,7 +2,6 @@
 
 #include "app/cli/commands.hpp"
 #include "app/cli/distinct_files.hpp"
-#include "app/cli/interrupt.hpp"
 #include "app/cli/output.hpp"
 #include "app/cli/progress.hpp"
 #include "lab/pair_tests.hpp"
@@ -65,13 +64,10 @@ void print_growth(const lab::PairTests& found) {
 
 int pairs(const PairsOptions& options) {
     require_distinct({{}, {{"--json", options.json}}, true});
-    catch_interrupts();
     const lab::PairTests found = [&] {
         Progress progress(1);
-        return lab::count_pair_tests(options.seconds, options.most_balls, [&](double done) {
-            progress.at(done);
-            stop_if_interrupted();
-        });
+        return lab::count_pair_tests(options.seconds, options.most_balls,
+                                     [&](double done) { progress.at(done); });
     }();
     if (!options.json.empty()) lab::write_whole_file(options.json, to_json(found));
     print_toy(found);

@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "app/cli/commands.hpp"
-#include "app/cli/interrupt.hpp"
 #include "app/cli/output.hpp"
 #include "app/cli/progress.hpp"
 #include "world/printable.hpp"
@@ -19,13 +18,9 @@ struct ReportOptions {
 };
 
 int report(const ReportOptions& options) {
-    catch_interrupts();
     {
         Progress progress(1);
-        const auto watch = [&](double share) {
-            progress.at(share);
-            stop_if_interrupted();
-        };
+        const auto watch = [&](double share) { progress.at(share); };
         lab::report::make_report({options.out,
                                   {options.from.begin(), options.from.end()},
                                   options.quick ? lab::report::quick_effort() : lab::report::full_effort()},

@@ -1,7 +1,6 @@
 #include "lab/run.hpp"
 
 #include "app/cli/commands.hpp"
-#include "app/cli/interrupt.hpp"
 #include "app/cli/output.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/run_options.hpp"
@@ -65,7 +64,6 @@ int run_scene(const SingleRunOptions& options) {
     if (auto* out = trajectory.out()) lab::write_sample(*out, timeline.start(), session.world().balls());
     const double energy_first = lab::energy(session.world(), *scene);
     {
-        catch_interrupts();
         Progress progress(options.seconds);
         const auto after = [&](const lab::Session& now, std::uint64_t step, double time) {
             const bool sampled = (step + 1) % options.every == 0 || step + 1 == timeline.steps();
@@ -73,7 +71,6 @@ int run_scene(const SingleRunOptions& options) {
                 lab::write_sample(*out, time, now.world().balls());
             if (auto* out = events.out()) lab::write_events(*out, now.events(), *scene);
             progress.at(time - timeline.start());
-            stop_if_interrupted();
         };
         lab::run({&session, 1}, timeline, script, after);
     }

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "app/cli/commands.hpp"
-#include "app/cli/interrupt.hpp"
 #include "app/cli/output.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/run_options.hpp"
@@ -85,16 +84,10 @@ int run_sweep(const SweepOptions& options) {
     for (const std::string& name : options.entrants) plan.entrants.push_back(&sweep::entrant_named(name));
     const std::filesystem::path folder = options.out;
     require_distinct(files_of(options));
-    catch_interrupts();
     {
         Progress progress(1);
         sweep::make_runs(
-            plan, shard, folder,
-            [&](double share) {
-                progress.at(share);
-                stop_if_interrupted();
-            },
-            say);
+            plan, shard, folder, [&](double share) { progress.at(share); }, say);
     }
     const sweep::Inventory inventory = sweep::take_inventory(plan, folder, say);
     print_windows(inventory.windows);

@@ -3,7 +3,10 @@
 
 #include "custom/continuous/continuous_solver.hpp"
 #include "custom/continuous/first_exit.hpp"
+#include "custom/engine.hpp"
 #include "world/gate.hpp"
+#include "world/limits.hpp"
+#include "world/refusal.hpp"
 
 namespace flipside::custom {
 
@@ -37,10 +40,13 @@ double direction_rounding(const Feature& feature) {
 /// Where f, above 0 at a and not at b, goes through 0, to within `error` behind it: by chords, and where the
 /// same end is kept twice its value counts half (the Illinois algorithm; Dowell and Jarratt 1971, "A modified
 /// regula falsi method for computing the root of an equation").
+/// After `most_chords`, which about ten do without, by halves: at most 1,100 more.
 double first_zero(auto&& f, double a, double f_a, double b, double f_b, double error) {
+    constexpr int most_chords = 100;
     int kept = 0;  // how often in a row: b above 0, a below
-    while (b - a > error) {
-        const double chord = a + (b - a) * (f_a / (f_a - f_b));
+    for (int step = 0; b - a > error; ++step) {
+        if (a + (b - a) / 2 <= a || a + (b - a) / 2 >= b) break;
+        const double chord = a + (b - a) * (step < most_chords ? f_a / (f_a - f_b) : 0.5);
         const double middle = std::max(a + error / 2, std::min(chord, b - error / 2));
         const double value = f(middle);
         if (value <= 0) {
@@ -285,7 +291,11 @@ void ContinuousSolver::predict_features(Place i, double time) {
             continue;
         ++record_->statistics.narrow_tests;
         const double last = std::min(mover.next_time, dt_);
-        offer(mover, time_of_impact(feature, turning, path, ball.radius, time, last), Next::feature, f);
+        try {
+            offer(mover, time_of_impact(feature, turning, path, ball.radius, time, last), Next::feature, f);
+        } catch (const EndlessSearch&) {
+            refuse_search(engine_name, ball.number, Other::part(feature.part), table_->time() + time, scene_);
+        }
     }
 }
 
@@ -303,9 +313,14 @@ void ContinuousSolver::predict_balls(Place i, double time) {
         const double until = std::min({dt_, mover.way.until, other.way.until});
         if (until < from) continue;
         ++record_->statistics.narrow_tests;
-        const double met =
-            time_of_impact(mover.way.path, other.way.path, balls[i].radius + balls[j].radius, from, until);
-        offer(mover, std::max(met, time), Next::ball, j, other.changes);
+        try {
+            const double met = time_of_impact(mover.way.path, other.way.path,
+                                              balls[i].radius + balls[j].radius, from, until);
+            offer(mover, std::max(met, time), Next::ball, j, other.changes);
+        } catch (const EndlessSearch&) {
+            refuse_search(engine_name, balls[i].number, Other::ball(balls[j].number), table_->time() + time,
+                          scene_);
+        }
     }
 }
 
@@ -336,15 +351,17 @@ double ContinuousSolver::sense_time(PartIndex part, const Ball& ball, const Path
     const double speed = own + w * far;
     const double error = std::max(gap_rounding(ball.position, ball.radius) / speed, 4 * 0x1p-53 * dt_);
     double before = time, left_before = 0;
-    for (double t = time; t <= dt_;) {
+    constexpr int most_steps = 100'000;  // some hundred where a ball rolls along a border
+    double t = time;
+    for (int step = 0; step < most_steps; ++step) {
         const double left = left_at(t);
         if (left <= 0) return first_zero(left_at, before, left_before, t, left, error);
         before = t;
         left_before = left;
-        if (t >= dt_) break;
+        if (t >= dt_) return never_touch;
         t = std::min(dt_, t + std::max(left, sense_step * ball.radius) / speed);
     }
-    return never_touch;
+    refuse_search(engine_name, ball.number, Other::part(part), table_->time() + time, scene_);
 }
 
 }  // namespace flipside::custom

@@ -1,5 +1,7 @@
 #include "custom/continuous/time_of_impact.hpp"
 
+#include "world/refusal.hpp"
+
 namespace flipside::custom {
 
 double first_fall(double gap, double rate, double bend) {
@@ -42,7 +44,7 @@ double first_fall(double gap, double rate, double bend, double drag) {
         if (!std::isfinite(next)) return never_touch;
         t = next;
     }
-    return t;
+    throw EndlessSearch();
 }
 
 double surely_free(double value, double slope, double k) {
@@ -165,7 +167,7 @@ double search(MovingAt&& moving, GapOf&& gap_of, double radius, double rounding,
         if (next <= t) return gap.slope < 0 ? t : never_touch;
         t = next;
     }
-    return never_touch;
+    throw EndlessSearch();
 }
 
 /// Search in the frame of a part that turns evenly from `begin` at `begin_time`.

@@ -132,7 +132,9 @@ Rectangle enclosing_rectangle(std::span<const Vec2> points) {
     for (std::size_t i = 0; i < hull.size(); ++i) {
         const Vec2 along = unit(at(i + 1) - at(i)), up = perp(along);
         const auto climb = [&](std::size_t& place, Vec2 direction) {
-            while (dot(at(place + 1) - at(place), direction) > 0) ++place;
+            // Once around at most: of nearly equal points rounding may have each above the one before.
+            for (std::size_t left = hull.size(); left > 0; --left, ++place)
+                if (!(dot(at(place + 1) - at(place), direction) > 0)) break;
         };
         climb(front, along);
         top = std::max(top, front), climb(top, up);

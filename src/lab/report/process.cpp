@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "lab/failure.hpp"
+#include "lab/unfinished.hpp"
 
 extern char** environ;
 
@@ -37,18 +38,21 @@ class FileActions {
     posix_spawn_file_actions_t actions_{};
 };
 
-/// A process group of its own: Ctrl-C stops us at our next step, not the child in the middle of a file.
+/// A process group of its own, which is killed as one where a signal ends us; and no signal is blocked.
 class Attributes {
   public:
     Attributes() {
         posix_spawnattr_init(&attributes_);
-        // Signals that we ignore would stay ignored in the child.
-        sigset_t usual;
+        // Signals that we ignore would stay ignored in the child, and those that wait here would wait there.
+        sigset_t usual, none;
         sigemptyset(&usual);
         sigaddset(&usual, SIGPIPE);
         sigaddset(&usual, SIGXFSZ);
+        sigemptyset(&none);
         posix_spawnattr_setsigdefault(&attributes_, &usual);
-        posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
+        posix_spawnattr_setsigmask(&attributes_, &none);
+        posix_spawnattr_setflags(&attributes_,
+                                 POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
     }
     ~Attributes() { posix_spawnattr_destroy(&attributes_); }
     Attributes(const Attributes&) = delete;
@@ -87,8 +91,12 @@ Finished run_program(const std::vector<std::string>& command, const std::filesys
     pid_t child = 0;
     const FileActions actions(pipe, folder);
     const Attributes attributes;
-    const int error =
-        posix_spawnp(&child, arguments[0], actions.get(), attributes.get(), arguments.data(), environ);
+    int error = 0;
+    const UnfinishedChild noted([&] {
+        error =
+            posix_spawnp(&child, arguments[0], actions.get(), attributes.get(), arguments.data(), environ);
+        return error == 0 ? child : 0;
+    });
     close(pipe[1]);
     const std::string said = error == 0 ? read_all(pipe[0]) : "";
     close(pipe[0]);
