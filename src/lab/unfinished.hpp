@@ -4,6 +4,7 @@
 /// them.
 
 #include <filesystem>
+#include <functional>
 
 #include <sys/types.h>
 
@@ -26,7 +27,7 @@ class UnfinishedFile {
 /// One at a time.
 class UnfinishedChild {
   public:
-    explicit UnfinishedChild(auto&& start) {
+    explicit UnfinishedChild(const std::function<pid_t()>& start) {
         const HeldSignals held;
         note(start());
     }

@@ -40,8 +40,21 @@ ReferenceWorld::ReferenceWorld(std::shared_ptr<const Scene> scene, const Setting
       bits_(settings.choice("precision") == "53" ? 53 : 113),
       with_twin_(settings.toggle("twin")),
       table_(scene_),
-      balls_(scene_->balls) {
-    load();
+      balls_(scene_->balls) {}
+
+/// Looking ahead for every ball is most of what a world costs that is only asked whether it can be made.
+void ReferenceWorld::load_once() const {
+    if (!loaded_) const_cast<ReferenceWorld*>(this)->load();
+}
+
+std::span<const Contact> ReferenceWorld::contacts() const {
+    load_once();
+    return contacts_;
+}
+
+std::span<const double> ReferenceWorld::uncertainty() const {
+    load_once();
+    return uncertainty_;
 }
 
 void ReferenceWorld::on_both(auto&& act) {
@@ -67,6 +80,7 @@ void ReferenceWorld::drop_twin() {
 
 /// Simulations anew from the table and the balls as they are.
 void ReferenceWorld::load() {
+    loaded_ = true;
     refusal_.reset();
     under_way_ = false;
     unclaimed_.clear();
@@ -100,6 +114,7 @@ void ReferenceWorld::restore(const State& state) {
 }
 
 void ReferenceWorld::apply(const Control& control) {
+    load_once();
     table_.apply(control);
     if (std::holds_alternative<control::Launch>(control)) return;
     if (const auto* nudge = std::get_if<control::Nudge>(&control))
@@ -109,6 +124,7 @@ void ReferenceWorld::apply(const Control& control) {
 }
 
 BallNumber ReferenceWorld::add(const Ball& ball) {
+    load_once();
     Ball added = ball;
     added.number = table_.new_number();
     added.asleep = false;
@@ -120,6 +136,7 @@ BallNumber ReferenceWorld::add(const Ball& ball) {
 }
 
 bool ReferenceWorld::remove(BallNumber number) {
+    load_once();
     const auto at = std::ranges::find(balls_, number, &Ball::number);
     if (at == balls_.end()) return false;
     if (with_twin_) uncertainty_.erase(uncertainty_.begin() + (at - balls_.begin()));
@@ -152,6 +169,7 @@ void ReferenceWorld::step(double dt) {
 
 bool ReferenceWorld::step_within(double dt, double seconds) {
     using Clock = std::chrono::steady_clock;
+    load_once();
     if (refusal_) throw Refusal(*refusal_);
     const auto start = Clock::now();
     if (!under_way_) {
@@ -258,6 +276,7 @@ void ReferenceWorld::measure_uncertainty() {
 }
 
 void ReferenceWorld::inspect(Inspector& inspector) const {
+    load_once();
     if (!exact_) return;
     if (inspector.wants(Topic::boxes))
         for (const Ball& ball : balls_) {

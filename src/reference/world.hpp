@@ -27,9 +27,9 @@ class ReferenceWorld final : public World {
     [[nodiscard]] std::span<const Ball> balls() const override { return balls_; }
     [[nodiscard]] std::span<const PartState> parts() const override { return table_.parts(); }
     [[nodiscard]] std::span<const Event> events() const override { return events_; }
-    [[nodiscard]] std::span<const Contact> contacts() const override { return contacts_; }
+    [[nodiscard]] std::span<const Contact> contacts() const override;
     [[nodiscard]] const Statistics& statistics() const override { return statistics_; }
-    [[nodiscard]] std::span<const double> uncertainty() const override { return uncertainty_; }
+    [[nodiscard]] std::span<const double> uncertainty() const override;
 
     [[nodiscard]] State save() const override { return table_.save(balls_); }
     void restore(const State& state) override;
@@ -46,11 +46,13 @@ class ReferenceWorld final : public World {
     void report_touches();
     void measure_uncertainty();
     void load();
+    void load_once() const;
 
     std::shared_ptr<const Scene> scene_;
     int bits_;
     bool with_twin_;
     Table table_;
+    bool loaded_ = false;  ///< the simulations are there; from the first use on
     std::unique_ptr<Exact> exact_, twin_;
     std::vector<Ball> balls_;
     std::vector<Event> events_;

@@ -10,7 +10,6 @@ namespace flipside {
 
 namespace {
 
-constexpr std::uintmax_t largest_file = 64U << 20U;
 constexpr std::size_t deepest_nesting = 64;
 constexpr std::size_t longest_word = 60;  ///< of a message
 
@@ -101,7 +100,7 @@ class Builder : public nlohmann::json_sax<Json> {
 
 }  // namespace
 
-std::string read_file(const std::filesystem::path& file) {
+std::string read_file(const std::filesystem::path& file, std::uintmax_t largest) {
     const std::string name = file.string();
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
@@ -111,7 +110,9 @@ std::string read_file(const std::filesystem::path& file) {
     if (!std::filesystem::is_regular_file(status)) throw InputError(name, "", "this is not a regular file");
     const std::uintmax_t size = std::filesystem::file_size(file, error);
     if (error) throw InputError(name, "", "cannot be read: " + error.message());
-    if (size > largest_file) throw InputError(name, "", "this file is too large; allowed are 64 MB");
+    if (size > largest)
+        throw InputError(name, "",
+                         "this file is too large; allowed are " + std::to_string(largest >> 20U) + " MB");
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw InputError(name, "", "cannot be read: " + std::generic_category().message(errno));
     std::string text(size, '\0');

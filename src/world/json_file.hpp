@@ -13,8 +13,9 @@ namespace flipside {
 
 using Json = nlohmann::json;
 
-/// The whole file. Throws InputError when it cannot be read, is no regular file or is above 64 MB.
-[[nodiscard]] std::string read_file(const std::filesystem::path& file);
+/// The whole file. Throws InputError when it cannot be read, is no regular file or is larger than `largest`
+/// bytes.
+[[nodiscard]] std::string read_file(const std::filesystem::path& file, std::uintmax_t largest = 64U << 20U);
 
 /// Throws InputError with line and column where the text is not JSON, and with the JSON pointer where
 /// a key is there twice, a number is beyond double's range, or the nesting is deeper than 64.

@@ -222,7 +222,9 @@ State parse_state(std::string_view text, const std::string& file, const Scene& s
 }
 
 State load_state(const std::filesystem::path& file, const Scene& scene) {
-    return parse_state(read_file(file), file.string(), scene);
+    // What may be saved may be read: a million balls take 300 MB, and the forces of their heap as much.
+    constexpr std::uintmax_t largest = std::uintmax_t{2} << 30U;
+    return parse_state(read_file(file, largest), file.string(), scene);
 }
 
 }  // namespace flipside

@@ -56,7 +56,7 @@ class Interrupt : public ::testing::Test {
     /// Starts the command, waits until it has worked for a while, and expects the signal to end it in time.
     void expect_ended(const std::vector<std::string>& arguments, int signal) const {
         const pid_t child = start(arguments);
-        constexpr double worked = 0.3;
+        constexpr double worked = 1;
         const auto began = Clock::now();
         while (cpu_seconds(child) < worked && since(began) < 20 && waitpid(child, nullptr, WNOHANG) == 0)
             usleep(10'000);

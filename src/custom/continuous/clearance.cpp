@@ -254,8 +254,7 @@ double Clearance::clear_until(const Obstacle& obstacle, double until, Vec2 at_un
     }
 }
 
-double Clearance::surely_inside_bounds(double longest) const {
-    const Box& bounds = scene_.bounds;
+double Clearance::surely_inside(const Box& bounds, double longest) const {
     const Vec2 p = flight_->position, v = flight_->velocity, a = flight_->acceleration;
     if (!bounds.contains(p)) return 0;
     return std::min({longest, surely_free(p.x - bounds.min.x, v.x, slowed_ - a.x),
@@ -275,8 +274,10 @@ double Clearance::free_for(const Ball& ball, const Flight& flight, double longes
     double until = longest;
     Vec2 end = flight.position + flight.displacement(until);
     const auto way = [&] { return grown(around(flight.position, end), bend_ * until * until / 8); };
-    if (!holds(scene_.bounds, way())) {
-        until = surely_inside_bounds(longest);
+    // Not up to the border: there a rounding decides whether the ball is lost.
+    const Box inside = grown(scene_.bounds, -clearance_margin(ball));
+    if (!holds(inside, way())) {
+        until = surely_inside(inside, longest);
         end = flight.position + flight.displacement(until);
     }
     const Box box = grown(way(), reach_);

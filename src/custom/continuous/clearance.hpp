@@ -70,7 +70,7 @@ class Clearance {
     };
 
     // For how long something surely holds, s.
-    [[nodiscard]] double surely_inside_bounds(double longest) const;
+    [[nodiscard]] double surely_inside(const Box& bounds, double longest) const;
     [[nodiscard]] double surely_apart(const Obstacle& obstacle, Vec2 at, Vec2 velocity, double longest) const;
     [[nodiscard]] double surely_within(Vec2 at, Vec2 velocity, double radius, double longest) const;
 

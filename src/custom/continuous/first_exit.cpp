@@ -92,15 +92,14 @@ double first_exit(const Path& path, const Box& box, double t0, double t1) {
         add_turn(flight.velocity.y, flight.acceleration.y, flight.drag, h, turns);
     }
     std::ranges::sort(turns.all());
-    turns.add(h);
     double inside = t0;
     for (const double turn : turns.all()) {
         const double t = path.start + turn;
-        if (t <= inside) continue;
+        if (t <= inside || t >= t1) continue;
         if (!is_inside(t)) return turning_point(is_inside, inside, t);
         inside = t;
     }
-    return never_touch;
+    return t1 > inside && !is_inside(t1) ? turning_point(is_inside, inside, t1) : never_touch;
 }
 
 }  // namespace flipside::custom

@@ -55,6 +55,16 @@ TEST(FirstExit, FromTheBorder) {
     EXPECT_NEAR(first_exit(flight({0, 0.5}, {1, 0}, {-4, 0}), unit_box, 0, 1), 0.5, 1e-15);
 }
 
+// Up to the very end, also where the path began so late that its own times are rounded.
+TEST(FirstExit, AtTheEnd) {
+    Path path = flight({0.5, 0.5}, {0.5 / (0.7 - 0.1), 0}, {});
+    path.start = 0.1;
+    double end = 0.7;
+    while (unit_box.contains(path.position(end))) end = std::nextafter(end, 1);
+    EXPECT_EQ(first_exit(path, unit_box, 0.1, end), end);
+    EXPECT_EQ(first_exit(path, unit_box, 0.1, std::nextafter(end, 0)), never_touch);
+}
+
 // A parabola that touches the border at its turn does not leave; a hair higher it does.
 TEST(FirstExit, Grazes) {
     EXPECT_EQ(first_exit(flight({0.5, 0.5}, {0, 1}, {0, -1}), unit_box, 0, 1.5), never_touch);
