@@ -115,10 +115,11 @@ class Sweep {
     std::uint8_t kind_of(const Boxed& thing) {
         constexpr std::size_t most_kinds = 8;
         const auto found = std::ranges::find_if(kinds_, [&](const Kind& kind) { return kind.holds(thing); });
+        const auto index = static_cast<std::uint8_t>(found - kinds_.begin());
         if (found == kinds_.end())
             kinds_.push_back(
                 {thing, kinds_.size() + 1 == most_kinds, 0, Counts(things_.size()), Counts(things_.size())});
-        return static_cast<std::uint8_t>(found - kinds_.begin());
+        return index;
     }
 
     std::span<const Boxed> things_;
