@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <mutex>
 
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
@@ -114,11 +115,17 @@ const Json* member_schema(const Json& schema, const Json& value, const std::stri
     throw InputError(file, pointer, "is " + shown(value) + "; allowed: " + allowed(root, schema));
 }
 
-/// Asks valijson, and finds the smallest wrong part.
-class Checker {
+/// A schema, with what valijson makes of it and its parts.
+class Form {
   public:
-    Checker(const Json& root, const std::string& file) : root_(root), file_(file) {}
+    explicit Form(std::string_view text) : root_(Json::parse(text)) {}
 
+    /// Asks valijson, and finds the smallest wrong part.
+    void check(const Json& document, const std::string& file) {
+        if (!passes(root_, document)) refuse_smallest(root_, document, file, "");
+    }
+
+  private:
     /// `schema` must be resolved or the root.
     bool passes(const Json& schema, const Json& value) {
         auto& parsed = parsed_[&schema];
@@ -134,30 +141,32 @@ class Checker {
     }
 
     /// `value` does not pass.
-    [[noreturn]] void refuse_smallest(const Json& schema, const Json& value, const std::string& pointer) {
+    [[noreturn]] void refuse_smallest(const Json& schema, const Json& value, const std::string& file,
+                                      const std::string& pointer) {
         for (const auto& member : value.items()) {
             const Json* of_member = member_schema(schema, value, member.key());
             if (of_member == nullptr) continue;
             const Json& resolved = resolve(root_, *of_member, member.value());
             if (!passes(resolved, member.value()))
-                refuse_smallest(resolved, member.value(), pointer + "/" + pointer_token(member.key()));
+                refuse_smallest(resolved, member.value(), file, pointer + "/" + pointer_token(member.key()));
         }
-        refuse(root_, schema, value, file_, pointer);
+        refuse(root_, schema, value, file, pointer);
     }
 
-  private:
-    const Json& root_;
-    const std::string& file_;
+    Json root_;
     valijson::Validator validator_;
     std::map<const Json*, std::unique_ptr<valijson::Schema>> parsed_;  ///< never iterated
 };
 
 }  // namespace
 
-void check_form(const Json& document, std::string_view schema_text, const std::string& file) {
-    const Json root = Json::parse(schema_text);
-    Checker checker(root, file);
-    if (!checker.passes(root, document)) checker.refuse_smallest(root, document, "");
+void check_form(const Json& document, std::string_view schema, const std::string& file) {
+    // To parse a schema takes longer than to check most files, so each is kept. A sweep checks thousands of
+    // states.
+    static std::mutex mutex;
+    static std::map<std::string_view, Form> forms;
+    const std::lock_guard lock(mutex);
+    forms.try_emplace(schema, schema).first->second.check(document, file);
 }
 
 }  // namespace flipside
