@@ -7,6 +7,7 @@
 #include "lab/plain_name.hpp"
 #include "world/input_error.hpp"
 #include "world/json_file.hpp"
+#include "world/printable.hpp"
 
 namespace flipside::lab {
 
@@ -104,7 +105,7 @@ void CsvTable::refuse(std::size_t row, std::string_view column, std::string_view
     std::string found = text(row, column).substr(0, enough + 1);
     if (found.size() > enough) found.replace(enough, 1, "...");
     throw InputError(file_.string() + ": line " + std::to_string(lines_[row]) + ": " + std::string(column) +
-                     " '" + found + "' is not " + std::string(wanted));
+                     " '" + printable(found) + "' is not " + std::string(wanted));
 }
 
 const std::string& CsvTable::text(std::size_t row, std::string_view column) const {

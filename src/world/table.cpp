@@ -19,6 +19,11 @@ constexpr std::uint32_t nothing = ~0U;
 Table::Table(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {
     state_.next_number = static_cast<BallNumber>(scene_->balls.size());
     state_.parts.resize(scene_->parts.size());
+    // Memory for all balls that come to a gate at a time, so that no step has to ask for it.
+    constexpr std::size_t balls_at_a_gate = 64;
+    const auto is_gate = [](const Part& part) { return std::holds_alternative<shape::Gate>(part.shape.is); };
+    state_.blocked.reserve(balls_at_a_gate *
+                           static_cast<std::size_t>(std::ranges::count_if(scene_->parts, is_gate)));
     drive_of_.assign(scene_->parts.size(), nothing);
     for (PartIndex i = 0; i < scene_->parts.size(); ++i) {
         const Part& part = scene_->parts[i];

@@ -130,7 +130,7 @@ TEST_F(WholeFiles, SayAtOnceWhyTheyCannotBeWritten) {
         EXPECT_STREQ(failure.what(), "/dev/full: cannot be written (No space left on device)");
     }
     fs::create_symlink("self", folder / "self");
-    EXPECT_THROW(WholeFile(folder / "self"), Failure);
+    EXPECT_THROW(WholeFile(folder / "self"), InputError);
 }
 
 TEST_F(WholeFiles, MayHaveNamesAsLongAsNamesAre) {

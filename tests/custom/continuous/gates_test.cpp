@@ -6,27 +6,27 @@
 namespace flipside::custom::test {
 namespace {
 
-std::unique_ptr<World> without_sleep(const Scene& scene) {
+std::unique_ptr<World> sleepless(const Scene& scene) {
     return make_world(scene, {{"solver", "continuous"}, {"sleep", "off"}});
 }
 
 TEST(Gates, FollowTheRuleAtTheirEnds) {
-    flipside::test::expect_the_rule(without_sleep);
+    flipside::test::expect_the_rule(sleepless);
 }
 TEST(Gates, AreSolidToWhatSlidesRoundTheirEnd) {
-    flipside::test::expect_to_slide_round_the_end(without_sleep);
+    flipside::test::expect_to_slide_round_the_end(sleepless);
 }
 TEST(Gates, DecideOnceThoughSavedMeanwhile) {
-    flipside::test::expect_the_decision_to_be_saved(without_sleep);
+    flipside::test::expect_the_decision_to_be_saved(sleepless);
 }
 TEST(Gates, PassEveryBallWhileOpen) {
-    flipside::test::expect_an_open_gate_to_pass_all(without_sleep);
+    flipside::test::expect_an_open_gate_to_pass_all(sleepless);
 }
 TEST(Gates, LetGoOfWhatLiesOnThemWhenTheyOpen) {
-    flipside::test::expect_an_opened_gate_to_let_go(without_sleep);
+    flipside::test::expect_an_opened_gate_to_let_go(sleepless);
 }
 TEST(Gates, DecideAboutWhatBeginsInThem) {
-    flipside::test::expect_a_start_in_a_gate_to_be_decided(without_sleep);
+    flipside::test::expect_a_start_in_a_gate_to_be_decided(sleepless);
 }
 
 }  // namespace
