@@ -182,7 +182,8 @@ void Mutator::change_number(Json& number, const Values& values) {
 /// Puts a point where its owner just touches another one, or exactly onto it.
 void Mutator::move_to_touch(Json& document, const Values& values) {
     std::vector<double> lengths{0};
-    for (const auto& [path, value] : document.flatten().items())
+    const Json flat = document.flatten();
+    for (const auto& [path, value] : flat.items())
         if (path.ends_with("radius") && value.is_number()) lengths.push_back(value.get<double>());
     Json& point = *any_of(values.points);
     const Json& from = *any_of(values.points);
