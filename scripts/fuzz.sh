@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Fuzzes for long: scripts/fuzz.sh HOURS [TARGET]. The time is shared by all targets of tests/fuzz, or given to one.
 # scripts/fuzz.sh 30s [TARGET] gives each target that many seconds, from the same seed every time, and stops a target
-# at its first finding: so ./test.sh --all does it.
+# at its first finding.
 #
 # What is found stays outside the tree, in $FLIPSIDE_FUZZ_DIR (default ~/.cache/flipside-fuzz): corpus/TARGET grows
 # from run to run, findings/TARGET holds inputs that broke something, log.tsv has a line per run. An interruption
@@ -9,10 +9,12 @@
 # FLIPSIDE_FUZZ_PRESET=fuzz-fast fuzzes without the sanitizers, several times faster.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+# shellcheck source=scripts/packages.sh
 source scripts/packages.sh
 
 usage() { echo "usage: $0 HOURS|SECONDSs [TARGET]" >&2 && exit 2; }
-[[ ${1:-} =~ ^([0-9]+(\.[0-9]+)?)(s?)$ ]] && (($# <= 2)) || usage
+[[ ${1:-} =~ ^([0-9]+(\.[0-9]+)?)(s?)$ ]] || usage
+(($# <= 2)) || usage
 amount=${BASH_REMATCH[1]} seconds_each=${BASH_REMATCH[3]:+yes}
 preset=${FLIPSIDE_FUZZ_PRESET:-fuzz}
 folder=${FLIPSIDE_FUZZ_DIR:-${XDG_CACHE_HOME:-$HOME/.cache}/flipside-fuzz}
@@ -31,6 +33,7 @@ else
     seed=0 # another one each time
 fi
 
+install_missing "${build_packages[@]}" "${gate_packages[@]}"
 build "$preset" "${targets[@]/#/fuzz_}"
 mkdir -p "$folder/logs"
 
@@ -39,12 +42,13 @@ figure() { sed -n "s/.*$1:* *\([0-9]\+\).*/\1/p" "$2" | tail -n 1; }
 
 # run TARGET SECONDS: one libFuzzer process until the time is up or something is found. False for a finding.
 run() {
-    local target=$1 status=0 log
+    local target=$1 status=0 log inputs
     mkdir -p "$folder/corpus/$target" "$folder/findings/$target"
     log=$folder/logs/$target.$BASHPID.$(date +%s)
+    mapfile -t inputs < <(find "tests/fuzz/corpus/$target" "tests/fuzz/regressions/$target" -maxdepth 0 2>/dev/null)
     "build/$preset/tests/fuzz/fuzz_$target" -max_total_time="$2" -seed=$seed -timeout=60 -entropic=0 -mutate_depth=1 -rss_limit_mb=3000 -max_len=8000 \
         -dict=tests/fuzz/json.dict -artifact_prefix="$folder/findings/$target/" -print_final_stats=1 \
-        "$folder/corpus/$target" "tests/fuzz/corpus/$target" $(find "tests/fuzz/regressions/$target" -maxdepth 0 2>/dev/null) \
+        "$folder/corpus/$target" "${inputs[@]}" \
         >"$log" 2>&1 || status=$?
     printf '%s\t%s\t%s\t%s\t%s\t%s\n' "$(date +%FT%T)" "$preset" "$target" "$(figure stat::number_of_executed_units "$log")" \
         "$(figure cov "$log")" "$(sed -n 's/.*Test unit written to //p' "$log" | tail -n 1)" >>"$folder/log.tsv"
