@@ -191,7 +191,7 @@ class FieldMaker {
 
     /// Draws until there is room.
     Item place(const char* key, double gap, auto&& draw) {
-        // The second is some seconds; a million balls at half the greatest density take a twentieth of it.
+        // The second holds for all things together: each may find its place, but only after many draws.
         constexpr int enough = 100'000;
         constexpr std::uint64_t enough_looks = 1'000'000'000;
         for (int i = 0; i < enough && field_.looks() < enough_looks; ++i)

@@ -1,6 +1,6 @@
 #include "world/crowding.hpp"
 
-#include <chrono>
+#include <ctime>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -17,6 +17,7 @@ bool overlap(const Boxed& a, const Boxed& b) {
 }
 
 // The sweep finds exactly as many pairs as a look at each: one fewer is too few to allow, as many are enough.
+// Up to seven kinds of things are told apart.
 RC_GTEST_PROP(Crowding, CountsTheOverlappingPairs, ()) {
     std::vector<Boxed> things;
     const int n = *rc::gen::inRange(2, 60);
@@ -24,10 +25,11 @@ RC_GTEST_PROP(Crowding, CountsTheOverlappingPairs, ()) {
         // Whole numbers, so that many boxes share a border or have no width.
         const auto whole = [](int most) { return static_cast<double>(*rc::gen::inRange(0, most)); };
         const Vec2 low{whole(20), whole(20)};
-        things.push_back({{low, low + Vec2{whole(6), whole(6)}},
-                          *rc::gen::element(true, false),
-                          *rc::gen::element(1U, 2U),
-                          *rc::gen::element(1U, 2U, 3U)});
+        const Box box{low, low + Vec2{whole(6), whole(6)}};
+        const std::vector<Boxed> kinds{{box, true, 1, 3}, {box, true, 1, 1}, {box, true, 1, 2},
+                                       {box, true, 2, 1}, {box, true, 2, 3}, {box, false, 1, 3},
+                                       {box, false, 2, 2}};
+        things.push_back(kinds[*rc::gen::inRange<std::size_t>(0, kinds.size())]);
     }
     std::uint64_t pairs = 0;
     for (std::size_t i = 0; i < things.size(); ++i)
@@ -78,9 +80,9 @@ TEST(Crowding, OfAMillionBoxesIsFoundInSeconds) {
         const Vec2 low{static_cast<double>(i % 1000), static_cast<double>(i / 1000)};
         things.push_back({{low, low + Vec2{0.9, 0.9}}, true, 1, 1});
     }
-    const auto began = std::chrono::steady_clock::now();
+    const std::clock_t began = std::clock();
     EXPECT_FALSE(crowded_at(things, 0));
-    EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count(), 60);
+    EXPECT_LT(static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC, 60);
 }
 
 }  // namespace
