@@ -16,10 +16,10 @@ namespace flipside {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
+using Watch = std::chrono::steady_clock;
 
-double since(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
+double since(Watch::time_point begin) {
+    return std::chrono::duration<double>(Watch::now() - begin).count();
 }
 
 /// Processor time that a process has used, s.
@@ -57,10 +57,10 @@ class Interrupt : public ::testing::Test {
     void expect_ended(const std::vector<std::string>& arguments, int signal) const {
         const pid_t child = start(arguments);
         constexpr double worked = 1;
-        const auto began = Clock::now();
+        const auto began = Watch::now();
         while (cpu_seconds(child) < worked && since(began) < 20 && waitpid(child, nullptr, WNOHANG) == 0)
             usleep(10'000);
-        const auto sent = Clock::now();
+        const auto sent = Watch::now();
         kill(child, signal);
         int status = 0;
         ASSERT_EQ(waitpid(child, &status, 0), child) << arguments[0] << " had ended before";

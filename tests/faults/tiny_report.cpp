@@ -10,13 +10,12 @@
 int main(int argc, char** argv) {
     using namespace flipside;
     app::prepare_streams();
+    app::end_on_interrupts();
     return app::exit_code_of([&] {
-        app::catch_interrupts();
         lab::report::Effort effort = lab::report::tiny_effort();
         effort.variants = lab::sweep::variants_of({"drop"}, 0);
         lab::report::make_report(
-            {argc > 1 ? argv[1] : "report", {}, effort}, [](double) { app::stop_if_interrupted(); },
-            app::say);
+            {argc > 1 ? argv[1] : "report", {}, effort}, [](double) {}, app::say);
         return 0;
     });
 }
