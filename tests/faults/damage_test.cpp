@@ -80,9 +80,7 @@ TEST_F(Damages, OfASweepAreNamedAndMadeAgain) {
             }
             EXPECT_EQ(ended.code, 0) << ended.err;
             EXPECT_NE(ended.err.find("made again"), std::string::npos) << ended.err;
-            fs::remove(folder / "sweep-1" / fs::path(name).parent_path() /
-                       "nothing");  // what the link led to
-            EXPECT_EQ(contents_of(folder / "sweep-1"), whole);
+            EXPECT_TRUE(contents_of(folder / "sweep-1") == whole);
         }
     }
     std::cout << tried << " damaged files of a sweep\n";
@@ -188,7 +186,7 @@ TEST_F(Damages, OfAReportAreNamedAndMeasuredAgain) {
         EXPECT_TRUE(data.has(file.filename()));
         damages({}).front().act(file);
         take(one, data, unwatched);
-        EXPECT_EQ(contents_of(folder), whole);
+        EXPECT_TRUE(contents_of(folder) == whole);
     }
     std::cout << tried << " damaged files of a report\n";
 }

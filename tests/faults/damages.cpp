@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "folders.hpp"
 
@@ -150,10 +151,10 @@ std::vector<Damage> damages(const fs::path& foreign) {
     for (Damage& damage : changes()) all.push_back(std::move(damage));
     all.push_back(edited("foreign", [foreign](const std::string&) { return text_of(foreign); }));
     all.push_back(replaced(
-        "a link to nothing", [](const fs::path& file) { fs::create_symlink("nothing", file); }, false));
-    all.push_back(replaced(
-        "a link to what cannot be read",
-        [](const fs::path& file) { fs::create_symlink("/proc/self/mem", file); }, true));
+        "a link to nothing", [](const fs::path& file) { fs::create_symlink("../../nothing", file); }, false));
+    if (geteuid() != 0)  // root reads everything
+        all.push_back(
+            {"not to be read", [](const fs::path& file) { fs::permissions(file, fs::perms::none); }});
     all.push_back(replaced(
         "a link to itself", [](const fs::path& file) { fs::create_symlink(file.filename(), file); }, true));
     all.push_back(replaced(
