@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "world/limits.hpp"
+#include "world/printable.hpp"
 
 namespace flipside {
 
@@ -69,8 +69,9 @@ void SceneReader::add_ball(const Node& node, Ball ball) {
 
 void SceneReader::add_part(const Node& node, Part part) {
     if (scene_.parts.size() == most_things) node.fail("too many parts; allowed are 1000000 in a scene");
-    const auto unfit = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == ',' || c == '"'; };
-    if (std::ranges::any_of(part.name, unfit) || part.name.starts_with("ball:"))
+    const bool unfit =
+        part.name.find_first_of(",\"") != std::string::npos || printable(part.name) != part.name;
+    if (unfit || part.name.starts_with("ball:"))
         node.fail("name " + in_quotes(part.name) +
                   " cannot name a part; allowed: no commas, quotes or control characters, not \"ball:...\"");
     if (!parts_.emplace(part.name, static_cast<PartIndex>(scene_.parts.size())).second)
