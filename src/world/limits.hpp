@@ -22,11 +22,11 @@ inline constexpr double last_time = 1e12;
 
 /// False also where a number is none.
 [[nodiscard]] inline bool within_top_speed(const Ball& ball) {
-    return (length_squared(ball.velocity) <= top_speed * top_speed) &
-           (std::abs(ball.spin) * ball.radius <= top_speed);
+    return length_squared(ball.velocity) <= top_speed * top_speed &&
+           std::abs(ball.spin) * ball.radius <= top_speed;
 }
 [[nodiscard]] inline bool within_reach(const Ball& ball) {
-    return (std::abs(ball.position.x) <= farthest) & (std::abs(ball.position.y) <= farthest);
+    return std::abs(ball.position.x) <= farthest && std::abs(ball.position.y) <= farthest;
 }
 
 /// Throws Refusal for a ball that an impact with `met` at `time` has made faster than top_speed.

@@ -89,7 +89,7 @@ TEST(StateFile, BadOnesAreRefusedWithTheirPlace) {
         {"/time", -1, "/time", "from 0"},
         {"/time", nullptr, "/time", "is null"},
         {"/time_remainder", 1e-3, "/time_remainder", "more than the rounding of the time; allowed: from -"},
-        {"/balls/0/position/0", 1e13, "/balls/0/position/0", "1e+12"},
+        {"/balls/0/position/0", 1e13, "/balls/0/position/0", "1000000000000"},
         {"/next_number", 0.5, "/next_number", "whole number"},
         {"/next_number", 4294967296, "/next_number", "to 4294967295"},
         {"/next_number", 3, "/balls/1/number", "not below next_number"},

@@ -291,11 +291,7 @@ void ContinuousSolver::predict_features(Place i, double time) {
             continue;
         ++record_->statistics.narrow_tests;
         const double last = std::min(mover.next_time, dt_);
-        try {
-            offer(mover, time_of_impact(feature, turning, path, ball.radius, time, last), Next::feature, f);
-        } catch (const EndlessSearch&) {
-            refuse_search(engine_name, ball.number, Other::part(feature.part), table_->time() + time, scene_);
-        }
+        offer(mover, time_of_impact(feature, turning, path, ball.radius, time, last), Next::feature, f);
     }
 }
 
@@ -313,14 +309,9 @@ void ContinuousSolver::predict_balls(Place i, double time) {
         const double until = std::min({dt_, mover.way.until, other.way.until});
         if (until < from) continue;
         ++record_->statistics.narrow_tests;
-        try {
-            const double met = time_of_impact(mover.way.path, other.way.path,
-                                              balls[i].radius + balls[j].radius, from, until);
-            offer(mover, std::max(met, time), Next::ball, j, other.changes);
-        } catch (const EndlessSearch&) {
-            refuse_search(engine_name, balls[i].number, Other::ball(balls[j].number), table_->time() + time,
-                          scene_);
-        }
+        const double met =
+            time_of_impact(mover.way.path, other.way.path, balls[i].radius + balls[j].radius, from, until);
+        offer(mover, std::max(met, time), Next::ball, j, other.changes);
     }
 }
 

@@ -1,7 +1,5 @@
 #include "custom/continuous/time_of_impact.hpp"
 
-#include "world/refusal.hpp"
-
 namespace flipside::custom {
 
 double first_fall(double gap, double rate, double bend) {
@@ -44,7 +42,7 @@ double first_fall(double gap, double rate, double bend, double drag) {
         if (!std::isfinite(next)) return never_touch;
         t = next;
     }
-    throw EndlessSearch();
+    return t;  // every step brought it nearer: what is left is rounding
 }
 
 double surely_free(double value, double slope, double k) {
@@ -167,7 +165,7 @@ double search(MovingAt&& moving, GapOf&& gap_of, double radius, double rounding,
         if (next <= t) return gap.slope < 0 ? t : never_touch;
         t = next;
     }
-    throw EndlessSearch();
+    return never_touch;  // a bound that only the creep along a gap of rounding reaches
 }
 
 /// Search in the frame of a part that turns evenly from `begin` at `begin_time`.

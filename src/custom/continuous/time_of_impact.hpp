@@ -49,7 +49,7 @@ inline double gap_rounding(Vec2 p, Vec2 q, double radii) {
     return std::max(gap_rounding(p, radii), gap_rounding(q, radii));
 }
 
-/// First touch in [t0, t1], or never_touch. By the closed form where there is one. Throws EndlessSearch.
+/// First touch in [t0, t1], or never_touch. By the closed form where there is one.
 [[nodiscard]] double time_of_impact(const Feature& feature, const Turning& turning, const Path& path,
                                     double radius, double t0, double t1);
 [[nodiscard]] double time_of_impact(const Path& a, const Path& b, double radii, double t0, double t1);
