@@ -43,14 +43,16 @@ class Interrupt : public ::testing::Test {
     [[nodiscard]] std::string file(const std::string& name) const { return (folder_ / name).string(); }
 
     /// Many balls packed into a pile in one narrow step: it takes every engine long.
-    [[nodiscard]] std::string long_scene() const {
-        std::ofstream(file("long.json"))
+    [[nodiscard]] std::string long_scene(int rows = 1100) const {
+        const std::string scene = file("rows-" + std::to_string(rows) + ".json");
+        std::ofstream(scene)
             << R"({"format": "flipside-scene/1", "name": "long", "gravity": [0, -9.81],)"
-            << R"("bounds": {"min": [-1, -1], "max": [11, 400]}, "balls": [], "parts": [)"
-            << R"({"name": "cup", "shape": {"type": "polyline", "points": [[0, 400], [0, 0], [10, 0], [10, 400]]}}],)"
+            << R"("bounds": {"min": [-1, -1], "max": [11, 2000]}, "balls": [], "parts": [)"
+            << R"({"name": "cup", "shape": {"type": "polyline", "points": [[0, 2000], [0, 0], [10, 0], [10, 2000]]}}],)"
             << R"("generate": [{"type": "rows", "of": "balls", "radius": 0.05, "mass": 1, "speed": 20,)"
-            << R"("count": 90, "rows": 1100, "from": [0.2, 0.2], "step": [0.105, 0], "row_step": [0, 0.105]}]})";
-        return file("long.json");
+            << R"("count": 90, "from": [0.2, 0.2], "step": [0.105, 0], "row_step": [0, 0.105], "rows": )"
+            << rows << "}]}";
+        return scene;
     }
 
     /// Starts the command, waits until it has worked for a while, and expects the signal to end it in time.
@@ -112,7 +114,7 @@ TEST_F(Interrupt, EndsARunInTheMiddleOfAStep) {
 TEST_F(Interrupt, EndsEveryCommand) {
     const std::string scene = long_scene();
     const std::vector<std::vector<std::string>> commands = {
-        {"check", scene},
+        {"check", long_scene(11'000)},
         {"compare", scene, "--seconds", "100", "--json", file("compare.json")},
         {"cases", "--json", file("cases.json")},
         {"pairs", "--json", file("pairs.json")},
