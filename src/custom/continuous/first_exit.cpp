@@ -10,7 +10,7 @@ namespace {
 
 /// Instants after the start of a path, s. A polynomial of degree n turns n − 1 times at most.
 struct Instants {
-    std::array<double, std::size_t{2} * taylor_order> at;
+    std::array<double, std::size_t{2} * taylor_order> at{};
     std::size_t count = 0;
 
     void add(double t) { at[count++] = t; }
