@@ -89,7 +89,9 @@ class Faults : public ::testing::Test {
         EXPECT_TRUE(kind.may_pass || ended.code != 0);
         const Contents found = contents_of(folder);
         EXPECT_EQ(half_files(found, before, after), "");
-        EXPECT_TRUE(ended.code != 0 || found == after) << "exit 0 without all files";
+        // What cannot be read for once counts as missing, and a sweep with runs missing ends well without its
+        // summary.
+        EXPECT_TRUE(ended.code != 0 || found == after || kind.may_refuse) << "exit 0 without all files";
         if (!resumes) return;
         const Ended again = Child(scenario.command, folder).wait();
         EXPECT_EQ(again.code, 0) << again.err;

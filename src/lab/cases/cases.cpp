@@ -141,12 +141,12 @@ CaseRun run_recommended(const Case& which, const CaseInput& input, std::span<con
     std::vector<SettingChange> others;
     std::istringstream words{std::string(which.recommend)};
     for (std::string word; words >> word;) {
-        const auto [of, name, value] = parts_of(word);
-        const bool said =
-            std::ranges::any_of(changes, [&](const SettingChange& change) { return change.name == name; });
-        if (of != engine.name || said || input.entrant.settings.text(name) == value) continue;
-        recommended.entrant.settings.set(name, value);
-        others.push_back({&engine, name, value});
+        const Recommended part = parts_of(word);
+        const bool said = std::ranges::find(changes, part.name, &SettingChange::name) != changes.end();
+        if (part.engine != engine.name || said || input.entrant.settings.text(part.name) == part.value)
+            continue;
+        recommended.entrant.settings.set(part.name, part.value);
+        others.push_back({&engine, part.name, part.value});
     }
     return {&which, run_case(which, recommended), std::move(others)};
 }
