@@ -23,7 +23,7 @@ TEST(Clock, AMillionStepsAreOffByOneRoundingAtMost) {
 
 // Steps may be far below the rounding of the time: they add up in the remainder, without loss.
 RC_GTEST_PROP(Clock, NeverRunsBackwardsNorLosesAStep, ()) {
-    constexpr double unit = 0x1p-50;  // s; all steps are multiples of it, so that sums are exact
+    constexpr double unit = 0x1p-50;       // s; all steps are multiples of it, so that sums are exact
     __extension__ typedef __int128 Units;  // NOLINT(modernize-use-using)
     const auto start = static_cast<double>(
         *rc::gen::element<std::int64_t>(0, 1, 16'667, 1'000'000'000'000, 1'000'000'000'000'000));
