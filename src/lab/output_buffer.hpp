@@ -30,7 +30,7 @@ class OutputBuffer final : public std::streambuf {
 
     int descriptor_;
     const std::filesystem::path& target_;
-    std::array<char, 1U << 16U> buffer_;
+    std::array<char, 1U << 16U> buffer_{};
 };
 
 }  // namespace flipside::lab

@@ -44,7 +44,7 @@ class UnfinishedChild {
         HeldSignals(const HeldSignals&) = delete;
         HeldSignals& operator=(const HeldSignals&) = delete;
     };
-    static void note(pid_t child);
+    static void note(pid_t id);
 };
 
 /// Kills the noted child with its process group and removes the noted files. Safe in a signal handler, and

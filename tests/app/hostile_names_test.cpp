@@ -80,7 +80,7 @@ class HostileNames : public CommandLine {
     }
     /// Ends with 0, or with `code` and one line.
     Result expect_ends(const std::string& arguments, int code) const {
-        const Result result = flipside(arguments);
+        Result result = flipside(arguments);
         EXPECT_EQ(result.code, code) << arguments << ": " << result.err;
         if (code != 0) {
             EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << arguments << ": " << result.err;

@@ -44,7 +44,7 @@ class Interrupt : public ::testing::Test {
 
     /// Many balls packed into a pile in one narrow step: it takes every engine long.
     [[nodiscard]] std::string long_scene(int rows = 1100) const {
-        const std::string scene = file("rows-" + std::to_string(rows) + ".json");
+        std::string scene = file("rows-" + std::to_string(rows) + ".json");
         std::ofstream(scene)
             << R"({"format": "flipside-scene/1", "name": "long", "gravity": [0, -9.81],)"
             << R"("bounds": {"min": [-1, -1], "max": [11, 2000]}, "balls": [], "parts": [)"

@@ -19,9 +19,9 @@ std::uint32_t checksum_of(const F& f, int from, int to) {
     boost::crc_32_type crc;
     for (int i = 0; i < 100'000; ++i) {
         const std::uint64_t word = random();
-        const auto exponent = static_cast<std::uint64_t>(
-            from + 1023 + static_cast<int>(random() % static_cast<unsigned>(to - from)));
-        const double x = std::bit_cast<double>((word & 0x800fffffffffffff) | exponent << 52);
+        const int exponent = from + 1023 + static_cast<int>(random() % static_cast<unsigned>(to - from));
+        const double x =
+            std::bit_cast<double>((word & 0x800fffffffffffff) | static_cast<std::uint64_t>(exponent) << 52);
         const double value = f(x);
         if (value != value) continue;  // which no-number it is, IEEE 754 leaves open
         const auto bits = std::bit_cast<std::uint64_t>(value);

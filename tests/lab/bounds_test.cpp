@@ -13,7 +13,7 @@ namespace {
 
 struct Start {
     Vec2 position, velocity, gravity;
-    bool leaves;
+    bool leaves = false;
 };
 
 TEST(OnTheBounds, ContainsDecidesOnEveryEngine) {

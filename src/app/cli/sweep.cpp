@@ -89,7 +89,7 @@ int run_sweep(const SweepOptions& options) {
         sweep::make_runs(
             plan, shard, folder, [&](double share) { progress.at(share); }, say);
     }
-    const sweep::Inventory inventory = sweep::take_inventory(plan, folder, say);
+    const sweep::Inventory inventory = sweep::take_inventory(plan, folder);
     print_windows(inventory.windows);
     if (!inventory.is_complete) {
         print("Shard %s is done; sweep.csv is written once all runs are there.\n",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lab/failure.hpp"
 #include "lab/sweep/unit.hpp"
 #include "lab/sweep/windows.hpp"
 #include "lab/whole_file.hpp"
@@ -106,8 +107,9 @@ void make_runs(const Plan& plan, Shard shard, const fs::path& folder, const Watc
     }
 }
 
-Inventory take_inventory(const Plan& plan, const fs::path& folder, const Notice& notice) {
-    const Place place{plan, to_json(plan), folder, notice, "it counts as missing"};
+Inventory take_inventory(const Plan& plan, const fs::path& folder) {
+    const Notice refuse = [](const std::string& sentence) { throw Failure(sentence); };
+    const Place place{plan, to_json(plan), folder, refuse, "the shard that it belongs to makes it again"};
     Inventory inventory;
     for (const Unit& unit : units_of(plan)) {
         const auto scene = load(*unit.variant);

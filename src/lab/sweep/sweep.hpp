@@ -10,7 +10,7 @@
 /// A work unit is a block of a variant's windows with all entrants, interleaved. Each unit has its own
 /// trajectories and its own files: units may be made in any order, by any number of processes at once, and a
 /// sweep that was stopped goes on with those that are missing. All but sweep.csv are data files
-/// (data_file.hpp): one that is damaged, or of another sweep, counts as missing.
+/// (data_file.hpp): one that is damaged, or of another sweep, is made again.
 
 #include <functional>
 #include <map>
@@ -41,8 +41,7 @@ struct Inventory {
     bool is_complete = true;                 ///< the files of all units are there
     std::map<std::string, Windows> windows;  ///< by variant
 };
-/// Files that are damaged count as missing, and `notice` is told of them.
-[[nodiscard]] Inventory take_inventory(const Plan& plan, const std::filesystem::path& folder,
-                                       const Notice& notice);
+/// Throws Failure for a file that is damaged.
+[[nodiscard]] Inventory take_inventory(const Plan& plan, const std::filesystem::path& folder);
 
 }  // namespace flipside::lab::sweep

@@ -131,6 +131,26 @@ TEST(TimeOfImpact, WhatLetsGoOfALoopComesBack) {
     }
 }
 
+// A path that stays a hair above a line, far below what its bound on acceleration allows, before it sinks
+// into it: sure steps alone would be millions.
+TEST(TimeOfImpact, WhatHoversComesDown) {
+    constexpr double radius = 0.05, end = 1.0 / 60;
+    const Feature floor{Line{{-1, 0}, {1, 0}, 2, {}, {}}, 0, 0};
+    for (const double hair : {1e-9, 1e-11, 1e-13, 1e-15})
+        for (const double down : {0.1 * end, 0.5 * end, 0.9 * end}) {
+            Path path;
+            path.flight.position = {0, radius + hair};
+            path.swings = true;
+            path.taylor[1] = {1, 0};
+            path.taylor[2] = {0, -hair / (down * down)};
+            path.top_speed = 1;
+            path.top_acceleration = 1000;
+            // Positions of half a decimetre are rounded to 1e-17.
+            EXPECT_NEAR(time_of_impact(floor, {}, path, radius, 0, end), down, 1e-9 + 2e-17 / hair * down)
+                << hair << " " << down;
+        }
+}
+
 // Nothing is told to be clear of a path that touches it.
 RC_GTEST_PROP(TimeOfImpact, WhatIsClearIsNotTouched, ()) {
     const double from = between(0, 6), to = from + between(0.2, 6);

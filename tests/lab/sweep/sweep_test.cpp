@@ -36,7 +36,7 @@ const std::function<void(double)> unwatched = [](double) {};
 const Notice unnoticed = [](const std::string& sentence) { ADD_FAILURE() << sentence; };
 
 bool is_complete(const fs::path& folder) {
-    return take_inventory(small_plan(), folder, unnoticed).is_complete;
+    return take_inventory(small_plan(), folder).is_complete;
 }
 
 /// Without the checksum, which is of measured times too.
@@ -92,7 +92,7 @@ TEST_F(Sweeps, MeasureEveryEntrantOnEveryWindow) {
         EXPECT_LE(f.cpu_min, f.cpu_median) << f.entrant;
         EXPECT_GE(f.impacts, f.windows) << f.entrant;
     }
-    const Inventory inventory = take_inventory(small_plan(), folder, unnoticed);
+    const Inventory inventory = take_inventory(small_plan(), folder);
     EXPECT_EQ(inventory.windows.at("pinball-1").windows, small_plan().windows());
 }
 
