@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds Release and runs every test. With --all, as on every change, then also the gates:
 # formatting, clang-tidy, the same bits from gcc and clang, optimised and not, and for aarch64 (emulated), every test again
-# under the address and undefined-behaviour sanitizers, and those of the engines under valgrind.
+# under the address and undefined-behaviour sanitizers, those of the engines under valgrind, and fuzzing.
 set -euo pipefail
 cd "$(dirname "$0")"
 source scripts/packages.sh
@@ -41,6 +41,8 @@ if $gates; then
     build sanitize
     stage "tests under the sanitizers"
     ctest --preset sanitize -j "$jobs"
+    stage "fuzzing, 30 s per target"
+    FLIPSIDE_FUZZ_PRESET=sanitize FLIPSIDE_FUZZ_DIR=build/fuzzed scripts/fuzz.sh 30s
     stage "uninitialised reads: valgrind"
     scripts/valgrind.sh --quick
     stage "all is well"
