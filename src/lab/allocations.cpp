@@ -14,8 +14,9 @@ std::atomic<std::uint64_t> count{0};
 
 void* counted(void* memory) {
     count.fetch_add(1, std::memory_order_relaxed);
-    if (memory == nullptr) throw std::bad_alloc();
-    return memory;
+    if (memory != nullptr) return memory;
+    if (const auto handler = std::get_new_handler(); handler != nullptr) handler();
+    throw std::bad_alloc();
 }
 
 }  // namespace
@@ -27,8 +28,8 @@ void* operator new(std::size_t size, std::align_val_t alignment) {
     const auto align = static_cast<std::size_t>(alignment);
     return counted(std::aligned_alloc(align, (size + align - 1) / align * align));
 }
-/// Ends the program (std::terminate) where there is no memory: valijson asks in this way, and writes through
-/// what it gets without looking.
+/// Ends the program where there is no memory (at the latest std::terminate does): valijson asks in this way,
+/// and writes through what it gets without looking.
 // NOLINTNEXTLINE(bugprone-exception-escape)
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
     return ::operator new(size);

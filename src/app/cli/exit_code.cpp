@@ -2,7 +2,6 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <filesystem>
 #include <new>
 
@@ -28,12 +27,19 @@ int fail_without_memory() {
     return 1;
 }
 
+/// In place of an exception: destructors and iterators of libraries may ask for memory where nothing can be
+/// thrown (nlohmann-json's and std::filesystem's do).
+[[noreturn]] void end_without_memory() {
+    lab::abandon_unfinished();
+    std::_Exit(fail_without_memory());
+}
+
 int code_of(const std::function<int()>& action) {
     try {
         const int code = action();
         finish_output();
         return code;
-    } catch (const std::bad_alloc&) {
+    } catch (const std::bad_alloc&) {  // of a size that is no size
         return fail_without_memory();
     } catch (const InputError& error) {
         return fail(2, error.what());
@@ -45,28 +51,11 @@ int code_of(const std::function<int()>& action) {
     }
 }
 
-/// Destructors of libraries may ask for memory (nlohmann-json's do), and nothing can catch what they throw.
-[[noreturn]] void end_at_once() {
-    lab::abandon_unfinished();
-    try {
-        if (const auto error = std::current_exception()) std::rethrow_exception(error);
-    } catch (const std::bad_alloc&) {
-        std::_Exit(fail_without_memory());
-    } catch (...) {
-        static_cast<void>(std::fputs("flipside: an error that nothing catches\n", stderr));
-    }
-    std::abort();
-}
-
 }  // namespace
 
 int exit_code_of(const std::function<int()>& action) noexcept {
-    std::set_terminate(end_at_once);
-    try {
-        return code_of(action);
-    } catch (...) {  // words for the error took more memory than there is
-        return fail_without_memory();
-    }
+    std::set_new_handler(end_without_memory);
+    return code_of(action);
 }
 
 }  // namespace flipside::app
