@@ -76,7 +76,7 @@ std::string text_of(const fs::path& file) {
 Contents contents_of(const fs::path& folder) {
     Contents contents;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-        const std::string name = fs::relative(entry.path(), folder).string();
+        const std::string name = entry.path().lexically_relative(folder).string();
         if (entry.is_regular_file()) contents[name] = normal(name, text_of(entry.path()));
     }
     return contents;
