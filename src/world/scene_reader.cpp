@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "world/limits.hpp"
 #include "world/printable.hpp"
 
 namespace flipside {

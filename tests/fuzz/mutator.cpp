@@ -92,6 +92,7 @@ std::string Mutator::cross(std::string_view first, std::string_view second) {
     Values values, others;
     collect(document, values);
     collect(other, others);
+    if (values.containers.empty() || others.containers.empty()) return {};
     Json& from = *any_of(others.containers);
     Json& to = *any_of(values.containers);
     if (from.is_object() && to.is_object()) {

@@ -97,6 +97,10 @@ TEST(Mutator, CrossesDocuments) {
         found.insert(Mutator(seed).cross(R"({"a":1,"list":[1]})", R"({"b":2,"list":[7]})"));
     EXPECT_TRUE(found.contains(R"({"a":1,"b":2,"list":[1]})"));
     EXPECT_TRUE(found.contains(R"({"a":1,"list":[1,7]})"));
+    for (const char* none : {"{}", "[]"}) {
+        EXPECT_EQ(Mutator(1).cross(none, R"({"b":2})"), "");
+        EXPECT_EQ(Mutator(1).cross(R"({"b":2})", none), "");
+    }
 }
 
 }  // namespace

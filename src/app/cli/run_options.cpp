@@ -1,5 +1,7 @@
 #include "app/cli/run_options.hpp"
 
+#include <iomanip>
+
 #include "app/cli/output.hpp"
 #include "lab/assets.hpp"
 #include "world/scene_file.hpp"
@@ -12,7 +14,8 @@ CLI::Validator number_from(double min, double max) {
         double value = 0;
         if (CLI::detail::lexical_cast(text, value) && value >= min && value <= max) return "";
         std::ostringstream problem;
-        problem << "'" << text << "' is not allowed; it takes a number from " << min << " to " << max;
+        problem << std::setprecision(16) << "'" << text << "' is not allowed; it takes a number from " << min
+                << " to " << max;
         return problem.str();
     };
     return {check, "", "number"};

@@ -123,7 +123,9 @@ void add_sweep(CLI::App& program, Action& chosen) {
     command.add_flag("--quick", options->quick, "Fewer windows, and no step below 1/960 s");
     command.add_option("--shard", options->shard, "Only the K-th of N parts; in any order, at the same time")
         ->type_name("K/N");
-    command.add_option("--seed", options->seed, "Of the windows (default 1)")->type_name("S");
+    command.add_option("--seed", options->seed, "Of the windows (default 1)")
+        ->check(number_from(0, sweep::largest_seed))
+        ->type_name("S");
     command.add_option("--out", options->out, "Folder of the data; what is finished there is not done again")
         ->required()
         ->type_name("DIR");

@@ -8,10 +8,13 @@
 
 namespace flipside::lab::sweep {
 
+/// The largest number up to which a JSON number tells every seed from the next.
+inline constexpr double largest_seed = 9007199254740991;
+
 struct Plan {
     std::vector<Variant> variants{};
     std::vector<const Entrant*> entrants = all_entrants();
-    std::uint64_t seed = 1;
+    std::uint64_t seed = 1;       ///< at most largest_seed
     std::uint32_t blocks = 20;    ///< per variant
     std::size_t block_size = 25;  ///< windows
     std::size_t timed = 3;        ///< windows of each block that are timed, and

@@ -29,7 +29,7 @@ constexpr std::string_view plan_schema = R"({
   "properties": {
     "format": {"const": "flipside-sweep/2"},
     "commit": {"type": "string"},
-    "seed": {"type": "integer", "minimum": 0},
+    "seed": {"type": "integer", "minimum": 0, "maximum": 9007199254740991},
     "blocks": {"type": "integer", "minimum": 1, "maximum": 10000},
     "windows_per_block": {"type": "integer", "minimum": 1, "maximum": 100000},
     "timed_per_block": {"type": "integer", "minimum": 0, "maximum": 100000},
@@ -144,7 +144,7 @@ Plan parse_plan(std::string_view json, const std::string& file) {
     check_form(document, plan_schema, file);
     const Node root(document, file);
     Plan plan;
-    plan.seed = document.at("seed").get<std::uint64_t>();  // above what a double holds
+    plan.seed = static_cast<std::uint64_t>(root.integer("seed"));
     plan.blocks = static_cast<std::uint32_t>(root.integer("blocks"));
     plan.block_size = static_cast<std::size_t>(root.integer("windows_per_block"));
     plan.timed = static_cast<std::size_t>(root.integer("timed_per_block"));
