@@ -19,6 +19,7 @@ struct Contender {
     std::vector<std::pair<std::string, std::string>> settings;
     bool keeps_balls;     ///< never lets a ball through a wall
     bool repeats_states;  ///< continues from a saved state with the same bits
+    int steps = 20;       ///< a ride takes: fewer where a step takes long
 };
 /// custom with each of its solvers, box2d, and the reference with either precision.
 [[nodiscard]] const std::vector<Contender>& contenders();
@@ -31,7 +32,6 @@ struct Ride {
     std::shared_ptr<const Scene> scene;
     const Script& script;
     const State* start = nullptr;  ///< null: as the scene begins
-    int steps = 20;
     unsigned variation = 0;
     bool closed = false;  ///< nothing can be lost (closed_box.hpp)
 };

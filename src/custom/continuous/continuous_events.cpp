@@ -170,12 +170,15 @@ void ContinuousSolver::lose(Place i, double time) {
     movers_[i].lost = true;
     ++movers_[i].changes;
     std::erase_if(table_->blocked(), [&](const Blocked& blocked) { return blocked.ball == ball.number; });
-    for (PartIndex part = 0; part < pieces_.size(); ++part)
-        if (inside(ball.number, part)) {
-            set_inside(ball.number, part, false);
-            if (scene_.parts[part].sensor)
-                report(time, EventKind::sensor_end, ball, Other::part(part), {}, {});
+    for (PartIndex part = 0; part < pieces_.size(); ++part) {
+        if (!inside(ball.number, part)) continue;
+        if (!scene_.parts[part].sensor) {
+            leave_gate(ball.number, part, time);
+            continue;
         }
+        set_inside(ball.number, part, false);
+        report(time, EventKind::sensor_end, ball, Other::part(part), {}, {});
+    }
 }
 
 bool ContinuousSolver::inside(BallNumber ball, PartIndex part) const {
