@@ -162,6 +162,22 @@ inline void expect_an_opened_gate_to_let_go(const MakeWorld& make) {
     }
 }
 
+/// A ball that is lost in a gate has left it, also where it was the last one.
+inline void expect_a_lost_ball_to_leave(const MakeWorld& make) {
+    for (const double dt : steps) {
+        Scene scene = empty_scene();
+        scene.bounds = {{-2, -2}, {2, 0.05}};
+        add_part(scene, {shape::Gate{{-1, 0}, {1, 0}, {0, 1}}});
+        add_ball(scene, {0, -0.3}, {0, 1});  // at the gate from 0.2 s to 0.4 s, out of bounds at 0.35 s
+        const auto world = make(scene);
+        run_to(*world, 0.3, dt);
+        EXPECT_TRUE(world->parts()[0].open);
+        run_to(*world, 0.36, dt);
+        EXPECT_TRUE(world->balls().empty());
+        EXPECT_FALSE(world->parts()[0].open);
+    }
+}
+
 /// Balls that begin within a radius meet the gate there and then.
 inline void expect_a_start_in_a_gate_to_be_decided(const MakeWorld& make) {
     struct Start {

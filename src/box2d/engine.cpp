@@ -1,6 +1,9 @@
 #include "box2d/engine.hpp"
 
 #include <algorithm>
+#include <string>
+
+#include <box2d/b2_common.h>
 
 #include "box2d/world.hpp"
 
@@ -86,16 +89,22 @@ std::unique_ptr<World> make(std::shared_ptr<const Scene> scene, const Settings& 
     return std::make_unique<Box2dWorld>(std::move(scene), options);
 }
 
-constexpr Engine box2d_engine{
-    .name = "box2d",
-    .about = "Box2D 2.4: single precision, time stepping with an iterative solver, continuous collision",
-    .settings = specs,
-    .make = make,
-};
+std::string library() {
+    return "Box2D " + std::to_string(b2_version.major) + "." + std::to_string(b2_version.minor) + "." +
+           std::to_string(b2_version.revision);
+}
 
 }  // namespace
 
 const Engine& engine() {
+    static const std::string name_and_version = library();
+    static const Engine box2d_engine{
+        .name = "box2d",
+        .about = "single precision, time stepping with an iterative solver, continuous collision",
+        .library = name_and_version,
+        .settings = specs,
+        .make = make,
+    };
     return box2d_engine;
 }
 

@@ -57,6 +57,16 @@ const Engine& engine_named(std::string_view name) {
     return **at;
 }
 
+std::string libraries() {
+    std::string text;
+    for (const Engine* engine : engines()) {
+        if (engine->library.empty()) continue;
+        text +=
+            (text.empty() ? "" : ", ") + std::string(engine->name) + " is " + std::string(engine->library);
+    }
+    return text;
+}
+
 std::vector<SettingChange> parse_changes(std::span<const std::string> texts,
                                          std::span<const Engine* const> used) {
     std::vector<SettingChange> changes;

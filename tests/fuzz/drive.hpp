@@ -19,7 +19,8 @@ struct Contender {
     std::vector<std::pair<std::string, std::string>> settings;
     bool keeps_balls;     ///< never lets a ball through a wall
     bool repeats_states;  ///< continues from a saved state with the same bits
-    int steps = 20;       ///< a ride takes: fewer where a step takes long
+    int steps = 20;       ///< a ride takes: fewer where a step takes long,
+    unsigned one_in = 1;  ///< and by one input in so many
 };
 /// custom with each of its solvers, box2d, and the reference with either precision.
 [[nodiscard]] const std::vector<Contender>& contenders();
@@ -35,7 +36,8 @@ struct Ride {
     unsigned variation = 0;
     bool closed = false;  ///< nothing can be lost (closed_box.hpp)
 };
-/// Steps the scene, saves, reads and restores it half-way and at the end, and compares with a second run.
+/// Steps the scene, where it is the contender's turn, saves, reads and restores it half-way and at the end,
+/// and compares with a second run.
 void drive(const Contender& contender, const Ride& ride);
 
 /// What is written, read and restored into another world is the same, to the bit.

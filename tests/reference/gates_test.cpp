@@ -25,6 +25,9 @@ TEST(ReferenceGates, PassEveryBallWhileOpen) {
 TEST(ReferenceGates, LetGoOfWhatLiesOnThemWhenTheyOpen) {
     flipside::test::expect_an_opened_gate_to_let_go(exact);
 }
+TEST(ReferenceGates, AreLeftByABallThatIsLost) {
+    flipside::test::expect_a_lost_ball_to_leave(exact);
+}
 TEST(ReferenceGates, DecideAboutWhatBeginsInThem) {
     flipside::test::expect_a_start_in_a_gate_to_be_decided(exact);
 }

@@ -51,9 +51,11 @@ void print_case(const lab::CaseRun& run) {
 }
 
 void print_head(const lab::CaseInput& input) {
-    print("Hard cases on %s, dt = %.6g s%s\n\n   %-62s %14s %14s %9s %9s  %s\n",
-          std::string(input.entrant.engine->name).c_str(), input.dt, input.quick ? ", quick" : "", "quantity",
-          "expected", "measured", "error", "tolerance", "verdict");
+    const Engine& engine = *input.entrant.engine;
+    print("Hard cases on %s%s%s, dt = %.6g s%s\n\n   %-62s %14s %14s %9s %9s  %s\n",
+          std::string(engine.name).c_str(), engine.library.empty() ? "" : ", ",
+          std::string(engine.library).c_str(), input.dt, input.quick ? ", quick" : "", "quantity", "expected",
+          "measured", "error", "tolerance", "verdict");
 }
 
 void print_summary(std::span<const lab::CaseRun> runs) {

@@ -7,6 +7,7 @@
 #include "app/cli/progress.hpp"
 #include "app/cli/run_options.hpp"
 #include "lab/csv.hpp"
+#include "lab/engines.hpp"
 #include "lab/whole_file.hpp"
 #include "world/input_error.hpp"
 #include "world/printable.hpp"
@@ -91,6 +92,7 @@ void print_comparison(const lab::Comparison& comparison) {
     print("%-10s %7s %9s %9s %11s %11s %11s %8s %9s %6s %8s\n", "", "", "us", "ms", "first, J", "last, J",
           "drift, J", "", "", "", "mm");
     for (const lab::EngineRun& run : comparison.runs) print_run(run);
+    print("(%s)\n", lab::libraries().c_str());
     for (const lab::Pair& pair : comparison.pairs) print_pair(pair, comparison);
 }
 

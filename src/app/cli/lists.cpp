@@ -37,7 +37,8 @@ std::string range_of(const SettingSpec& spec) {
 int list_engines() {
     for (const Engine* engine : lab::engines()) {
         lab::TextStream text;
-        text << engine->name << ": " << engine->about << '\n';
+        text << engine->name << ": " << (engine->library.empty() ? "" : std::string(engine->library) + ": ")
+             << engine->about << '\n';
         const Settings defaults(engine->settings);
         for (const SettingSpec& spec : engine->settings)
             text << "  " << spec.name << " = " << defaults.text(spec.name) << "  (" << range_of(spec)

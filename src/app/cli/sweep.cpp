@@ -7,6 +7,7 @@
 #include "app/cli/progress.hpp"
 #include "app/cli/run_options.hpp"
 #include "lab/assets.hpp"
+#include "lab/engines.hpp"
 #include "lab/sweep/summary.hpp"
 #include "world/input_error.hpp"
 #include "world/printable.hpp"
@@ -62,7 +63,8 @@ void print_figures(const std::vector<sweep::Figures>& all) {
     print(
         "\nmedian, 95 %%, largest: error of position at the end of a window, in radii, worst ball. typical: "
         "median\nwindow, median of the balls that hit something. exact: windows within 1e-9 radii. missed, "
-        "extra: impacts.\nCPU: ms per simulated second.\n");
+        "extra: impacts.\nCPU: ms per simulated second; %s.\n",
+        lab::libraries().c_str());
 }
 
 FilesOfCommand files_of(const SweepOptions& options) {

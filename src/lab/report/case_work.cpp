@@ -5,6 +5,7 @@
 #include "lab/cases/case.hpp"
 #include "lab/csv.hpp"
 #include "lab/csv_table.hpp"
+#include "lab/engines.hpp"
 #include "lab/report/chapter.hpp"
 #include "lab/report/contender.hpp"
 #include "lab/text_stream.hpp"
@@ -74,7 +75,7 @@ Content show_case_work(const Data& data) {
         Figure figure{
             std::string("case-") + story.name,
             story.says,
-            {"CPU seconds of the experiment", "cpu_seconds", true},
+            {"CPU seconds of the experiment (" + libraries() + ")", "cpu_seconds", true},
             {std::string("error, ") + story.unit, "error", true, 1e-17},
             {},
             {},

@@ -8,6 +8,7 @@
 #include <sys/utsname.h>
 
 #include "build_facts.hpp"
+#include "lab/engines.hpp"
 
 namespace flipside::lab::report {
 
@@ -44,8 +45,7 @@ std::vector<std::pair<std::string, std::string>> build_facts() {
             {"System", std::string(system.sysname) + " " + system.release + ", " + system.machine},
             {"Compiler", compiler()},
             {"Flags", facts::flags},
-            {"Libraries", "Box2D " + std::string(facts::box2d) + ", Boost " + facts::boost +
-                              ", nlohmann-json " + json_version()},
+            {"Libraries", libraries() + "; Boost " + facts::boost + ", nlohmann-json " + json_version()},
             {"Commit", facts::commit}};
 }
 

@@ -5,6 +5,7 @@
 #include "lab/assets.hpp"
 #include "lab/csv.hpp"
 #include "lab/csv_table.hpp"
+#include "lab/engines.hpp"
 #include "lab/report/chapter.hpp"
 #include "lab/report/recording.hpp"
 #include "lab/text_stream.hpp"
@@ -60,7 +61,7 @@ Content show_growth(const Effort& effort, const Data& data) {
     Figure time{"growth-time",
                 "Rain: CPU time per ball and step",
                 {"balls", "balls", true},
-                {"CPU time per ball and step, ns", "cpu_ns_per_ball_step", true},
+                {"CPU time per ball and step, ns (" + libraries() + ")", "cpu_ns_per_ball_step", true},
                 {},
                 {},
                 "A level curve means that twice the balls take twice the time; the distance between two "

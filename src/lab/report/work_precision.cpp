@@ -3,6 +3,7 @@
 #include <limits>
 #include <map>
 
+#include "lab/engines.hpp"
 #include "lab/pair_tests.hpp"
 #include "lab/report/chapter.hpp"
 #include "lab/sweep/summary.hpp"
@@ -58,7 +59,7 @@ Figure work_figure(const std::vector<sweep::Figures>& all, const std::string& va
     const auto cost = [](const sweep::Figures& f) { return std::isnan(f.cpu_min) ? infinity : f.cpu_min; };
     return {"work-" + variant,
             "Work and precision: " + variant,
-            {"CPU seconds per simulated second", "cpu_seconds_per_second", true},
+            {"CPU seconds per simulated second (" + libraries() + ")", "cpu_seconds_per_second", true},
             {"median error at the end of a window, radii", "median_error", true, floor_radii},
             curves(all, variant, cost),
             {},

@@ -25,6 +25,9 @@ TEST(Gates, PassEveryBallWhileOpen) {
 TEST(Gates, LetGoOfWhatLiesOnThemWhenTheyOpen) {
     flipside::test::expect_an_opened_gate_to_let_go(sleepless);
 }
+TEST(Gates, AreLeftByABallThatIsLost) {
+    flipside::test::expect_a_lost_ball_to_leave(sleepless);
+}
 TEST(Gates, DecideAboutWhatBeginsInThem) {
     flipside::test::expect_a_start_in_a_gate_to_be_decided(sleepless);
 }
