@@ -101,9 +101,9 @@ const Engine& engine() {
     static const Engine box2d_engine{
         .name = "box2d",
         .about = "single precision, time stepping with an iterative solver, continuous collision",
-        .library = name_and_version,
         .settings = specs,
         .make = make,
+        .library = name_and_version,
     };
     return box2d_engine;
 }

@@ -14,12 +14,12 @@ namespace flipside {
 struct Engine {
     std::string_view name;   ///< as on the command line
     std::string_view about;  ///< one line
-    /// Name and version of the library that it is, as "Box2D 2.4.1"; empty where it is ours. Belongs beside
-    /// every figure of its speed.
-    std::string_view library;
     std::span<const SettingSpec> settings;
     /// Makes a world at time 0 with the scene's balls. Throws InputError for a scene it cannot run.
     std::unique_ptr<World> (*make)(std::shared_ptr<const Scene> scene, const Settings& settings);
+    /// Name and version of the library that it is, as "Box2D 2.4.1"; empty where it is ours. Belongs beside
+    /// every figure of its speed.
+    std::string_view library{};
 };
 
 }  // namespace flipside
