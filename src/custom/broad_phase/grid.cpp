@@ -346,7 +346,7 @@ class Grid final : public BroadPhase {
         entries_.resize(sum);
         // Their places lie anywhere in memory.
         const auto prepare = [&](std::uint32_t i) {
-            if (home_[i] != nobody) fetch(entries_[begin_[home_[i]]]);
+            if (home_[i] != nobody) fetch(entries_[begin_[home_[i]] - 1]);
         };
         each_prepared(Places{0, moving_.size()}, prepare, [&](std::uint32_t i) {
             if (home_[i] != nobody) entries_[--begin_[home_[i]]] = entry_of(i, home_[i]);
