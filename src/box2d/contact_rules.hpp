@@ -40,6 +40,9 @@ class ContactRules : public b2ContactListener, public b2ContactFilter {
     [[nodiscard]] const std::vector<Impact>& impacts();
     void clear();
 
+    /// Lets through what touches or meets the gate from now on.
+    void open_gate(PartIndex part, const b2Body& gate);
+
     bool ShouldCollide(b2Fixture* a, b2Fixture* b) override;
     void PreSolve(b2Contact* contact, const b2Manifold* old) override;
     void PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) override;
@@ -47,7 +50,6 @@ class ContactRules : public b2ContactListener, public b2ContactFilter {
   private:
     [[nodiscard]] const Ball& ball_of(b2Fixture& fixture) const;
     [[nodiscard]] bool meets_gate(const Meeting& meeting, double approach);
-    void open_gate(PartIndex part, const b2Body& gate);
 
     Table& table_;
     const std::vector<Ball>& balls_;

@@ -5,6 +5,7 @@
 #include <box2d/b2_circle_shape.h>
 
 #include "box2d/shapes.hpp"
+#include "world/gate.hpp"
 #include "world/input_error.hpp"
 #include "world/surface.hpp"
 
@@ -98,6 +99,16 @@ void Box2dWorld::add_body(const Ball& ball) {
     mass.center.SetZero();
     mass.I = static_cast<float>(inertia(ball) * units_.scale * units_.scale);
     bodies_.back()->SetMassData(&mass);
+
+    for (const PartIndex gate : gates_)
+        if (begins_in_gate(gate, ball)) rules_.open_gate(gate, *parts_[gate]);
+}
+
+/// Whether the ball, which joins, is on its way through the gate.
+bool Box2dWorld::begins_in_gate(PartIndex gate, const Ball& ball) const {
+    const Part& part = table_.scene().parts[gate];
+    return layers_meet(ball, part) && !table_.is_blocked(gate, ball.number) &&
+           begins_deep(*gate_of(part), table_.pose(gate).undo(ball.position), ball.radius);
 }
 
 void Box2dWorld::find_pairs() {

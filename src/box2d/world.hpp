@@ -49,6 +49,7 @@ class Box2dWorld : public World {
     void build();  ///< a fresh Box2D world from the table's parts and balls_
     void add_part(PartIndex part);
     void add_body(const Ball& ball);
+    [[nodiscard]] bool begins_in_gate(PartIndex gate, const Ball& ball) const;
     void remove_at(std::size_t place);
     [[nodiscard]] std::size_t place_of(BallNumber number) const;  ///< balls_.size() if there is none
     void find_pairs();  ///< of what was added or moved since the last step

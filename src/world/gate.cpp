@@ -1,5 +1,6 @@
 #include "world/gate.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace flipside {
@@ -15,6 +16,12 @@ constexpr double place_rounding = 256 * 0x1p-53;
 constexpr double along_line = 1e-9;
 
 }  // namespace
+
+bool begins_deep(const shape::Gate& gate, Vec2 center, double radius) {
+    const Vec2 along = gate.b - gate.a;
+    const double share = std::clamp(dot(center - gate.a, along) / length_squared(along), 0.0, 1.0);
+    return length(center - (gate.a + share * along)) < deep_in_gate * radius;
+}
 
 bool lets_through(const shape::Gate& gate, Vec2 center, Vec2 velocity, double radius) {
     const Vec2 across = perp(unit(gate.b - gate.a));

@@ -27,6 +27,9 @@ inline constexpr double gate_clearance = 1e-9;
 /// A ball whose centre begins nearer than this to the segment, in radii, begins deep in the gate.
 inline constexpr double deep_in_gate = 0.5;
 
+/// Whether a ball that begins with its centre at `center`, in the pose of the scene file, begins deep in it.
+[[nodiscard]] bool begins_deep(const shape::Gate& gate, Vec2 center, double radius);
+
 /// Whether a closed gate lets a ball through that meets it with its centre at `center`. Both in the pose of
 /// the scene file; the velocity is that of the ball's centre as seen from the gate.
 [[nodiscard]] bool lets_through(const shape::Gate& gate, Vec2 center, Vec2 velocity, double radius);

@@ -109,6 +109,19 @@ TEST(ContactRules, gatePassesAlongItsNormalAndStaysOpenWhileOccupied) {
     }
 }
 
+// What begins deep in a gate is on its way through, whichever side its centre is on.
+TEST(ContactRules, gatePassesWhatBeginsDeepInIt) {
+    for (const double share : {-0.9, -0.4, 0.0, 0.4, 0.9}) {
+        Weightless top;
+        top.part(shape::Gate{{-0.1, 0}, {0.1, 0}, {0, 1}});
+        top.ball({0, share * radius}, {0, -1});
+        const auto world = top.world();
+        run(*world, 0.05, [] {});
+        const bool is_deep = std::abs(share) < 0.5, is_behind = share < 0;
+        EXPECT_EQ(world->balls()[0].velocity.y < 0, is_deep || is_behind) << share;
+    }
+}
+
 TEST(ContactRules, gateLetsABallTurnBackInside) {
     Weightless top;
     top.part(shape::Gate{{-0.1, 0}, {0.1, 0}, {0, 1}});

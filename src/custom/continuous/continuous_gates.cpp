@@ -31,8 +31,7 @@ void ContinuousSolver::settle_gate(Table& table, std::vector<Ball>& balls, PartI
     const auto passes = [&, &pose = pose, &rate = rate](const Ball& ball) {
         if (table.parts()[part].open || inside(ball.number, part)) return true;
         if (table.is_blocked(part, ball.number)) return false;
-        const double distance = distance_to(part, ball.position, ball.radius, pose) + ball.radius;
-        if (distance < deep_in_gate * ball.radius) return true;
+        if (begins_deep(*gate_of(scene_.parts[part]), pose.undo(ball.position), ball.radius)) return true;
         const Vec2 relative = ball.velocity - cross(rate, ball.position - pose.pivot);
         return flipside::lets_through(*gate_of(scene_.parts[part]), pose.undo(ball.position),
                                       rotated(relative, -pose.angle), ball.radius);
