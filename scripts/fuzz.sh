@@ -46,7 +46,7 @@ run() {
     mkdir -p "$folder/corpus/$target" "$folder/findings/$target"
     log=$folder/logs/$target.$BASHPID.$(date +%s)
     mapfile -t inputs < <(find "tests/fuzz/corpus/$target" "tests/fuzz/regressions/$target" -maxdepth 0 2>/dev/null)
-    "build/$preset/tests/fuzz/fuzz_$target" -max_total_time="$2" -seed=$seed -timeout=60 -entropic=0 -mutate_depth=1 -rss_limit_mb=3000 -max_len=8000 \
+    "build/$preset/tests/fuzz/fuzz_$target" -max_total_time="$2" -seed=$seed -timeout=600 -entropic=0 -mutate_depth=1 -rss_limit_mb=3000 -max_len=8000 \
         -dict=tests/fuzz/json.dict -artifact_prefix="$folder/findings/$target/" -print_final_stats=1 \
         "$folder/corpus/$target" "${inputs[@]}" \
         >"$log" 2>&1 || status=$?
