@@ -66,6 +66,7 @@ make_bare_system() {
     mirror=$(sed -n "s/ $release\$//p" <<<"$sources" | head -n 1)
     echo "Debian $release from $mirror in $root"
     in_namespaces debootstrap --variant=minbase --include=ca-certificates "$release" "$root" "$mirror"
+    chmod 755 "$root"  # mktemp leaves it to root alone, and everything in it with it
     sed 's/^/deb /; s/$/ main/' <<<"$sources" >"$root/etc/apt/sources.list"
     apt-config dump Acquire | grep -E '^Acquire::(https?::|Retries|Check-|ForceIPv)' >"$root/etc/apt/apt.conf.d/80host" ||
         true  # none set

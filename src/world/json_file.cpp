@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <fstream>
+#include <new>
 #include <numbers>
 
 #include "world/input_error.hpp"
@@ -114,6 +115,7 @@ std::string read_file(const std::filesystem::path& file, std::uintmax_t largest)
         throw InputError(name, "",
                          "this file is too large; allowed are " + std::to_string(largest >> 20U) + " MB");
     std::ifstream stream(file, std::ios::binary);
+    if (!stream && errno == ENOMEM) throw std::bad_alloc();  // that is no fault of the file
     if (!stream) throw InputError(name, "", "cannot be read: " + std::generic_category().message(errno));
     std::string text(size, '\0');
     if (!stream.read(text.data(), static_cast<std::streamsize>(size)))

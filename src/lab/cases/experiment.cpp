@@ -20,7 +20,7 @@ struct Limits {
     std::uint64_t steps;
     double cpu_seconds;
 };
-constexpr Limits full_limits{4'000'000, 60}, quick_limits{200'000, 20};
+constexpr Limits full_limits{4'000'000, 60}, quick_limits{200'000, 60};
 
 const Limits& limits_of(const CaseInput& input) {
     return input.quick ? quick_limits : full_limits;
