@@ -61,7 +61,7 @@ struct GasSample {
 /// which is off there for a while is off in the pressure and in the packing alike.
 GasSample gas_sample(Experiment& experiment, double side, int n, std::uint64_t seed) {
     constexpr double settling = 0.5;  // s, several impacts per ball at the least
-    const double seconds = experiment.size(6.0, 1.0), margin = std::min(side / 4, 8 * radius);
+    const double seconds = experiment.size(6.0, 1.5), margin = std::min(side / 4, 8 * radius);
     const Box middle{{margin, margin}, {side - margin, side - margin}};
     Scene scene = walled(side);
     Dice dice(seed);
