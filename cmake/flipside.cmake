@@ -33,7 +33,7 @@ if(FLIPSIDE_SANITIZE)
     target_compile_options(flipside_options INTERFACE
         -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
     # What stays within a vector's capacity is no error to the address sanitizer, but is to the library's own checks.
-    target_compile_definitions(flipside_options INTERFACE _GLIBCXX_ASSERTIONS)
+    target_compile_definitions(flipside_options INTERFACE _GLIBCXX_ASSERTIONS FLIPSIDE_SANITIZED)
     # By gcc's own manual the instrumentation makes this warning see ghosts (in std::regex, for one).
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
         target_compile_options(flipside_options INTERFACE -Wno-maybe-uninitialized)

@@ -32,7 +32,7 @@ constexpr double radius = 0.0135;  // m, a pinball
 constexpr double half_box = 0.25;  // m, from the middle to a wall
 constexpr double grazing_cosine = 0.35;
 constexpr double gap_rounding = 1e-14;  // m
-constexpr int throws_per_kind = 1000;
+constexpr int throws_per_kind = flipside::test::in_small ? 200 : 1000;
 
 double uniform(std::mt19937_64& random, double low, double high) {
     return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
