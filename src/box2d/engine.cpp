@@ -1,9 +1,6 @@
 #include "box2d/engine.hpp"
 
 #include <algorithm>
-#include <string>
-
-#include <box2d/b2_common.h>
 
 #include "box2d/world.hpp"
 
@@ -89,22 +86,17 @@ std::unique_ptr<World> make(std::shared_ptr<const Scene> scene, const Settings& 
     return std::make_unique<Box2dWorld>(std::move(scene), options);
 }
 
-std::string library() {
-    return "Box2D " + std::to_string(b2_version.major) + "." + std::to_string(b2_version.minor) + "." +
-           std::to_string(b2_version.revision);
-}
+constexpr Engine box2d_engine{
+    .name = "box2d",
+    .about = "single precision, time stepping with an iterative solver, continuous collision",
+    .settings = specs,
+    .make = make,
+    .library = "Box2D " FLIPSIDE_BOX2D_VERSION,
+};
 
 }  // namespace
 
 const Engine& engine() {
-    static const std::string name_and_version = library();
-    static const Engine box2d_engine{
-        .name = "box2d",
-        .about = "single precision, time stepping with an iterative solver, continuous collision",
-        .settings = specs,
-        .make = make,
-        .library = name_and_version,
-    };
     return box2d_engine;
 }
 
