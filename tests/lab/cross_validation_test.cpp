@@ -20,6 +20,7 @@
 
 #include <gtest/gtest.h>
 
+#include "in_small.hpp"
 #include "lab/engines.hpp"
 
 namespace flipside {
