@@ -102,6 +102,8 @@ class Run {
         Settings settings = lab::settings_for(*contender_.engine, *ride_.scene);
         for (const auto& [name, value] : contender_.settings) settings.set(name, value);
         if (contender_.engine != &custom::engine()) return settings;
+        // A scene may recommend so few events that the step is left to the solver that tunnels.
+        if (ride_.closed) settings.set("max_impacts", Settings(settings.specs()).text("max_impacts"));
         for (const SettingSpec& spec : settings.specs())
             if (spec.name == "broad_phase")
                 settings.set(spec.name, spec.choices[ride_.variation % spec.choices.size()]);
