@@ -2,10 +2,13 @@
 /// What the rule of gates (world/gate.hpp) means for an engine that orders events by time, in scenes that are
 /// not among the hard cases: turned, shifted, of other sizes, at several steps, saved and restored.
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <numbers>
 #include <random>
+#include <string>
 
 #include <gtest/gtest.h>
 

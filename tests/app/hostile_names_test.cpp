@@ -1,6 +1,8 @@
 /// Names from files and arguments that a terminal, a shell, a page, a spreadsheet or a path would take for
 /// more than names, through everything that the commands write.
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "command_line.hpp"
