@@ -33,8 +33,10 @@ TEST(EveryOrientation, GateEnd) {
 }
 
 TEST(EveryOrientation, SmoothJoint) {
-    for (const double dt : {1.0 / 30, 1.0 / 60, 1.0 / 97, 1.0 / 240, 1.0 / 1000})
+    for (const double dt : {1.0 / 30, 1.0 / 60, 1.0 / 97, 1.0 / 240, 1.0 / 1000}) {
+        if (flipside::test::in_small && dt < 1.0 / 240) continue;  // more steps than a quick case may take
         expect_pass_everywhere("smooth-joint", "custom", {"solver=continuous"}, dt);
+    }
     for (const double dt : {1.0 / 30, 1.0 / 240}) expect_pass_everywhere("smooth-joint", "reference", {}, dt);
 }
 
