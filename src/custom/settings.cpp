@@ -16,7 +16,7 @@ constexpr SettingSpec specs[] = {
               "exact time; auto: continuous while there are at most 64 balls"},
     {.name = "max_impacts",
      .type = SettingType::integer,
-     .initial = 1'000'000,
+     .initial = 500'000,
      .min = 1,
      .max = 1e9,
      .about = "events that the continuous solver handles in one step before it leaves the step to the "

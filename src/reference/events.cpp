@@ -42,7 +42,7 @@ void Simulation<R>::keep_order(Mover& mover) {
         mover.busy = 0;
     }
     // A billiard that spells out pi has 314,159 collisions in a moment.
-    constexpr std::uint32_t most_in_run = 5'000'000;
+    constexpr std::uint32_t most_in_run = 500'000;
     if (++mover.events > most_in_run)
         throw Refusal("reference: ball " + std::to_string(mover.ball.number) + " has more than " +
                       std::to_string(most_in_run) + " events in one step" + at_time(now_));
