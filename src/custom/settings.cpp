@@ -4,15 +4,16 @@ namespace flipside::custom {
 
 namespace {
 
-constexpr std::string_view solvers[] = {"discrete", "continuous", "auto"};
+constexpr std::string_view solvers[] = {"simple", "discrete", "continuous", "auto"};
 constexpr std::string_view broad_phases[] = {"brute", "quadtree", "adaptive", "grid", "sweep", "auto"};
 
 constexpr SettingSpec specs[] = {
     {.name = "solver",
      .type = SettingType::choice,
-     .initial = 2,
+     .initial = 3,
      .choices = solvers,
-     .about = "discrete: fly, push out, reflect, several times a step; continuous: every impact at its "
+     .about = "simple: the loop of a toy, to be read; fast balls tunnel, heaps overlap; discrete: fly, push "
+              "out, reflect, several times a step; continuous: every impact at its "
               "exact time; auto: continuous while there are at most 64 balls"},
     {.name = "max_impacts",
      .type = SettingType::integer,

@@ -4,12 +4,10 @@
 
 #include "custom/broad_phase/near_list.hpp"
 #include "custom/layout.hpp"
+#include "custom/tolerances.hpp"
 #include "world/events.hpp"
 
 namespace flipside::custom {
-
-/// Surfaces nearer than this many radii count as touching.
-inline constexpr double touch_distance = 1e-4;
 
 /// A ball inside a sensor.
 struct Sensed {

@@ -24,6 +24,7 @@ CustomWorld::CustomWorld(std::shared_ptr<const Scene> scene, const Settings& set
       table_(scene_),
       layout_(*scene_),
       broad_(make_broad_phase(*scene_, layout_.still_proxies(), settings)),
+      simple_(*scene_, layout_, settings_),
       discrete_(*scene_, layout_, settings_),
       continuous_(table_, layout_, settings_, discrete_),
       sleep_(settings_.sleep_speed, length(scene_->gravity)),
@@ -37,6 +38,7 @@ CustomWorld::CustomWorld(std::shared_ptr<const Scene> scene, const Settings& set
 /// Lists grow here, when balls join, and hardly ever in a step.
 void CustomWorld::make_room() {
     custom::make_room(balls_, balls_.size() + 1);
+    if (steps_simply()) simple_.reserve(balls_.size());
     discrete_.reserve(balls_.size());
     guard_.reserve(balls_.capacity(), std::max(least_room, balls_.capacity() * contacts_per_ball));
     if (steps_continuously()) continuous_.reserve(balls_.size());
@@ -60,21 +62,25 @@ void CustomWorld::make_step(double dt) {
     record_.broad_seconds = record_.flight_seconds = record_.contact_seconds = record_.report_seconds = 0;
 
     launch();
-    if (settings_.sleep) sleep_.watch(balls_, dt);
+    if (falls_asleep()) sleep_.watch(balls_, dt);
     const bool continuous = steps_continuously();
     if (continuous && !was_continuous_) continuous_.reset(table_, balls_);
     was_continuous_ = continuous;
-    if (continuous)
+    if (steps_simply())
+        simple_.step(table_, balls_, dt, *broad_, record_);
+    else if (continuous)
         continuous_.step(table_, balls_, dt, *broad_, record_);
     else
         discrete_.step(table_, balls_, dt, *broad_, record_);
 
     table_.advance(dt);
-    if (continuous)
+    if (steps_simply())
+        report_simple();
+    else if (continuous)
         report_continuous();
     else
         report_discrete();
-    any_asleep_ |= settings_.sleep && sleep_.settle(balls_, contacts(), dt);
+    any_asleep_ |= falls_asleep() && sleep_.settle(balls_, contacts(), dt);
     touches_.wake_unsupported(balls_, scene_->gravity);
     fill_statistics(box_tests() - tests_before);
 }
@@ -96,6 +102,17 @@ void CustomWorld::look_over_all() {
     look_over([&](auto&& see) {
         for (std::size_t i = 0; i < balls_.size(); ++i) see(i, balls_[i]);
     });
+}
+
+void CustomWorld::report_simple() {
+    Stopwatch watch;
+    look_over_all();
+    lose_balls();
+    touches_.refresh(layout_, table_, balls_, *broad_, discrete_.near(), true);
+    touches_.report_touches(time(), record_.events);
+    touches_.report_sensors(time(), record_.crossed, record_.events);
+    sort_events();
+    watch.lap(record_.report_seconds);
 }
 
 void CustomWorld::report_continuous() {
@@ -184,7 +201,7 @@ void CustomWorld::fill_statistics(std::uint64_t pair_tests) {
         statistics.broad_phase.name = "list per ball";
         return;
     }
-    statistics.solver = "discrete";
+    statistics.solver = steps_simply() ? "simple" : "discrete";
     statistics.broad_phase = broad_->facts();
     statistics.stages[0] = {"broad phase", record_.broad_seconds};
     statistics.stages[1] = {"flight", record_.flight_seconds};

@@ -5,6 +5,7 @@
 
 #include "custom/continuous/continuous_solver.hpp"
 #include "custom/engine.hpp"
+#include "custom/simple/simple_solver.hpp"
 #include "custom/sleep.hpp"
 #include "world/step_guard.hpp"
 #include "world/world.hpp"
@@ -32,7 +33,9 @@ class CustomWorld final : public World {
     void inspect(Inspector& inspector) const override;
 
   private:
+    [[nodiscard]] bool steps_simply() const { return settings_.solver == "simple"; }
     [[nodiscard]] bool steps_continuously() const;
+    [[nodiscard]] bool falls_asleep() const { return settings_.sleep && !steps_simply(); }
     [[nodiscard]] std::uint64_t box_tests() const;
     void make_step(double dt);
     void launch();
@@ -40,6 +43,7 @@ class CustomWorld final : public World {
     bool look_over(auto&& each_ball);
     void look_over_all();
     bool lose_balls();
+    void report_simple();
     void report_continuous();
     void report_discrete();
     void sort_events();
@@ -53,6 +57,7 @@ class CustomWorld final : public World {
     Table table_;
     Layout layout_;
     std::unique_ptr<BroadPhase> broad_;
+    SimpleSolver simple_;
     DiscreteSolver discrete_;
     ContinuousSolver continuous_;
     bool was_continuous_ = false;  ///< the last step was, and nothing was removed or restored since

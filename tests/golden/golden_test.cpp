@@ -48,7 +48,10 @@ constexpr Golden golden[] = {
     {"pinball", "reference", 600, 0x1d0719ff}, {"rain", "discrete", 120, 0xb5d993bf},
     {"rain", "continuous", 120, 0x19d92028},   {"rain", "reference", 60, 0x0bb4f183},
     {"toy", "discrete", 600, 0xb9e30661},      {"toy", "continuous", 600, 0x8f56130f},
-    {"toy", "reference", 600, 0xe248d956},
+    {"toy", "reference", 600, 0xe248d956},     {"bowl", "simple", 600, 0xcb908546},
+    {"box", "simple", 600, 0x581d0c9d},        {"cradle", "simple", 600, 0x298368f9},
+    {"drop", "simple", 600, 0x687ee19f},       {"pinball", "simple", 600, 0x79524f9d},
+    {"rain", "simple", 120, 0x2ce49644},       {"toy", "simple", 600, 0x7ce8729e},
 };
 
 void PrintTo(const Golden& g, std::ostream* out) {
@@ -144,7 +147,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, ContinuousHash,
 
 TEST(GoldenHashes, CoverEveryScene) {
     for (const std::string& name : scene_names())
-        for (const std::string_view how : {"discrete", "continuous", "reference"})
+        for (const std::string_view how : {"simple", "discrete", "continuous", "reference"})
             EXPECT_TRUE(
                 std::ranges::any_of(golden, [&](const Golden& g) { return g.scene == name && g.how == how; }))
                 << name << ' ' << how;

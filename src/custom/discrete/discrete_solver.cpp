@@ -3,12 +3,11 @@
 #include <algorithm>
 
 #include "custom/broad_phase/room.hpp"
+#include "custom/decide_gate.hpp"
 #include "custom/flight.hpp"
 #include "custom/geometry/sweep.hpp"
 #include "custom/sift.hpp"
 #include "custom/stopwatch.hpp"
-#include "custom/touch_list.hpp"
-#include "world/gate.hpp"
 
 namespace flipside::custom {
 
@@ -267,35 +266,13 @@ double DiscreteSolver::first_touch_of(const Ball& ball, PieceIndex index, double
 /// Balls that a closed gate meets are blocked by it, or open it, by the side on which they were before they
 /// flew into it; an open one stays so while any is in it.
 void DiscreteSolver::watch_gates() {
-    for (const PartIndex part : gates_) {
-        const shape::Gate& gate = *gate_of(scene_.parts[part]);
-        const Pose before = table_->pose(part, span_.begin), now = table_->pose(part, span_.end);
-        const Piece line{piece::Segment{gate.a, gate.b}, part};
-        const auto distance = [&](const Ball& ball) {
-            ++record_->statistics.narrow_tests;
-            return touch(ball.position, ball.radius, line, now).separation;
-        };
-        std::erase_if(table_->blocked(), [&](const Blocked& blocked) {
-            if (blocked.gate != part) return false;
-            const auto ball = std::ranges::find(*balls_, blocked.ball, &Ball::number);
-            return ball != balls_->end() && distance(*ball) > touch_distance * ball->radius;
-        });
-        bool occupied = false;
-        for (const Candidate& candidate : candidates_) {
-            if (layout_.piece(candidate.piece).part != part) continue;
-            const Ball& ball = (*balls_)[candidate.ball];
-            if (distance(ball) >= 0) continue;
-            const Vec2 came_from = before.undo(so_far_[candidate.ball].start);
-            const bool is_blocked =
-                !table_->parts()[part].open &&
-                (table_->is_blocked(part, ball.number) ||
-                 !lets_through(gate, came_from, rotated(ball.velocity, -now.angle), ball.radius));
-            occupied = occupied || !is_blocked;
-            if (is_blocked) table_->set_blocked(part, ball.number, true);
-        }
-        table_->set_open(part, occupied);
-        if (occupied) std::erase_if(table_->blocked(), [&](const Blocked& b) { return b.gate == part; });
-    }
+    for (const PartIndex part : gates_)
+        decide_gate(*table_, part, span_.begin, span_.end, *balls_, record_->statistics.narrow_tests,
+                    [&](auto&& visit) {
+                        for (const Candidate& candidate : candidates_)
+                            if (layout_.piece(candidate.piece).part == part)
+                                visit((*balls_)[candidate.ball], so_far_[candidate.ball].start);
+                    });
 }
 
 /// Sensors note what crossed them on its way.

@@ -24,22 +24,10 @@
 #include "custom/layout.hpp"
 #include "custom/response.hpp"
 #include "custom/settings.hpp"
-#include "custom/touch_list.hpp"
-#include "world/events.hpp"
-#include "world/statistics.hpp"
+#include "custom/step_record.hpp"
+#include "custom/tolerances.hpp"
 
 namespace flipside::custom {
-
-/// What a step leaves behind for its readers.
-struct StepRecord {
-    std::vector<Event> events;
-    std::vector<Sensed> crossed;  ///< sensors met
-    Statistics statistics;
-    double broad_seconds = 0, flight_seconds = 0, contact_seconds = 0, report_seconds = 0;
-};
-
-/// Overlaps up to this, in radii, are rounding and left alone.
-inline constexpr double overlap_slop = 1e-9;
 
 /// Those who fly free keep at least this far from everything, in radii: farther than what counts as touch or
 /// as pressing.

@@ -1,0 +1,44 @@
+#pragma once
+/// Gates for the solvers that look at balls after they have moved. The rule is in world/gate.hpp.
+
+#include <algorithm>
+
+#include "custom/geometry/narrow_phase.hpp"
+#include "custom/touch_list.hpp"
+#include "world/gate.hpp"
+
+namespace flipside::custom {
+
+/// Decides for each ball that has come to overlap a gate whether it is let through, and opens the gate while
+/// a ball that was let through overlaps it. The balls moved between `begin` and `end`, in seconds from the
+/// table's time. `each_near(visit)` is to call visit(ball, centre before) for each ball whose box overlaps
+/// the gate's; more are no harm. `tests` counts the tests of shapes.
+void decide_gate(Table& table, PartIndex part, double begin, double end, const std::vector<Ball>& balls,
+                 std::uint64_t& tests, auto&& each_near) {
+    const shape::Gate& gate = *gate_of(table.scene().parts[part]);
+    const Pose before = table.pose(part, begin), now = table.pose(part, end);
+    const Piece line{piece::Segment{gate.a, gate.b}, part};
+    const auto separation = [&](const Ball& ball) {
+        ++tests;
+        return touch(ball.position, ball.radius, line, now).separation;
+    };
+    std::erase_if(table.blocked(), [&](const Blocked& blocked) {
+        if (blocked.gate != part) return false;
+        const auto ball = std::ranges::find(balls, blocked.ball, &Ball::number);
+        return ball != balls.end() && separation(*ball) > touch_distance * ball->radius;
+    });
+    const bool was_open = table.parts()[part].open;
+    bool occupied = false;
+    each_near([&](const Ball& ball, Vec2 came_from) {
+        if (separation(ball) >= 0) return;
+        const bool is_blocked = !was_open && (table.is_blocked(part, ball.number) ||
+                                              !lets_through(gate, before.undo(came_from),
+                                                            rotated(ball.velocity, -now.angle), ball.radius));
+        occupied = occupied || !is_blocked;
+        if (is_blocked) table.set_blocked(part, ball.number, true);
+    });
+    table.set_open(part, occupied);
+    if (occupied) std::erase_if(table.blocked(), [&](const Blocked& b) { return b.gate == part; });
+}
+
+}  // namespace flipside::custom

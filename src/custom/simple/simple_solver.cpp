@@ -1,0 +1,135 @@
+#include "custom/simple/simple_solver.hpp"
+
+#include <algorithm>
+
+#include "custom/broad_phase/room.hpp"
+#include "custom/decide_gate.hpp"
+#include "custom/engine.hpp"
+#include "custom/flight.hpp"
+#include "custom/stopwatch.hpp"
+#include "world/limits.hpp"
+
+namespace flipside::custom {
+
+SimpleSolver::SimpleSolver(const Scene& scene, const Layout& layout, const SolverSettings& settings)
+    : scene_(scene), layout_(layout), settings_(settings) {
+    for (PartIndex part = 0; part < scene.parts.size(); ++part)
+        if (gate_of(scene.parts[part]) != nullptr) gates_.push_back(part);
+}
+
+void SimpleSolver::reserve(std::size_t balls) {
+    make_room(started_, balls);
+    make_room(moving_, layout_.size() + balls);
+    make_room(pairs_, balls, pairs_per_ball);
+}
+
+void SimpleSolver::step(Table& table, std::vector<Ball>& balls, double dt, BroadPhase& broad,
+                        StepRecord& record) {
+    table_ = &table, balls_ = &balls, record_ = &record;
+    const double duration = dt / settings_.motion_iterations;
+    const Stretch interval(scene_.damping, duration);
+    Stopwatch watch;
+    for (int motion = 1; motion <= settings_.motion_iterations; ++motion) {
+        ahead_ = motion * duration;
+        move_balls(interval);
+        watch.lap(record.flight_seconds);
+        find_pairs(broad);
+        watch.lap(record.broad_seconds);
+        decide_gates(duration);
+        for (int round = 1; round <= settings_.collision_iterations; ++round)
+            if (!respond_to_pairs(duration)) break;
+        watch_sensors();
+        watch.lap(record.contact_seconds);
+        ++record.statistics.substeps;
+    }
+}
+
+void SimpleSolver::move_balls(const Stretch& interval) {
+    started_.clear();
+    for (Ball& ball : *balls_) {
+        started_.push_back(ball.position);
+        ball.asleep = false;  // another solver may have left it so
+        fly_freely(ball, scene_.gravity, interval);
+    }
+}
+
+void SimpleSolver::find_pairs(BroadPhase& broad) {
+    const auto box_of = [](const Ball& ball) { return bounds_of(ball.position, ball.radius); };
+    layout_.place(*table_, *balls_, ahead_, ahead_, true, box_of, moving_);
+    broad.find_pairs(moving_, pairs_);
+}
+
+/// Gates are decided from where the balls were before they moved.
+void SimpleSolver::decide_gates(double duration) {
+    for (const PartIndex part : gates_)
+        decide_gate(*table_, part, ahead_ - duration, ahead_, *balls_, record_->statistics.narrow_tests,
+                    [&](auto&& visit) {
+                        for (const Pair pair : pairs_)
+                            if (!is_ball(pair.a) && layout_.piece(pair.a).part == part)
+                                visit(ball_of(pair.b), started_[index_of(pair.b)]);
+                    });
+}
+
+/// One collision iteration: narrow phase and response of every pair, in order. What one response moves, the
+/// next one sees. Returns whether any shapes overlapped.
+bool SimpleSolver::respond_to_pairs(double duration) {
+    const Surroundings around{scene_.gravity, scene_.rest_speed, 0, duration};
+    bool any = false;
+    for (const Pair pair : pairs_)
+        any |= is_ball(pair.a) ? respond_to_ball(ball_of(pair.a), ball_of(pair.b), around)
+                               : respond_to_piece(ball_of(pair.b), pair.a, around);
+    return any;
+}
+
+bool SimpleSolver::respond_to_piece(Ball& ball, PieceIndex index, const Surroundings& around) {
+    const Piece& piece = layout_.piece(index);
+    const Pose pose = layout_.pose(*table_, index, ahead_);
+    if (!layout_.stops(*table_, index, pose, ball)) return false;
+    ++record_->statistics.narrow_tests;
+    const Touch found = touch(ball.position, ball.radius, piece, pose);
+    if (found.separation >= -overlap_slop * ball.radius || found.past_end) return false;
+    ++record_->statistics.contacts;
+    const Vec2 surface_velocity = cross(layout_.rate(*table_, index, ahead_), found.point - pose.pivot);
+    const Impact impact = respond(ball, found, surface_velocity, layout_.mixed(ball, index), around);
+    push_out(ball, found);
+    if (impact.happened) {
+        report(ball, Other::part(piece.part), impact, found.point);
+        if (scene_.parts[piece.part].target) table_->set_down(piece.part, true);
+    }
+    return true;
+}
+
+bool SimpleSolver::respond_to_ball(Ball& lower, Ball& upper, const Surroundings& around) {
+    ++record_->statistics.narrow_tests;
+    const Touch found = touch(lower.position, lower.radius, upper.position, upper.radius);
+    if (found.separation >= -overlap_slop * std::min(lower.radius, upper.radius)) return false;
+    ++record_->statistics.contacts;
+    const Impact impact = respond(lower, upper, false, layout_.mixed(lower.material, upper.material), around);
+    push_out(lower, upper, false);
+    if (impact.happened) report(lower, Other::ball(upper.number), impact, found.point);
+    return true;
+}
+
+void SimpleSolver::report(const Ball& ball, Other other, const Impact& impact, Vec2 point) {
+    ++record_->statistics.impacts;
+    const double time = table_->time() + ahead_;
+    if (!within_top_speed(ball)) refuse_speed(engine_name, ball, other, time, scene_);
+    record_->events.push_back(
+        {time, EventKind::impact, ball.number, other, point, impact.normal, impact.speed, impact.impulse});
+}
+
+/// A sensor that a ball passes within one motion iteration is missed, as a wall is.
+void SimpleSolver::watch_sensors() {
+    for (const Pair pair : pairs_) {
+        if (is_ball(pair.a)) continue;
+        const Piece& piece = layout_.piece(pair.a);
+        if (!scene_.parts[piece.part].sensor) continue;
+        const Ball& ball = ball_of(pair.b);
+        ++record_->statistics.narrow_tests;
+        const Pose pose = layout_.pose(*table_, pair.a, ahead_);
+        if (touch(ball.position, ball.radius, piece, pose).separation <= 0)
+            record_->crossed.push_back({ball.number, piece.part});
+    }
+}
+
+}  // namespace flipside::custom

@@ -1,0 +1,69 @@
+#pragma once
+/// The simple solver: the loop of a toy engine, to be read from top to bottom in the order of a step.
+///
+///     motion_iterations × ( move every ball
+///                           broad phase: pairs of overlapping boxes
+///                           gates: which balls are let through
+///                           collision_iterations × ( for each pair: narrow phase, response )
+///                           sensors )
+///
+/// Nothing looks between two positions of a ball. Hence its errors, which it shares with every toy:
+///
+/// - Tunnelling: a ball that moves farther than its diameter in one motion iteration can pass through what is
+///   thinner than that, and a ball whose centre crosses a wall is pushed out on the wrong side.
+/// - An impact is found up to one motion iteration late, so positions are of first order in its duration.
+/// - Overlap: each response sees two shapes alone. In a heap, some overlap is left when the collision
+///   iterations are over, and more of it the heavier the balls above.
+/// - Pairs are answered in order, so the outcome depends on how balls are numbered.
+///
+/// Cost per step: motion_iterations × (broad phase + collision_iterations × pairs). No ball ever sleeps.
+
+#include "custom/flight.hpp"
+#include "custom/layout.hpp"
+#include "custom/response.hpp"
+#include "custom/settings.hpp"
+#include "custom/step_record.hpp"
+#include "custom/tolerances.hpp"
+
+namespace flipside::custom {
+
+class SimpleSolver {
+  public:
+    /// Keeps references to scene, layout and settings.
+    SimpleSolver(const Scene& scene, const Layout& layout, const SolverSettings& settings);
+
+    /// Moves the balls by dt seconds. The table's clock stays; its gates and targets may change.
+    void step(Table& table, std::vector<Ball>& balls, double dt, BroadPhase& broad, StepRecord& record);
+    /// Makes room for so many balls, so that steps allocate nothing.
+    void reserve(std::size_t balls);
+
+  private:
+    void move_balls(const Stretch& interval);
+    void find_pairs(BroadPhase& broad);
+    void decide_gates(double duration);
+    bool respond_to_pairs(double duration);
+    bool respond_to_piece(Ball& ball, PieceIndex index, const Surroundings& around);
+    bool respond_to_ball(Ball& lower, Ball& upper, const Surroundings& around);
+    void report(const Ball& ball, Other other, const Impact& impact, Vec2 point);
+    void watch_sensors();
+
+    [[nodiscard]] bool is_ball(Handle handle) const { return handle >= layout_.size(); }
+    [[nodiscard]] std::size_t index_of(Handle ball) const { return ball - layout_.size(); }
+    [[nodiscard]] Ball& ball_of(Handle ball) { return (*balls_)[index_of(ball)]; }
+
+    const Scene& scene_;
+    const Layout& layout_;
+    const SolverSettings& settings_;
+    std::vector<PartIndex> gates_;
+
+    // Of the step under way.
+    Table* table_ = nullptr;
+    std::vector<Ball>* balls_ = nullptr;
+    StepRecord* record_ = nullptr;
+    double ahead_ = 0;           ///< s from the table's time to the end of this motion iteration
+    std::vector<Vec2> started_;  ///< m, per ball: centre before this motion iteration
+    std::vector<Proxy> moving_;  ///< turning pieces, then balls
+    std::vector<Pair> pairs_;
+};
+
+}  // namespace flipside::custom
