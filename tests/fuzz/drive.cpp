@@ -8,6 +8,7 @@
 #include "box2d/engine.hpp"
 #include "custom/engine.hpp"
 #include "fuzz/oracle.hpp"
+#include "lab/cpu_clock.hpp"
 #include "lab/run_settings.hpp"
 #include "reference/engine.hpp"
 #include "world/state_file.hpp"
@@ -88,10 +89,17 @@ class Run {
         return other;
     }
 
-    /// Ends early where the engine refuses.
-    void steps(int count) {
+    /// Ends early where the engine refuses. False where it was given up because steps are slow: each is held to
+    /// its own limit (CpuLimit), and more of them tell nothing new.
+    bool steps(int count) {
+        constexpr double patience = 1;  // s
+        const lab::CpuStopwatch watch;
         const double dt = lab::step_for(*ride_.scene);
-        for (int i = 0; i < count && !refused_; ++i) step(dt);
+        for (int i = 0; i < count && !refused_; ++i) {
+            if (watch.seconds() > patience) return false;
+            step(dt);
+        }
+        return true;
     }
     [[nodiscard]] bool refused() const { return refused_; }
     [[nodiscard]] const lab::Session& session() const { return session_; }
@@ -199,18 +207,18 @@ void drive(const Contender& contender, const Ride& ride) {
         counts.add(contender.name);
         require_sound_balls(run.session().world());
         const int half = contender.steps / 2;
-        run.steps(half);
+        const bool quick = run.steps(half);
         require_round_trip(run.session());
-        if (run.refused()) return;
+        if (run.refused() || !quick) return;
         Run resumed = run.resumed();
-        run.steps(half);
+        if (!run.steps(half)) return;
         require_round_trip(run.session());
         if (contender.repeats_states) {
-            resumed.steps(half);
+            if (!resumed.steps(half)) return;
             require(resumed.text() == run.text(), "from a saved state the world goes on otherwise");
         } else if (ride.variation % 4 == 0) {
             Run again(contender, ride);
-            again.steps(2 * half);
+            if (!again.steps(half) || !again.steps(half)) return;
             require(again.text() == run.text(), "the same input gives other bits");
         }
     }));
