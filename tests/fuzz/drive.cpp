@@ -167,7 +167,7 @@ const std::vector<Contender>& contenders() {
         made.push_back({"box2d", &box2d::engine(), {}, false, false});
         made.push_back(
             {"reference-53", &reference::engine(), {{"precision", "53"}, {"twin", "off"}}, true, false});
-        made.push_back({"reference-113", &reference::engine(), {{"precision", "113"}}, true, false, 6, 8});
+        made.push_back({"reference-113", &reference::engine(), {{"precision", "113"}}, true, false, 6, 32});
         return made;
     }();
     return all;
