@@ -7,6 +7,8 @@
 #include <csignal>
 #include <string>
 
+#include <poll.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "lab/failure.hpp"
@@ -31,6 +33,15 @@ sigset_t stopping_signals() {
     sigaddset(&set, SIGINT);
     sigaddset(&set, SIGTERM);
     return set;
+}
+
+/// A child that was killed in the midst of opening a file still creates it. Half a second at most; of the
+/// ways to wait for a millisecond poll() is one that a signal handler may use.
+void wait_for_end(pid_t id) noexcept {
+    for (int millisecond = 0; millisecond < 500; ++millisecond) {
+        if (waitpid(id, nullptr, WNOHANG) != 0) return;
+        poll(nullptr, 0, 1);
+    }
 }
 
 }  // namespace
@@ -67,7 +78,10 @@ void UnfinishedChild::note(pid_t id) {
 }
 
 void abandon_unfinished() noexcept {
-    if (const pid_t id = child; id > 0) kill(-id, SIGKILL);
+    if (const pid_t id = child; id > 0) {
+        kill(-id, SIGKILL);
+        wait_for_end(id);
+    }
     for (const Slot& slot : slots)
         if (slot.used) unlink(slot.path.data());
 }

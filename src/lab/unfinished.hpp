@@ -47,8 +47,8 @@ class UnfinishedChild {
     static void note(pid_t id);
 };
 
-/// Kills the noted child with its process group and removes the noted files. Safe in a signal handler, and
-/// meant for one that then ends the program.
+/// Kills the noted child with its process group, waits until it has ended, and removes the noted files. Safe
+/// in a signal handler, and meant for one that then ends the program.
 void abandon_unfinished() noexcept;
 
 }  // namespace flipside::lab
