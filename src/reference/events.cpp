@@ -41,11 +41,11 @@ void Simulation<R>::keep_order(Mover& mover) {
         mover.busy_since = now_;
         mover.busy = 0;
     }
-    // A billiard that spells out pi has 314,159 collisions in a moment.
-    constexpr std::uint32_t most_in_run = 500'000;
-    if (++mover.events > most_in_run)
-        throw Refusal("reference: ball " + std::to_string(mover.ball.number) + " has more than " +
-                      std::to_string(most_in_run) + " events in one step" + at_time(now_));
+    // A billiard that spells out pi has 314,159 collisions in a moment, each with about four searches.
+    constexpr std::uint64_t most_searches = 2'000'000;
+    if (mover.searches > most_searches)
+        throw Refusal("reference: ball " + std::to_string(mover.ball.number) + " needs more than " +
+                      std::to_string(most_searches) + " searches in one step" + at_time(now_));
     if (++mover.busy <= most) return;
     const std::string met = mover.next == Next::feature ? scene_->parts[features_[mover.met].part].name
                             : mover.next == Next::ball

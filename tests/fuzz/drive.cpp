@@ -89,8 +89,8 @@ class Run {
         return other;
     }
 
-    /// Ends early where the engine refuses. False where it was given up because steps are slow: each is held to
-    /// its own limit (CpuLimit), and more of them tell nothing new.
+    /// Ends early where the engine refuses. False where it was given up because steps are slow: each is held
+    /// to its own limit (CpuLimit), and more of them tell nothing new.
     bool steps(int count) {
         constexpr double patience = 1;  // s
         const lab::CpuStopwatch watch;
@@ -122,7 +122,7 @@ class Run {
         const double before = session_.world().time();
         const State saved = session_.world().save();
         {
-            const CpuLimit limit(longest_answer);
+            const CpuLimit limit(contender_.slowness * longest_answer);
             refused_ = !accepted([&] { session_.step(dt, ride_.script, next_); });
         }
         require_sound_balls(session_.world());
@@ -167,7 +167,8 @@ const std::vector<Contender>& contenders() {
         made.push_back({"box2d", &box2d::engine(), {}, false, false});
         made.push_back(
             {"reference-53", &reference::engine(), {{"precision", "53"}, {"twin", "off"}}, true, false});
-        made.push_back({"reference-113", &reference::engine(), {{"precision", "113"}}, true, false, 6, 32});
+        made.push_back(
+            {"reference-113", &reference::engine(), {{"precision", "113"}}, true, false, 6, 32, 10});
         return made;
     }();
     return all;

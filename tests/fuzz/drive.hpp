@@ -21,6 +21,7 @@ struct Contender {
     bool repeats_states;  ///< continues from a saved state with the same bits
     int steps = 20;       ///< a ride takes: fewer where a step takes long,
     unsigned one_in = 1;  ///< and by one input in so many
+    double slowness = 1;  ///< how much longer than others it may take for a step
 };
 /// custom with each of its solvers, box2d, and the reference with either precision.
 [[nodiscard]] const std::vector<Contender>& contenders();

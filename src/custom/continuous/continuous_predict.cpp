@@ -291,7 +291,8 @@ void ContinuousSolver::predict_features(Place i, double time) {
             continue;
         ++record_->statistics.narrow_tests;
         const double last = std::min(mover.next_time, dt_);
-        offer(mover, time_of_impact(feature, turning, path, ball.radius, time, last), Next::feature, f);
+        offer(mover, time_of_impact(feature, turning, path, ball.radius, time, last, &search_steps_),
+              Next::feature, f);
     }
 }
 
@@ -309,8 +310,8 @@ void ContinuousSolver::predict_balls(Place i, double time) {
         const double until = std::min({dt_, mover.way.until, other.way.until});
         if (until < from) continue;
         ++record_->statistics.narrow_tests;
-        const double met =
-            time_of_impact(mover.way.path, other.way.path, balls[i].radius + balls[j].radius, from, until);
+        const double met = time_of_impact(mover.way.path, other.way.path, balls[i].radius + balls[j].radius,
+                                          from, until, &search_steps_);
         offer(mover, std::max(met, time), Next::ball, j, other.changes);
     }
 }

@@ -87,6 +87,7 @@ void ContinuousSolver::step(Table& table, std::vector<Ball>& balls, double dt, B
                             StepRecord& record) {
     table_ = &table, balls_ = &balls, record_ = &record, dt_ = dt;
     begin();
+    events_ = search_steps_ = 0;
     if (any_active_) {
         // Handing over spreads along touching balls, so a few attempts find a whole cluster.
         constexpr int most_attempts = 8;
@@ -145,7 +146,6 @@ void ContinuousSolver::take_places() {
 /// Tries to make the step. False where more balls have to be handed over first.
 bool ContinuousSolver::attempt(BroadPhase& broad) {
     spoilt_ = false;
-    events_ = 0;
     run_discrete(broad);
     prepare_movers();
     find_piles();

@@ -12,8 +12,9 @@
 /// A slow contact (approach below rest_speed, or a hop too short to matter) holds: see holding.hpp. Balls
 /// that press on each other, or lie deep in each other, cannot be ordered by time. Such a cluster, or a ball
 /// for which events pile up without time passing or without an impact that counts, or whose hold has no end
-/// that a search finds, or all when `max_impacts` are exceeded, are given to the discrete solver for that one
-/// step: the step is begun again without them. Statistics count them as handed_over.
+/// that a search finds, or all when `max_impacts` or the steps of searches are exceeded, are given to the
+/// discrete solver for that one step: the step is begun again without them. Statistics count them as
+/// handed_over.
 
 #include "custom/continuous/candidates.hpp"
 #include "custom/continuous/clearance.hpp"
@@ -191,9 +192,9 @@ class ContinuousSolver {
     Stretch stretch_{0, 0};      ///< dt
     bool parts_changed_ = true;  ///< how a part stands or turns is not as in the last step
     bool any_active_ = false;
-    std::uint64_t events_ = 0;
-    bool spoilt_ = false;  ///< this attempt found balls to hand over
-    bool apart_ = false;   ///< nothing happened yet, and on their ways no two balls come near each other
+    std::uint64_t events_ = 0, search_steps_ = 0;  ///< in all attempts
+    bool spoilt_ = false;                          ///< this attempt found balls to hand over
+    bool apart_ = false;  ///< nothing happened yet, and on their ways no two balls come near each other
 
     // Scratch, kept to save allocations.
     std::vector<Turning> turnings_;   ///< by part

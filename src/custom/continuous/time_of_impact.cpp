@@ -151,10 +151,12 @@ double closing_between(double before, double after, Closes&& closes) {
 /// step is at least so long that the search ends: what then dips below 0 and comes out again within one step,
 /// by less than K·((t1 − t0)/5000)²/8, is not seen.
 template <class MovingAt, class GapOf>
-double search(MovingAt&& moving, GapOf&& gap_of, double radius, double rounding, double t0, double t1) {
+double search(MovingAt&& moving, GapOf&& gap_of, double radius, double rounding, double t0, double t1,
+              std::uint64_t* steps) {
     constexpr int sure_steps = 5000, all_steps = 2 * sure_steps;  // grazes take about 50
     double t = t0, zero = 0, creep = 0, open = never_touch;
     for (int step = 0; step <= all_steps; ++step) {
+        if (steps != nullptr) ++*steps;
         const Moving q = moving(t);
         Gap gap = gap_of(q);
         if (step == 0 && std::abs(gap.value) <= rounding) zero = gap.value;
@@ -194,7 +196,7 @@ double search(MovingAt&& moving, GapOf&& gap_of, double radius, double rounding,
 
 /// Search in the frame of a part that turns evenly from `begin` at `begin_time`.
 double search_turning(const Feature& feature, Pose begin, double rate, double begin_time, const Path& path,
-                      double radius, double t0, double t1) {
+                      double radius, double t0, double t1, std::uint64_t* steps) {
     const double v = path.max_speed(t1), a = path.max_acceleration(t1), w = std::abs(rate);
     const double drag = path.flight.drag, jerk = path.swings ? INFINITY : drag * a;
     const auto moving = [&](double t) {
@@ -210,7 +212,7 @@ double search_turning(const Feature& feature, Pose begin, double rate, double be
         return Moving{pose.undo(p), rotated(relative, -pose.angle), top, a + 2 * w * top + w * w * far};
     };
     const auto gap = [&](const Moving& q) { return std::visit(GapTo{q, radius}, feature.is); };
-    return search(moving, gap, radius, gap_rounding(path.position(t0), radius), t0, t1);
+    return search(moving, gap, radius, gap_rounding(path.position(t0), radius), t0, t1, steps);
 }
 
 /// Whether gap + rate·E(t) + bend·F(t), at first below 0, rises above it to fall again.
@@ -258,35 +260,35 @@ double straight_touch(Vec2 d, Vec2 v, double reach, double rounding) {
 }  // namespace
 
 double search_impact(const Feature& feature, const Turning& turning, const Path& path, double radius,
-                     double t0, double t1) {
+                     double t0, double t1, std::uint64_t* steps) {
     if (turning.still() || t0 >= turning.stop) {
         const Pose pose = turning.pose(t0);
-        return search_turning(feature, pose, 0, t0, path, radius, t0, t1);
+        return search_turning(feature, pose, 0, t0, path, radius, t0, t1, steps);
     }
-    const double t =
-        search_turning(feature, turning.begin, turning.rate, 0, path, radius, t0, std::min(t1, turning.stop));
+    const double t = search_turning(feature, turning.begin, turning.rate, 0, path, radius, t0,
+                                    std::min(t1, turning.stop), steps);
     if (t < never_touch || turning.stop >= t1) return t;
     return search_turning(feature, {turning.begin.pivot, turning.end_angle}, 0, 0, path, radius, turning.stop,
-                          t1);
+                          t1, steps);
 }
 
-double search_impact(const Path& a, const Path& b, double radii, double t0, double t1) {
+double search_impact(const Path& a, const Path& b, double radii, double t0, double t1, std::uint64_t* steps) {
     const double v = a.max_speed(t1) + b.max_speed(t1), k = a.max_acceleration(t1) + b.max_acceleration(t1);
     const auto moving = [&](double t) {
         return Moving{a.position(t) - b.position(t), a.velocity(t) - b.velocity(t), v, k};
     };
     const auto gap = [&](const Moving& q) { return gap_to_disc(q, {}, radii); };
-    return search(moving, gap, radii, gap_rounding(a.position(t0), b.position(t0), radii), t0, t1);
+    return search(moving, gap, radii, gap_rounding(a.position(t0), b.position(t0), radii), t0, t1, steps);
 }
 
 double time_of_impact(const Feature& feature, const Turning& turning, const Path& path, double radius,
-                      double t0, double t1) {
+                      double t0, double t1, std::uint64_t* steps) {
     if (turning.begin.angle != 0 || !turning.still()) {
-        if (turning.rate_at(t0) != 0) return search_impact(feature, turning, path, radius, t0, t1);
-        return time_of_impact(posed(feature, turning.pose(t0)), {}, path, radius, t0, t1);
+        if (turning.rate_at(t0) != 0) return search_impact(feature, turning, path, radius, t0, t1, steps);
+        return time_of_impact(posed(feature, turning.pose(t0)), {}, path, radius, t0, t1, steps);
     }
     const Flight& flight = path.flight;
-    if (path.swings) return search_impact(feature, turning, path, radius, t0, t1);
+    if (path.swings) return search_impact(feature, turning, path, radius, t0, t1, steps);
     if (const auto* line = std::get_if<Line>(&feature.is)) return touch_line(*line, path, radius, t0, t1);
     if (const auto* round = std::get_if<Round>(&feature.is);
         round && flight.acceleration == Vec2{} && flight.drag <= 0) {
@@ -295,13 +297,14 @@ double time_of_impact(const Feature& feature, const Turning& turning, const Path
                                              gap_rounding(p, radius));
         return t <= t1 ? t : never_touch;
     }
-    return search_impact(feature, turning, path, radius, t0, t1);
+    return search_impact(feature, turning, path, radius, t0, t1, steps);
 }
 
-double time_of_impact(const Path& a, const Path& b, double radii, double t0, double t1) {
+double time_of_impact(const Path& a, const Path& b, double radii, double t0, double t1,
+                      std::uint64_t* steps) {
     const bool alike = !a.swings && !b.swings && a.flight.acceleration == b.flight.acceleration &&
                        a.flight.drag == b.flight.drag;
-    if (!alike) return search_impact(a, b, radii, t0, t1);
+    if (!alike) return search_impact(a, b, radii, t0, t1, steps);
     // Equal accelerations cancel, and drag shrinks time for both alike: straight motion.
     const Vec2 p = a.position(t0), q = b.position(t0);
     const double e = straight_touch(p - q, a.velocity(t0) - b.velocity(t0), radii, gap_rounding(p, q, radii));

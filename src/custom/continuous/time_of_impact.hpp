@@ -15,6 +15,8 @@
 /// algorithm for event detection in event-driven particle dynamics"). The gap may have any sign at the
 /// beginning; one of mere rounding counts as none.
 
+#include <cstdint>
+
 #include "custom/continuous/feature.hpp"
 #include "custom/continuous/path.hpp"
 #include "world/table.hpp"
@@ -49,15 +51,18 @@ inline double gap_rounding(Vec2 p, Vec2 q, double radii) {
     return std::max(gap_rounding(p, radii), gap_rounding(q, radii));
 }
 
-/// First touch in [t0, t1], or never_touch. By the closed form where there is one.
+/// First touch in [t0, t1], or never_touch. By the closed form where there is one. A search of up to 10,000
+/// steps adds their number to `steps`.
 [[nodiscard]] double time_of_impact(const Feature& feature, const Turning& turning, const Path& path,
-                                    double radius, double t0, double t1);
-[[nodiscard]] double time_of_impact(const Path& a, const Path& b, double radii, double t0, double t1);
+                                    double radius, double t0, double t1, std::uint64_t* steps = nullptr);
+[[nodiscard]] double time_of_impact(const Path& a, const Path& b, double radii, double t0, double t1,
+                                    std::uint64_t* steps = nullptr);
 
 /// The same by search alone.
 [[nodiscard]] double search_impact(const Feature& feature, const Turning& turning, const Path& path,
-                                   double radius, double t0, double t1);
-[[nodiscard]] double search_impact(const Path& a, const Path& b, double radii, double t0, double t1);
+                                   double radius, double t0, double t1, std::uint64_t* steps = nullptr);
+[[nodiscard]] double search_impact(const Path& a, const Path& b, double radii, double t0, double t1,
+                                   std::uint64_t* steps = nullptr);
 
 /// First t ≥ 0 at which gap + rate·t + ½·bend·t² is ≤ 0 and falling, or never_touch. Gaps below 0 count as
 /// above until they turn.
