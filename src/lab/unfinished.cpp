@@ -35,8 +35,8 @@ sigset_t stopping_signals() {
     return set;
 }
 
-/// A child that was killed in the midst of opening a file still creates it. Half a second at most; of the
-/// ways to wait for a millisecond poll() is one that a signal handler may use.
+/// A killed child goes on until the system call that it is in ends. Half a second at most; of the ways to
+/// wait for a millisecond poll() is one that a signal handler may use.
 void wait_for_end(pid_t id) noexcept {
     for (int millisecond = 0; millisecond < 500; ++millisecond) {
         if (waitpid(id, nullptr, WNOHANG) != 0) return;

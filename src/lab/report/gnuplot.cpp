@@ -7,6 +7,7 @@
 
 #include "lab/failure.hpp"
 #include "lab/plain_name.hpp"
+#include "lab/report/memory_file.hpp"
 #include "lab/report/process.hpp"
 #include "lab/report/svg.hpp"
 #include "lab/text_stream.hpp"
@@ -200,11 +201,10 @@ std::string draw(const Figure& figure, const fs::path& csv, const fs::path& pict
     const fs::path script = pictures / (figure.id + ".gp");
     const fs::path svg = pictures / (figure.id + ".svg"), png = pictures / (figure.id + ".png");
     write_whole_file(script, script_of(figure, fs::relative(csv, pictures).string()));
-    // gnuplot is no judge of whether what it wrote arrived; so it does not write into their places.
-    const TemporaryFile drawn_svg(svg), drawn_png(png);
-    const auto name = [](const TemporaryFile& file) {
-        return string_literal(file.path().filename().string());
-    };
+    // gnuplot is no judge of whether what it wrote arrived, so it does not write into their places. Nor into
+    // other files there: one that is killed while it opens a file may still create it much later.
+    const MemoryFile drawn_svg, drawn_png;
+    const auto name = [](const MemoryFile& file) { return string_literal(file.path().string()); };
     Finished done = run_program(
         {"gnuplot", "-d", "-e", "svg = " + name(drawn_svg) + "; png = " + name(drawn_png), figure.id + ".gp"},
         pictures);
