@@ -84,9 +84,11 @@ void draw_header(Canvas& canvas, const Rect& place, const Run& run, long score, 
         free_below = draw_score(canvas, right, right, place.y + canvas.scaled(45),
                                 canvas.scaled(small_led_height), session.game(), score) -
                      margin;
-    const std::string solver(session.world().statistics().solver);
-    if (after + canvas.lettering().width(solver, Type::small) < free)
-        canvas.text({after, place.y + canvas.scaled(13)}, solver, Type::small, colour::quiet);
+    // The solver, or of an engine that has only one the library and its version, whose speed stands below.
+    const std::string_view solver = session.world().statistics().solver;
+    const std::string how(solver.empty() ? session.engine().library : solver);
+    if (after + canvas.lettering().width(how, Type::small) < free)
+        canvas.text({after, place.y + canvas.scaled(13)}, how, Type::small, colour::quiet);
     if (const auto& halt = run.halt())
         canvas.text({left, y}, "stopped at " + with_unit(halt->time, 2, "s"), Type::small, colour::warning);
     else
