@@ -1,11 +1,22 @@
 #include "custom/settings.hpp"
 
+#include <algorithm>
+#include <array>
+
+#include "custom/broad_phase/registry.hpp"
+
 namespace flipside::custom {
 
 namespace {
 
 constexpr std::string_view solvers[] = {"simple", "discrete", "continuous", "auto"};
-constexpr std::string_view broad_phases[] = {"brute", "quadtree", "adaptive", "grid", "sweep", "auto"};
+/// Of every broad phase, and what leaves the choice to the engine.
+constexpr auto broad_phase_names = [] {
+    std::array<std::string_view, std::size(broad_phases) + 1> names{};
+    std::ranges::transform(broad_phases, names.begin(), &BroadPhaseKind::name);
+    names.back() = "auto";
+    return names;
+}();
 
 constexpr SettingSpec specs[] = {
     {.name = "solver",
@@ -44,8 +55,8 @@ constexpr SettingSpec specs[] = {
      .about = "rounds of response after each flight; too few and piles stick as if rough"},
     {.name = "broad_phase",
      .type = SettingType::choice,
-     .initial = 5,
-     .choices = broad_phases,
+     .initial = broad_phase_names.size() - 1,
+     .choices = broad_phase_names,
      .about = "how candidate pairs are found; changes the cost, never the outcome; auto: brute force for "
               "very few shapes, an adaptive quadtree where balls differ much in size, else a grid"},
     {.name = "quadtree_levels",

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "custom/broad_phase/choose_broad_phase.hpp"
+#include "custom/broad_phase/registry.hpp"
 #include "custom/engine.hpp"
 #include "custom/geometry/enclosing.hpp"
 #include "custom/stopwatch.hpp"

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "custom/broad_phase/broad_phase.hpp"
+#include "custom/broad_phase/registry.hpp"
 #include "lab/cpu_clock.hpp"
 #include "lab/dice.hpp"
 #include "lab/engines.hpp"
@@ -29,16 +29,13 @@ using BroadPhases = std::vector<std::unique_ptr<custom::BroadPhase>>;
 
 /// All there are, without anything still; brute force first. As few levels of the quadtree as give leaves
 /// no larger than the toy's, up to the most that it can have.
-BroadPhases broad_phases(Vec2 size) {
-    const Box world{{}, size};
+BroadPhases all_broad_phases(Vec2 size) {
     const double wanted = toy_levels + std::log2(size.x / play_box.x);
+    custom::BroadPhaseOptions options{.world = {{}, size}};
+    options.quadtree_levels = static_cast<int>(std::clamp(std::ceil(wanted), 1.0, 8.0));
+    options.adaptive_depth = 16;
     BroadPhases all;
-    all.push_back(custom::make_brute_force({}));
-    all.push_back(
-        custom::make_quadtree({}, world, static_cast<int>(std::clamp(std::ceil(wanted), 1.0, 8.0))));
-    all.push_back(custom::make_adaptive_quadtree({}, world, 8, 16));
-    all.push_back(custom::make_grid({}, world, 0));
-    all.push_back(custom::make_sweep({}));
+    for (const custom::BroadPhaseKind& kind : custom::broad_phases) all.push_back(kind.make({}, options));
     return all;
 }
 
@@ -75,7 +72,7 @@ std::vector<double> count_tests(int balls, std::uint64_t steps, const std::funct
     const Engine& engine = engine_named("custom");
     const auto scene = toy_scene(balls);
     const auto world = engine.make(scene, settings_for(engine, *scene));
-    const BroadPhases all = broad_phases(play_box);
+    const BroadPhases all = all_broad_phases(play_box);
     std::vector<custom::Proxy> moving;
     std::vector<custom::Pair> pairs;
     for (std::uint64_t step = 0; step < steps; ++step) {
@@ -124,7 +121,7 @@ PairTests::Growth measure_growth(std::size_t balls, const std::function<void()>&
     PairTests::Growth growth{balls, {}};
     std::vector<custom::Proxy> moving;
     std::vector<custom::Pair> pairs;
-    for (const auto& broad : broad_phases(size)) {
+    for (const auto& broad : all_broad_phases(size)) {
         const std::string name(broad->facts().name);
         if (name == "brute force" && balls > most_for_brute_force) continue;
         Flock flock(balls, size);
@@ -174,7 +171,7 @@ std::optional<double> crossing_with_brute_force(int first, const std::vector<dou
 PairTests count_pair_tests(double seconds, std::size_t most_balls, const std::function<void(double)>& watch) {
     const auto steps = static_cast<std::uint64_t>(std::max(1.0, std::round(seconds / default_step)));
     PairTests found{seconds, {}, {}};
-    for (const auto& broad : broad_phases(play_box))
+    for (const auto& broad : all_broad_phases(play_box))
         found.rows.push_back({std::string(broad->facts().name), {}, {}, {}});
 
     double done = 0;

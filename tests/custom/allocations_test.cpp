@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "custom/broad_phase/registry.hpp"
 #include "custom/scenes.hpp"
 
 namespace flipside::custom::test {
@@ -20,15 +21,16 @@ TEST(Allocations, NoneInAStepAfterWarmUp) {
     add_part(scene, segment({1, 3.4}, {2, 3.4})).motion = motion::Turn{{1.5, 3.4}, 2, true};
     add_part(scene, {shape::Polygon{{{3.2, 3.2}, {3.6, 3.2}, {3.4, 3.5}}}}).motion =
         motion::Turn{{3.4, 3.3}, 2, true};
-    for (const auto* broad : {"brute", "quadtree", "adaptive", "grid", "sweep"}) {
-        const auto world = make_world(scene, {{"broad_phase", broad}});
-        const State start = world->save();
-        run(*world, 3);
-        world->restore(start);  // the same again needs no more room than before
-        const std::uint64_t before = lab::allocations();
-        run(*world, 3);
-        EXPECT_EQ(lab::allocations(), before) << broad;
-    }
+    for (const BroadPhaseKind& kind : broad_phases)
+        for (const auto* solver : {"simple", "discrete"}) {
+            const auto world = make_world(scene, {{"broad_phase", kind.name}, {"solver", solver}});
+            const State start = world->save();
+            run(*world, 3);
+            world->restore(start);  // the same again needs no more room than before
+            const std::uint64_t before = lab::allocations();
+            run(*world, 3);
+            EXPECT_EQ(lab::allocations(), before) << kind.name << ", " << solver;
+        }
 }
 
 TEST(Allocations, NoneInAHeapThatWasNeverSeenBefore) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "custom/broad_phase/registry.hpp"
 #include "custom/scenes.hpp"
 
 namespace flipside::custom::test {
@@ -163,8 +164,8 @@ TEST(Sleep, AChangeFromOutsideIsHeededInTheNextStep) {
 }
 
 TEST(Sleep, TableOfAHundredSleepersMakesNoTests) {
-    for (const auto* broad : {"brute", "quadtree", "adaptive", "grid", "sweep"}) {
-        const auto world = make_world(row_of_balls(100), {{"broad_phase", broad}});
+    for (const BroadPhaseKind& kind : broad_phases) {
+        const auto world = make_world(row_of_balls(100), {{"broad_phase", kind.name}});
         run(*world, 0.1);
         ASSERT_TRUE(all_asleep(*world));
         EXPECT_EQ(world->statistics().pair_tests, 0U);

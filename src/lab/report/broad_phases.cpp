@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 
+#include "custom/broad_phase/registry.hpp"
 #include "lab/csv.hpp"
 #include "lab/csv_table.hpp"
 #include "lab/pair_tests.hpp"
@@ -41,16 +43,20 @@ std::string to_csv(const PairTests& found) {
 }
 
 /// Broad phases are no engines: colours and shapes of their own.
-constexpr std::string_view broad_phases[] = {"brute force", "quadtree", "adaptive quadtree", "grid",
-                                             "sweep and prune"};
+constexpr auto titles = [] {
+    std::array<std::string_view, std::size(custom::broad_phases)> all{};
+    std::ranges::transform(custom::broad_phases, all.begin(), &custom::BroadPhaseKind::title);
+    return all;
+}();
 constexpr std::tuple<std::string_view, int, int> looks[] = {{colour::grey, 1, 4},
                                                             {colour::blue, 1, 7},
                                                             {colour::violet, 2, 9},
                                                             {colour::olive, 1, 5},
                                                             {colour::wine, 4, 13}};
+static_assert(std::size(looks) == titles.size());
 
 Series series_named(const std::string& broad_phase) {
-    const auto at = std::ranges::find(broad_phases, broad_phase) - std::begin(broad_phases);
+    const auto at = std::ranges::find(titles, broad_phase) - titles.begin();
     const auto& [line, dash, marker] = looks[at];
     return {broad_phase, std::string(line), dash, marker, 0.7, true, {}};
 }
@@ -60,7 +66,7 @@ std::vector<Series> series_of(const CsvTable& table, const std::string& experime
     std::vector<Series> all;
     for (std::size_t row = 0; row < table.rows(); ++row) {
         if (table.text(row, "experiment") != experiment) continue;
-        const std::string& name = table.one_of(row, "broad_phase", broad_phases);
+        const std::string& name = table.one_of(row, "broad_phase", titles);
         if (all.empty() || all.back().name != name) {
             const auto at = std::ranges::find(all, name, &Series::name);
             if (at == all.end()) all.push_back(series_named(name));

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "custom/broad_phase/choose_broad_phase.hpp"
+#include "custom/broad_phase/registry.hpp"
 #include "custom/scenes.hpp"
 #include "rapidcheck/gtest.h"
 
@@ -249,6 +249,11 @@ Scene scene_of(std::initializer_list<double> radii) {
     Scene scene = empty_scene();
     for (const double radius : radii) add_ball(scene, {}, {}, radius);
     return scene;
+}
+
+TEST(BroadPhase, RegistryNamesWhatItMakes) {
+    for (const BroadPhaseKind& kind : broad_phases)
+        EXPECT_EQ(kind.make({}, {.world = world})->facts().name, kind.title) << kind.name;
 }
 
 TEST(BroadPhase, AutomaticChoiceFollowsTheScene) {

@@ -1,4 +1,4 @@
-#include "custom/broad_phase/choose_broad_phase.hpp"
+#include "custom/broad_phase/registry.hpp"
 
 #include <algorithm>
 
@@ -25,14 +25,10 @@ std::unique_ptr<BroadPhase> make_broad_phase(const Scene& scene, std::vector<Pro
                                              const Settings& settings) {
     std::string_view kind = settings.choice("broad_phase");
     if (kind == "auto") kind = choose_broad_phase(scene, still.size());
-    if (kind == "brute") return make_brute_force(std::move(still));
-    if (kind == "quadtree")
-        return make_quadtree(std::move(still), scene.bounds, settings.integer("quadtree_levels"));
-    if (kind == "adaptive")
-        return make_adaptive_quadtree(std::move(still), scene.bounds, settings.integer("adaptive_capacity"),
-                                      settings.integer("adaptive_depth"));
-    if (kind == "sweep") return make_sweep(std::move(still));
-    return make_grid(still, scene.bounds, settings.real("grid_cell"));
+    const BroadPhaseOptions options{scene.bounds, settings.integer("quadtree_levels"),
+                                    settings.integer("adaptive_capacity"), settings.integer("adaptive_depth"),
+                                    settings.real("grid_cell")};
+    return std::ranges::find(broad_phases, kind, &BroadPhaseKind::name)->make(std::move(still), options);
 }
 
 }  // namespace flipside::custom
