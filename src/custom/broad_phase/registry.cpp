@@ -21,14 +21,14 @@ std::string_view choose_broad_phase(const Scene& scene, std::size_t still_pieces
     return "grid";
 }
 
-std::unique_ptr<BroadPhase> make_broad_phase(const Scene& scene, std::vector<Proxy> still,
+std::unique_ptr<BroadPhase> make_broad_phase(const Scene& scene, const std::vector<Proxy>& still,
                                              const Settings& settings) {
     std::string_view kind = settings.choice("broad_phase");
     if (kind == "auto") kind = choose_broad_phase(scene, still.size());
     const BroadPhaseOptions options{scene.bounds, settings.integer("quadtree_levels"),
                                     settings.integer("adaptive_capacity"), settings.integer("adaptive_depth"),
                                     settings.real("grid_cell")};
-    return std::ranges::find(broad_phases, kind, &BroadPhaseKind::name)->make(std::move(still), options);
+    return std::ranges::find(broad_phases, kind, &BroadPhaseKind::name)->make(still, options);
 }
 
 }  // namespace flipside::custom

@@ -21,32 +21,33 @@ struct BroadPhaseOptions {
 struct BroadPhaseKind {
     std::string_view name;   ///< as the setting has it
     std::string_view title;  ///< as facts() and figures have it
-    std::unique_ptr<BroadPhase> (*make)(std::vector<Proxy> still, const BroadPhaseOptions& options);
+    std::unique_ptr<BroadPhase> (*make)(const std::vector<Proxy>& still, const BroadPhaseOptions& options);
 };
 
 /// The twin that all are checked against comes first.
 inline constexpr BroadPhaseKind broad_phases[] = {
     {"brute", "brute force",
-     [](std::vector<Proxy> still, const BroadPhaseOptions&) { return make_brute_force(std::move(still)); }},
+     [](const std::vector<Proxy>& still, const BroadPhaseOptions&) { return make_brute_force(still); }},
     {"quadtree", "quadtree",
-     [](std::vector<Proxy> still, const BroadPhaseOptions& options) {
-         return make_quadtree(std::move(still), options.world, options.quadtree_levels);
+     [](const std::vector<Proxy>& still, const BroadPhaseOptions& options) {
+         return make_quadtree(still, options.world, options.quadtree_levels);
      }},
     {"adaptive", "adaptive quadtree",
-     [](std::vector<Proxy> still, const BroadPhaseOptions& options) {
-         return make_adaptive_quadtree(std::move(still), options.world, options.adaptive_capacity,
+     [](const std::vector<Proxy>& still, const BroadPhaseOptions& options) {
+         return make_adaptive_quadtree(still, options.world, options.adaptive_capacity,
                                        options.adaptive_depth);
      }},
     {"grid", "grid",
-     [](std::vector<Proxy> still, const BroadPhaseOptions& options) {
+     [](const std::vector<Proxy>& still, const BroadPhaseOptions& options) {
          return make_grid(still, options.world, options.grid_cell);
      }},
     {"sweep", "sweep and prune",
-     [](std::vector<Proxy> still, const BroadPhaseOptions&) { return make_sweep(std::move(still)); }},
+     [](const std::vector<Proxy>& still, const BroadPhaseOptions&) { return make_sweep(still); }},
 };
 
 /// The broad phase that the settings name, or for "auto" the one that suits the scene.
-[[nodiscard]] std::unique_ptr<BroadPhase> make_broad_phase(const Scene& scene, std::vector<Proxy> still,
+[[nodiscard]] std::unique_ptr<BroadPhase> make_broad_phase(const Scene& scene,
+                                                           const std::vector<Proxy>& still,
                                                            const Settings& settings);
 
 /// What "auto" stands for, as the setting would name it.
