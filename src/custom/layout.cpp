@@ -24,6 +24,8 @@ Layout::Layout(const Scene& scene)
         always_stops_.push_back(!part.sensor && !part.target && gate_of(part) == nullptr);
         material_of_.push_back(part.material);
     }
+    for (PartIndex part = 0; part < scene.parts.size(); ++part)
+        if (gate_of(scene.parts[part]) != nullptr) gates_.push_back(part);
     for (const Material& a : scene.materials)
         for (const Material& b : scene.materials) mixed_.push_back(mix(a, b));
 }

@@ -45,6 +45,8 @@ class Layout {
     [[nodiscard]] const Capsule& capsule(PieceIndex i) const { return capsules_[i]; }
     /// Of the still pieces, by index.
     [[nodiscard]] const std::vector<Proxy>& still_proxies() const { return still_proxies_; }
+    /// Parts that are gates.
+    [[nodiscard]] std::span<const PartIndex> gates() const { return gates_; }
 
     /// Proxies of the moving pieces and then of the balls. Pieces cover their way from `begin` to
     /// `end` seconds from the table's now. `box_of` gives the box of a ball; it is active unless asleep
@@ -75,6 +77,7 @@ class Layout {
     std::vector<Piece> pieces_;
     PieceIndex still_ = 0;
     std::vector<Proxy> still_proxies_;
+    std::vector<PartIndex> gates_;
     std::vector<Capsule> capsules_;           ///< per piece; without end around what moves
     std::vector<char> always_stops_;          ///< per piece
     std::vector<std::uint32_t> material_of_;  ///< per piece

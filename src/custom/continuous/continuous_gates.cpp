@@ -17,7 +17,7 @@ double ContinuousSolver::distance_to(PartIndex part, Vec2 center, double radius,
 /// joined, or was moved by the other solver.
 void ContinuousSolver::settle_gates(Table& table, std::vector<Ball>& balls) {
     settled_ = true;
-    for (const PartIndex part : gates_) settle_gate(table, balls, part);
+    for (const PartIndex part : layout_.gates()) settle_gate(table, balls, part);
 }
 
 void ContinuousSolver::settle_gate(Table& table, std::vector<Ball>& balls, PartIndex part) {

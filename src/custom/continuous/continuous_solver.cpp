@@ -39,8 +39,6 @@ ContinuousSolver::ContinuousSolver(const Table& table, const Layout& layout, con
         const Part& part = scene_.parts[layout.piece(i).part];
         if (part.sensor || gate_of(part) != nullptr) pieces_[layout.piece(i).part].push_back(i);
     }
-    for (PartIndex part = 0; part < scene_.parts.size(); ++part)
-        if (gate_of(scene_.parts[part]) != nullptr) gates_.push_back(part);
 }
 
 void ContinuousSolver::reset(Table& table, std::vector<Ball>& balls) {
@@ -75,7 +73,7 @@ void ContinuousSolver::reserve(std::size_t balls) {
     for (auto* list : {&at_start_, &handed_}) custom::make_room(*list, most);
     for (auto* list : {&inside_, &inside_at_start_}) custom::make_room(*list, most, touches_per_ball);
     custom::make_room(pressings_at_start_, most, contacts_per_ball);
-    blocked_at_start_.reserve(std::min(most, gates_.empty() ? 0 : most_near));
+    blocked_at_start_.reserve(std::min(most, layout_.gates().empty() ? 0 : most_near));
     custom::make_room(active_room_, most);
     custom::make_room(queue_, most, pairs_per_ball);
     custom::make_room(pairs_, most, pairs_per_ball);

@@ -178,9 +178,8 @@ class ContinuousSolver {
     std::vector<Feature> features_;
     BoxIndex ranges_;                              ///< of features
     std::vector<std::vector<PieceIndex>> pieces_;  ///< by part; of sensors and gates only
-    std::vector<PartIndex> gates_;
-    std::vector<Sensed> inside_;  ///< balls in sensors and open gates, in order
-    bool settled_ = false;        ///< of no ball it is unknown whether it is at a gate
+    std::vector<Sensed> inside_;                   ///< balls in sensors and open gates, in order
+    bool settled_ = false;                         ///< of no ball it is unknown whether it is at a gate
     Clearance clearance_;
     std::unique_ptr<BroadPhase> few_;  ///< for what is handed over
 

@@ -24,10 +24,7 @@ DiscreteSolver::DiscreteSolver(const Scene& scene, const Layout& layout, const S
       settings_(settings),
       pull_(length(scene.gravity)),
       any_sensor_(std::ranges::any_of(scene.parts, &Part::sensor)),
-      near_(layout.still_proxies()) {
-    for (PartIndex i = 0; i < scene.parts.size(); ++i)
-        if (gate_of(scene.parts[i]) != nullptr) gates_.push_back(i);
-}
+      near_(layout.still_proxies()) {}
 
 void DiscreteSolver::reserve(std::size_t balls) {
     make_room(moving_, layout_.size() + balls);
@@ -266,7 +263,7 @@ double DiscreteSolver::first_touch_of(const Ball& ball, PieceIndex index, double
 /// Balls that a closed gate meets are blocked by it, or open it, by the side on which they were before they
 /// flew into it; an open one stays so while any is in it.
 void DiscreteSolver::watch_gates() {
-    for (const PartIndex part : gates_)
+    for (const PartIndex part : layout_.gates())
         decide_gate(*table_, part, span_.begin, span_.end, *balls_, record_->statistics.narrow_tests,
                     [&](auto&& visit) {
                         for (const Candidate& candidate : candidates_)

@@ -190,7 +190,6 @@ class DiscreteSolver {
     const Layout& layout_;
     SolverSettings settings_;
     double pull_;  ///< m/s², amount of gravity
-    std::vector<PartIndex> gates_;
     bool any_sensor_;
 
     // Of the step being made.

@@ -12,10 +12,7 @@
 namespace flipside::custom {
 
 SimpleSolver::SimpleSolver(const Scene& scene, const Layout& layout, const SolverSettings& settings)
-    : scene_(scene), layout_(layout), settings_(settings) {
-    for (PartIndex part = 0; part < scene.parts.size(); ++part)
-        if (gate_of(scene.parts[part]) != nullptr) gates_.push_back(part);
-}
+    : scene_(scene), layout_(layout), settings_(settings) {}
 
 void SimpleSolver::reserve(std::size_t balls) {
     make_room(started_, balls);
@@ -61,7 +58,7 @@ void SimpleSolver::find_pairs(BroadPhase& broad) {
 
 /// Gates are decided from where the balls were before they moved.
 void SimpleSolver::decide_gates(double duration) {
-    for (const PartIndex part : gates_)
+    for (const PartIndex part : layout_.gates())
         decide_gate(*table_, part, ahead_ - duration, ahead_, *balls_, record_->statistics.narrow_tests,
                     [&](auto&& visit) {
                         for (const Pair pair : pairs_)

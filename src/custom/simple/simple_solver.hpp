@@ -54,7 +54,6 @@ class SimpleSolver {
     const Scene& scene_;
     const Layout& layout_;
     const SolverSettings& settings_;
-    std::vector<PartIndex> gates_;
 
     // Of the step under way.
     Table* table_ = nullptr;
