@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "custom/broad_phase/registry.hpp"
 #include "custom/scenes.hpp"
 
 namespace flipside::custom::test {
@@ -272,8 +273,8 @@ TEST(World, BroadPhaseChangesNoBit) {
     expect_same(*brute, *tree);
     EXPECT_LT(tree->statistics().pair_tests, brute->statistics().pair_tests);
     EXPECT_EQ(tree->statistics().broad_phase.leaves, 64);
-    for (const auto* other : {"adaptive", "grid", "sweep", "auto"}) {
-        const auto world = make_world(rich_scene(), {{"broad_phase", other}});
+    for (const BroadPhaseKind& kind : broad_phases) {
+        const auto world = make_world(rich_scene(), {{"broad_phase", kind.name}});
         run(*world, 5);
         expect_same(*brute, *world);
     }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "custom/broad_phase/registry.hpp"
 #include "custom/flight.hpp"
 #include "custom/scenes.hpp"
 #include "rapidcheck/gtest.h"
@@ -157,8 +158,7 @@ RC_GTEST_PROP(DiscreteTurns, HowPairsAreSoughtChangesNoBit, ()) {
         return world->save().balls;
     };
     const auto expected = balls_with("1", "brute", false);
-    for (const char* broad_phase : {"quadtree", "adaptive", "grid", "sweep"})
-        RC_ASSERT(balls_with("2", broad_phase, false) == expected);
+    for (const BroadPhaseKind& kind : broad_phases) RC_ASSERT(balls_with("2", kind.name, false) == expected);
     RC_ASSERT(balls_with("20", "grid", false) == expected);
     RC_ASSERT(balls_with("2", "grid", true) == expected);
 }
