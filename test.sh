@@ -28,10 +28,6 @@ build "$release"
 stage "tests"
 ctest --preset "$release" -j "$jobs"
 if $gates; then
-    stage "clang-tidy"
-    cmake --preset sanitize >/dev/null  # compiles the files of a folder as one: their headers are read once
-    sed -n 's/^ *"file": "\(.*\)".*/\1/p' build/sanitize/compile_commands.json |
-        xargs -n 1 -P "$jobs" clang-tidy -p build/sanitize --quiet 2> >(grep -v 'warnings generated' >&2)
     # clang without optimisation: the golden test is among those under the sanitizers
     for preset in debug clang aarch64; do
         stage "same bits: $preset"
@@ -40,6 +36,8 @@ if $gates; then
     done
     stage "sanitizer build"
     build sanitize
+    stage "clang-tidy"
+    scripts/tidy.sh sanitize
     stage "tests under the sanitizers"
     ctest --preset sanitize -j "$jobs"
     stage "fuzzing, 30 s per target"

@@ -97,6 +97,28 @@ TEST(ReferenceWorld, ClaimsOnlyTheDigitsThatHold) {
     EXPECT_TRUE(make_world(gas())->uncertainty().empty());
 }
 
+/// A ball that goes to and fro at 10 m/s between walls with this much room, m, for one step of 1/60 s.
+std::string rattled_in(double room) {
+    Scene scene = empty_scene();
+    add_ball(scene, {0, 0}, {0, 10});
+    for (const double y : {-0.1, 0.1 + room}) add_part(scene, segment({-1, y}, {1, y}));
+    const auto world = make_world(scene, {{"precision", "53"}, {"twin", "off"}});
+    try {
+        world->step(1.0 / 60);
+    } catch (const Refusal& refusal) {
+        return refusal.what();
+    }
+    EXPECT_EQ(world->statistics().impacts, std::floor(10.0 / 60 / room));
+    return "";
+}
+
+TEST(ReferenceWorld, AStepWithTooManySearchesIsRefused) {
+    EXPECT_EQ(rattled_in(1e-5), "");  // 16,666 impacts
+    const std::string why = rattled_in(1e-8);
+    EXPECT_EQ(why.substr(0, why.find(" at ")),
+              "reference: ball 0 needs more than 2000000 searches in one step");
+}
+
 TEST(ReferenceWorld, PilesAreRefusedAndTheWorldStaysReadable) {
     Scene scene = empty_scene({0, -9.81});
     scene.materials[0].restitution = 0.5;
