@@ -48,8 +48,10 @@ void ContinuousSolver::find_free_time(Place i) {
     mover.clear = mover.free > 0 && ball.position == mover.left_at && ball.velocity == mover.left_with;
     mover.free = 0;
     const bool rested = mover.held != nullptr;
-    // What cut the last certificate short is still ahead.
-    if (settings_.look_ahead <= 0 || (mover.clear && mover.cut) || rested) return;
+    // What cut the last certificate short is still ahead. Each is compared with all balls: among many that
+    // costs more than it saves.
+    constexpr std::size_t few = 64;
+    if (settings_.look_ahead <= 0 || (mover.clear && mover.cut) || rested || balls_->size() > few) return;
     if (std::ranges::any_of(inside_, [&](const Sensed& in) { return in.ball == ball.number; })) return;
     const double way = settings_.look_ahead * ball.radius;
     const double speed = length(ball.velocity) + std::sqrt(way * length(drive_.gravity));
@@ -104,8 +106,8 @@ void ContinuousSolver::go_free(Place i) {
     path.start = 0;
     path.swings = false;
     path.flight = {ball.position, ball.velocity, asleep ? Vec2{} : drive_.gravity, asleep ? 0 : drive_.drag};
-    mover.box =
-        asleep ? bounds_of(ball.position, ball.radius) : grown(path.flight.bounds(stretch_), ball.radius);
+    paths_.place(
+        i, asleep ? bounds_of(ball.position, ball.radius) : grown(path.flight.bounds(stretch_), ball.radius));
 }
 
 void ContinuousSolver::activate_all() {

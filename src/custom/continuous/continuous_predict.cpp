@@ -88,15 +88,15 @@ void ContinuousSolver::set_out(Place i, double time) {
     path.swings = false;
     path.flight = {ball.position, ball.velocity, ball.asleep ? Vec2{} : drive_.gravity,
                    ball.asleep ? 0 : drive_.drag};
-    mover.box = bounds_of(path, ball.radius, dt_);
-    record_->statistics.pair_tests += mover.near.cover(mover.box, ranges_);
+    paths_.place(i, bounds_of(path, ball.radius, dt_));
+    record_->statistics.pair_tests += mover.near.cover(paths_[i], ranges_);
     if (ball.asleep || (mover.clear && time == 0)) return;
     find_grips(i, time);
     if (!grips_.empty()) {
         take_hold(i, time);
         if (mover.held == nullptr) note_glides(mover);
-        mover.box = bounds_of(path, ball.radius, dt_);
-        record_->statistics.pair_tests += mover.near.cover(mover.box, ranges_);
+        paths_.place(i, bounds_of(path, ball.radius, dt_));
+        record_->statistics.pair_tests += mover.near.cover(paths_[i], ranges_);
     }
 }
 
@@ -261,9 +261,9 @@ void ContinuousSolver::predict_features(Place i, double time) {
     const Ball& ball = (*balls_)[i];
     Mover& mover = movers_[i];
     const Path& path = mover.way.path;
-    for (const Sensed& in : inside_)
-        if (in.ball == ball.number)
-            offer(mover, sense_time(in.sensor, ball, path, time, true), Next::sense, in.sensor);
+    for (auto in = std::ranges::lower_bound(inside_, ball.number, {}, &Sensed::ball);
+         in != inside_.end() && in->ball == ball.number; ++in)
+        offer(mover, sense_time(in->sensor, ball, path, time, true), Next::sense, in->sensor);
     for (const Blocked& blocked : table_->blocked())
         if (blocked.ball == ball.number)
             offer(mover, sense_time(blocked.gate, ball, path, time, true), Next::sense, blocked.gate);
@@ -274,7 +274,7 @@ void ContinuousSolver::predict_features(Place i, double time) {
     const Vec2 to = path.position(end);
     const double sag = path.max_acceleration(end) * flies * flies / 8 + clearance_margin(ball);
     for (const FeatureIndex f : mover.near.list()) {
-        if (!overlap(mover.box, ranges_[f])) continue;
+        if (!overlap(paths_[i], ranges_[f])) continue;
         const Feature& feature = features_[f];
         if (feature.sensor && inside(ball.number, feature.part)) continue;
         if (feature.sensor) {
@@ -299,11 +299,11 @@ void ContinuousSolver::predict_features(Place i, double time) {
 void ContinuousSolver::predict_balls(Place i, double time) {
     const std::vector<Ball>& balls = *balls_;
     Mover& mover = movers_[i];
-    if (apart_ || !in_company(mover.box)) return;
-    for (Place j = 0; j < balls.size(); ++j) {
+    if (apart_) return;
+    record_->statistics.pair_tests += paths_.find(paths_[i], near_);
+    for (const Place j : near_) {
         Mover& other = movers_[j];
-        if (j == i || !overlap(mover.box, other.box) || !layers_meet(balls[i], balls[j]) || other.lost)
-            continue;
+        if (j == i || !layers_meet(balls[i], balls[j]) || other.lost) continue;
         if (other.handed_over) return hand_over(i);
         // The same from either side, whenever it is asked, so that it does not matter who asks.
         const double from = std::max(mover.way.path.start, other.way.path.start);
@@ -321,7 +321,7 @@ void ContinuousSolver::predict_loss(Place i, double time) {
     const Ball& ball = (*balls_)[i];
     Mover& mover = movers_[i];
     const Box& bounds = scene_.bounds;
-    if (bounds.contains(mover.box.min) && bounds.contains(mover.box.max)) return;
+    if (bounds.contains(paths_[i].min) && bounds.contains(paths_[i].max)) return;
     const auto& reported = table_->reported_lost();
     if (std::ranges::find(reported, ball.number) != reported.end()) return;
     const double last = std::min({dt_, mover.way.until, mover.next_time});

@@ -75,6 +75,8 @@ void ContinuousSolver::reserve(std::size_t balls) {
     custom::make_room(pressings_at_start_, most, contacts_per_ball);
     blocked_at_start_.reserve(std::min(most, layout_.gates().empty() ? 0 : most_near));
     custom::make_room(active_room_, most);
+    paths_.reserve(most);
+    custom::make_room(near_, most);
     custom::make_room(queue_, most, pairs_per_ball);
     custom::make_room(pairs_, most, pairs_per_ball);
     grips_.reserve(std::min(features_.size(), most_near));
@@ -127,6 +129,7 @@ void ContinuousSolver::take_places() {
     std::vector<Ball>& balls = *balls_;
     if (pool_.size() < balls.size()) reserve(balls.size());
     movers_ = std::span(pool_).first(balls.size());
+    if (paths_.size() != balls.size()) paths_.reset(balls.size());
     for (Place i = 0; i < balls.size(); ++i) {
         Mover& mover = movers_[i];
         if (mover.number != balls[i].number) {
@@ -214,12 +217,12 @@ void ContinuousSolver::come_out(Place i) {
 /// left deep in one another, which flying freely would never come apart.
 void ContinuousSolver::find_piles() {
     list_active();
-    apart_ = !any_company();
+    apart_ = !any_paths_cross();
     if (apart_) return;
     for (Place i = 0; i < movers_.size(); ++i) {
-        const Box room = touching_room(i);
-        for (Place j = i + 1; j < movers_.size(); ++j)
-            if (overlap(room, movers_[j].box) && piled(i, j)) hand_over(i), hand_over(j);
+        record_->statistics.pair_tests += paths_.find(touching_bounds(i), near_);
+        for (const Place j : near_)
+            if (j > i && piled(i, j)) hand_over(i), hand_over(j);
     }
 }
 
@@ -229,7 +232,7 @@ bool ContinuousSolver::piled(Place i, Place j) const {
     if (!first.active && !second.active) return false;
     if ((first.handed_over && second.handed_over) || (a.asleep && b.asleep)) return false;
     if (!layers_meet(a, b)) return false;
-    if (first.handed_over || second.handed_over) return overlap(first.box, second.box);
+    if (first.handed_over || second.handed_over) return overlap(paths_[i], paths_[j]);
     const Vec2 between = a.position - b.position;
     const double near = touch_distance * std::min(a.radius, b.radius);
     const double reach = a.radius + b.radius + near;
@@ -246,18 +249,12 @@ void ContinuousSolver::list_active() {
     active_ = sift(Places{0, movers_.size()}, active_room_, [&](Place i) { return movers_[i].active; });
 }
 
-bool ContinuousSolver::in_company(const Box& room) const {
-    // Itself included. Without a branch: most are alone.
-    const auto met = [&](const Mover& mover) { return static_cast<int>(overlap(room, mover.box)); };
-    return std::transform_reduce(movers_.begin(), movers_.end(), 0, std::plus{}, met) > 1;
+bool ContinuousSolver::any_paths_cross() const {
+    return std::ranges::any_of(active_, [&](Place i) { return paths_.any(touching_bounds(i), i); });
 }
 
-bool ContinuousSolver::any_company() const {
-    return std::ranges::any_of(active_, [&](Place i) { return in_company(touching_room(i)); });
-}
-
-Box ContinuousSolver::touching_room(Place i) const {
-    return grown(movers_[i].box, touch_distance * (*balls_)[i].radius);
+Box ContinuousSolver::touching_bounds(Place i) const {
+    return grown(paths_[i], touch_distance * (*balls_)[i].radius);
 }
 
 /// With what acceleration two balls that touch would come closer, were there no contact, m/s².
@@ -290,8 +287,8 @@ void ContinuousSolver::run_discrete(BroadPhase& broad) {
     auto next = handed_.begin();
     for (Place i = 0; i < balls.size(); ++i) {
         if (!movers_[i].handed_over) continue;
-        movers_[i].box =
-            united(bounds_of(balls[i].position, balls[i].radius), bounds_of(next->position, next->radius));
+        paths_.place(i, united(bounds_of(balls[i].position, balls[i].radius),
+                               bounds_of(next->position, next->radius)));
         balls[i] = *next++;
     }
 }
@@ -345,22 +342,25 @@ void ContinuousSolver::drop_lost() {
         if (kept != i) {
             balls[kept] = balls[i];
             std::swap(movers_[kept], movers_[i]);
+            paths_.place(kept, paths_[i]);
         }
         ++kept;
     }
     balls.resize(kept);
     movers_ = movers_.first(kept);
+    paths_.shrink(kept);
 }
 
 void ContinuousSolver::find_pairs() {
     list_active();
-    if (apart_ || !any_company()) {
+    if (apart_ || !any_paths_cross()) {
         for (const Place i : active_) pair_with_parts(i);
         return;
     }
+    const double largest = std::ranges::max(*balls_, {}, &Ball::radius).radius;
     for (Place i = 0; i < movers_.size(); ++i) {
         if (movers_[i].active) pair_with_parts(i);
-        pair_with_balls(i);
+        pair_with_balls(i, touch_distance * largest);
     }
 }
 
@@ -383,13 +383,14 @@ void ContinuousSolver::pair_with_parts(Place i) {
     }
 }
 
-/// With those before it.
-void ContinuousSolver::pair_with_balls(Place i) {
+/// With those before it. No touching_box() reaches further than by `margin` out of the bounds of a path.
+void ContinuousSolver::pair_with_balls(Place i, double margin) {
     const std::vector<Ball>& balls = *balls_;
     const Ball& ball = balls[i];
     const Box box = touching_box(ball);
-    for (Place j = 0; j < i; ++j)
-        if (overlap(box, touching_box(balls[j])) && (movers_[i].active || movers_[j].active) &&
+    record_->statistics.pair_tests += paths_.find(grown(box, margin), near_);
+    for (const Place j : near_)
+        if (j < i && overlap(box, touching_box(balls[j])) && (movers_[i].active || movers_[j].active) &&
             !(ball.asleep && balls[j].asleep) && layers_meet(ball, balls[j]))
             pairs_.push_back({layout_.size() + j, layout_.size() + i});
 }

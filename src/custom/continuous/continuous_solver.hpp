@@ -16,6 +16,7 @@
 /// discrete solver for that one step: the step is begun again without them. Statistics count them as
 /// handed_over.
 
+#include "custom/broad_phase/hierarchical_grid.hpp"
 #include "custom/continuous/candidates.hpp"
 #include "custom/continuous/clearance.hpp"
 #include "custom/continuous/glides.hpp"
@@ -72,7 +73,6 @@ class ContinuousSolver {
         const Feature* held = nullptr;  ///< what it rests on
         const Feature* left = nullptr;  ///< what it just let go
         Glides glides;                  ///< faces that it flies along
-        Box box;                        ///< of its path until the end of the step
         Candidates near;
         HeldPath way;  ///< from its last event on
     };
@@ -97,18 +97,17 @@ class ContinuousSolver {
     void find_piles();
     [[nodiscard]] bool piled(Place i, Place j) const;
     void list_active();
-    /// Whether the way of a ball, with some room, may cross another's; and that of any who takes part.
-    [[nodiscard]] bool in_company(const Box& room) const;
-    [[nodiscard]] bool any_company() const;
-    /// Around all that touches a ball on its way.
-    [[nodiscard]] Box touching_room(Place i) const;
+    /// Whether any two paths, of which one is of a ball that takes part, may cross.
+    [[nodiscard]] bool any_paths_cross() const;
+    /// Around all that touches a ball on its path.
+    [[nodiscard]] Box touching_bounds(Place i) const;
     void run_discrete(BroadPhase& broad);
     void roll_back(std::size_t events);
     void finish();
     void drop_lost();
     void find_pairs();
     void pair_with_parts(Place i);
-    void pair_with_balls(Place i);
+    void pair_with_balls(Place i, double margin);
     [[nodiscard]] double pressing(Place i, Place j, double time) const;
     void hand_over(Place i);
 
@@ -202,6 +201,8 @@ class ContinuousSolver {
     std::vector<Entry> queue_;        ///< a heap
     std::vector<Place> active_room_;  ///< scratch of active_
     std::span<const Place> active_;   ///< of those who take part, in order
+    HierarchicalGrid paths_;          ///< bounds of each ball's path until the end of the step, by place
+    std::vector<Place> near_;         ///< scratch: what a query found
     std::vector<Grip> grips_;
     std::vector<Ball> at_start_, handed_;
     std::vector<PartState> parts_at_start_;
