@@ -22,6 +22,8 @@ struct Launch {
     double strength = 1;  ///< 0…1
     int count = 1;        ///< 1…1000
     double size = 1;      ///< > 0
+
+    friend bool operator==(const Launch&, const Launch&) = default;
 };
 /// Jerk the table: every ball's velocity changes by this, m/s, as seen from the table.
 struct Nudge {

@@ -1,6 +1,7 @@
 #pragma once
 /// Everything that changes while a world runs. Save from one engine, restore into another.
 
+#include <memory>
 #include <vector>
 
 #include "world/ball.hpp"
@@ -47,6 +48,12 @@ struct State {
     bool rotating = false;
     std::vector<control::Launch> launches;  ///< waiting for a free place, first come first served
     std::vector<BallNumber> reported_lost;  ///< balls kept in the world after they were reported lost
+    /// An earlier state, without an origin of its own, from which the engine that saved this one came here
+    /// without a control in between. An engine whose paths last for longer than a step goes on from there, to
+    /// continue with the same bits; others need not look at it.
+    std::shared_ptr<const State> origin;
+
+    friend bool operator==(const State&, const State&) = default;
 };
 
 }  // namespace flipside

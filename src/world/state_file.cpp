@@ -160,9 +160,7 @@ std::vector<Blocked> read_blocked(const Node& root, const State& state, const Sc
     return all;
 }
 
-}  // namespace
-
-std::string to_json(const State& state, const Scene& scene) {
+Json document_of(const State& state, const Scene& scene) {
     Json json = {{"format", state_format},
                  {"scene", scene.name},
                  {"time", state.clock.time},
@@ -188,13 +186,11 @@ std::string to_json(const State& state, const Scene& scene) {
         json["pressings"].push_back({{"a", p.a}, {"b", p.b}, {"normal", p.normal}, {"tangent", p.tangent}});
     for (const Blocked& b : state.blocked)
         json["blocked"].push_back({{"gate", scene.parts[b.gate].name}, {"ball", b.ball}});
-    return json_text(json) + "\n";
+    if (state.origin) json["origin"] = document_of(*state.origin, scene);
+    return json;
 }
 
-State parse_state(std::string_view text, const std::string& file, const Scene& scene) {
-    const Json document = parse_json(text, file);
-    check_form(document, state_schema, file);
-    const Node root(document, file);
+State read_state(const Node& root, const Scene& scene) {
     if (root.text("scene") != scene.name)
         root.fail("scene", "is a state of " + in_quotes(root.text("scene")) + "; allowed is one of " +
                                in_quotes(scene.name));
@@ -218,7 +214,25 @@ State parse_state(std::string_view text, const std::string& file, const Scene& s
             lost.fail("no ball has this number; allowed are balls of this state");
         state.reported_lost.push_back(number);
     }
+    if (!root.has("origin")) return state;
+    const Node origin = root.at("origin");
+    if (origin.has("origin")) origin.fail("origin", "is that of an origin; allowed is one origin of a state");
+    state.origin = std::make_shared<const State>(read_state(origin, scene));
+    if (state.origin->clock.time > state.clock.time)
+        origin.fail("time", "is after that of the state; allowed: up to " + Json(state.clock.time).dump());
     return state;
+}
+
+}  // namespace
+
+std::string to_json(const State& state, const Scene& scene) {
+    return json_text(document_of(state, scene)) + "\n";
+}
+
+State parse_state(std::string_view text, const std::string& file, const Scene& scene) {
+    const Json document = parse_json(text, file);
+    check_form(document, state_schema, file);
+    return read_state(Node(document, file), scene);
 }
 
 State load_state(const std::filesystem::path& file, const Scene& scene) {

@@ -92,6 +92,14 @@ void Table::advance(double dt) {
     state_.clock.advance(dt);
 }
 
+void Table::set_to(const Clock& clock, std::span<const PartState> start, double ahead) {
+    for (const PartIndex i : moving_) {
+        state_.parts[i].angle = start[i].angle;
+        state_.parts[i].angle = turning(i, ahead).pose.angle;
+    }
+    state_.clock = clock;
+}
+
 std::optional<Table::Launched> Table::launch(std::span<const Ball> balls) {
     if (state_.launches.empty()) return std::nullopt;
     control::Launch& next = state_.launches.front();
@@ -139,17 +147,22 @@ void Table::set_blocked(PartIndex gate, BallNumber ball, bool blocked) {
 State Table::save(std::span<const Ball> balls) const {
     State state = state_;
     state.balls.assign(balls.begin(), balls.end());
+    forget_gone(state);
+    return state;
+}
+
+void Table::forget_gone(State& state) {
     const auto gone = [&](BallNumber number) {
-        return !std::ranges::binary_search(balls, number, {}, &Ball::number);
+        return !std::ranges::binary_search(state.balls, number, {}, &Ball::number);
     };
     std::erase_if(state.blocked, [&](const Blocked& b) { return gone(b.ball) || state.parts[b.gate].open; });
     std::erase_if(state.pressings, [&](const Pressing& p) { return gone(p.a) || gone(p.b); });
-    return state;
 }
 
 void Table::restore(const State& state) {
     state_ = state;
     state_.balls.clear();
+    state_.origin.reset();
 }
 
 }  // namespace flipside

@@ -27,6 +27,7 @@ class Table {
 
     [[nodiscard]] const Scene& scene() const { return *scene_; }
     [[nodiscard]] double time() const { return state_.clock.time; }
+    [[nodiscard]] const Clock& clock() const { return state_.clock; }
     [[nodiscard]] std::span<const PartState> parts() const { return state_.parts; }
 
     /// Everything but nudges, which move balls and so are the engine's. Launches are queued.
@@ -51,6 +52,8 @@ class Table {
     [[nodiscard]] std::span<const PartIndex> moving_parts() const { return moving_; }
     /// Moves the clock and the parts.
     void advance(double dt);
+    /// Sets the clock, and the parts as they are `ahead` seconds after `start` if no control changes.
+    void set_to(const Clock& clock, std::span<const PartState> start, double ahead);
 
     void set_open(PartIndex gate, bool open) { state_.parts[gate].open = open; }
     /// Whether a closed gate does not let the ball through that is within a radius of it.
@@ -76,6 +79,8 @@ class Table {
     [[nodiscard]] bool launch_waiting() const { return !state_.launches.empty(); }
 
     [[nodiscard]] State save(std::span<const Ball> balls) const;
+    /// Removes what a state says of balls that are not in it, and of gates that are open.
+    static void forget_gone(State& state);
     /// The state without its balls; what `state` has room for is not allocated anew.
     void copy(State& state) const { state = state_; }
     /// All of the state but its balls.

@@ -57,7 +57,8 @@ RC_GTEST_PROP(StateFile, ReadsBackToTheSameBits, ()) {
     const auto drawn = std::bit_cast<double>(*rc::gen::arbitrary<std::uint64_t>());
     RC_PRE(std::isfinite(drawn) && std::abs(drawn) < 1e11);
     const Scene scene = scene_with_everything();
-    const State before = a_state(drawn);
+    State before = a_state(drawn);
+    before.origin = std::make_shared<const State>(a_state(drawn / 2));
     const std::string text = to_json(before, scene);
     const State after = parse_state(text, "state.json", scene);
     RC_ASSERT(after.clock == before.clock);
@@ -71,6 +72,8 @@ RC_GTEST_PROP(StateFile, ReadsBackToTheSameBits, ()) {
     RC_ASSERT(after.reported_lost == before.reported_lost);
     RC_ASSERT(after.pressings == before.pressings);
     RC_ASSERT(after.blocked == before.blocked);
+    RC_ASSERT(after.origin->balls == before.origin->balls);
+    RC_ASSERT(after.origin->origin == nullptr);
     RC_ASSERT(to_json(after, scene) == text);
 }
 
@@ -81,6 +84,8 @@ TEST(StateFile, BadOnesAreRefusedWithTheirPlace) {
         Json value;
         std::string error_at, says;
     };
+    const Scene scene = scene_with_everything();
+    const Json earlier = Json::parse(to_json(a_state(0.125), scene));
     const Json flat = {{"number", 0}, {"position", {0, 0}}, {"velocity", {0, 0}}, {"radius", 1}, {"mass", 1}};
     const Bad all[] = {
         {"/format", "flipside-scene/1", "/format", "flipside-state/1"},
@@ -119,9 +124,14 @@ TEST(StateFile, BadOnesAreRefusedWithTheirPlace) {
         {"/pressings/0/b", 2, "/pressings/0/b", "rising numbers"},
         {"/pressings/0/normal", -1, "/pressings/0/normal", "is -1"},
         {"/pressings/1", {{"a", 2}, {"b", 4294967294}, {"normal", 1}}, "/pressings/1", "by rising b, then a"},
+        {"/origin/time", 0.5, "/origin/time", "after that of the state; allowed: up to 0.25"},
+        {"/origin/origin", earlier, "/origin/origin", "allowed is one origin"},
+        {"/origin/balls/0/mass", -1, "/origin/balls/0/mass", "is -1"},
+        {"/origin/scene", "another", "/origin/scene", "is a state of \"another\""},
     };
-    const Scene scene = scene_with_everything();
-    const Json good = Json::parse(to_json(a_state(0.25), scene));
+    State state = a_state(0.25);
+    state.origin = std::make_shared<const State>(a_state(0.125));
+    const Json good = Json::parse(to_json(state, scene));
     for (const Bad& bad : all) {
         Json text = good;
         text[Json::json_pointer(bad.pointer)] = bad.value;
