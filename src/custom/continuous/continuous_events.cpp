@@ -16,8 +16,9 @@ constexpr int most_at_once = 200;
 /// in units of √(r·g), reach 1e-10 radii; balls that are pressed together rattle so.
 constexpr int most_idle = 2000;
 constexpr double idle_impact = 1e-5;
-/// Steps of all searches for impacts in one step of the world, about a second; grazes take about 50 each.
-constexpr std::uint64_t most_search_steps = 10'000'000;
+/// Steps of all searches for impacts in one step of the world, about a fifth of a second; and for each ball
+/// as many as 20 grazes take.
+constexpr std::uint64_t most_search_steps = 2'000'000, search_steps_per_ball = 1000;
 /// Events less than this part of the step apart are at one instant.
 constexpr double instant = 1e-12;
 
@@ -44,7 +45,8 @@ void ContinuousSolver::handle(Place i) {
     counted.stalled = time <= counted.last_time + instant * dt_ ? counted.stalled + 1 : 0;
     counted.last_time = time;
     if (counted.stalled > most_at_once || ++counted.idle > most_idle) return hand_over(i);
-    if (++events_ > settings_.max_impacts || search_steps_ > most_search_steps) {
+    if (++events_ > settings_.max_impacts ||
+        search_steps_ > most_search_steps + search_steps_per_ball * movers_.size()) {
         for (Place j = 0; j < movers_.size(); ++j) hand_over(j);
         return;
     }
