@@ -39,10 +39,13 @@ void Sleep::watch(std::span<const Ball> balls, double dt) {
         before_.push_back({balls[i].number, balls[i].position, balls[i].velocity});
 }
 
+bool Sleep::may_settle(std::span<const Ball> balls) const {
+    return !before_.empty() && std::ranges::any_of(slow(), [&](std::uint32_t i) { return !balls[i].asleep; });
+}
+
 bool Sleep::settle(std::span<Ball> balls, std::span<const Contact> contacts, double dt) {
     known_for_ = fast_;
-    const auto awake = [&](std::uint32_t i) { return !balls[i].asleep; };
-    if (before_.empty() || std::ranges::none_of(slow(), awake)) return false;
+    if (!may_settle(balls)) return false;
     find_islands(balls, contacts);
     for (const std::uint32_t i : slow()) {
         if (balls[i].asleep) continue;

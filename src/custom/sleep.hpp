@@ -39,6 +39,8 @@ class Sleep {
         slow_[slow_count_] = static_cast<std::uint32_t>(place);
         slow_count_ += static_cast<std::size_t>(length_squared(ball.velocity) <= fast_);
     }
+    /// Whether any may fall asleep now: without, settle() does nothing.
+    [[nodiscard]] bool may_settle(std::span<const Ball> balls) const;
     /// Then puts islands to sleep, with all velocity gone, none of whose balls moved, was driven,
     /// joined in between, or is squeezed by a contact by more than half a hundredth of its radius. An
     /// island is a ball or awake balls that touch. `contacts` are those of `balls`. Whether any fell asleep.

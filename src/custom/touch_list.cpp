@@ -184,16 +184,20 @@ void TouchList::report_touches(double time, std::vector<Event>& events) const {
     each_missing(before_, now_, key, ended);
 }
 
-void TouchList::wake_unsupported(std::span<Ball> balls, Vec2 gravity) const {
+bool TouchList::wake_unsupported(std::span<Ball> balls, Vec2 gravity) const {
+    bool any = false;
     const auto wake = [&](BallNumber number) {
         const auto ball = std::ranges::lower_bound(balls, number, {}, &Ball::number);
-        if (ball != balls.end() && ball->number == number) ball->asleep = false;
+        if (ball == balls.end() || ball->number != number || !ball->asleep) return;
+        ball->asleep = false;
+        any = true;
     };
     each_missing(before_, now_, key, [&](const Contact& ended) {
         const double pull = dot(ended.normal, gravity);
         if (pull < 0) wake(ended.ball);
         if (pull > 0 && ended.other.is_ball) wake(ended.other.index);
     });
+    return any;
 }
 
 void TouchList::report_sensors(double time, std::vector<Sensed>& crossed, std::vector<Event>& events) const {

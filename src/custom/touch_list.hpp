@@ -42,8 +42,8 @@ class TouchList {
     void report_touches(double time, std::vector<Event>& events) const;
     void report_sensors(double time, std::vector<Sensed>& crossed, std::vector<Event>& events) const;
 
-    /// Wakes sleepers that lost a touch from below between the last two searches.
-    void wake_unsupported(std::span<Ball> balls, Vec2 gravity) const;
+    /// Wakes sleepers that lost a touch from below between the last two searches. Whether there were any.
+    bool wake_unsupported(std::span<Ball> balls, Vec2 gravity) const;
 
     /// Makes room for so many pieces and balls.
     void reserve(std::size_t pieces, std::size_t balls);

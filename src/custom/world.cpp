@@ -62,27 +62,76 @@ void CustomWorld::make_step(double dt) {
     record_.broad_seconds = record_.flight_seconds = record_.contact_seconds = record_.report_seconds = 0;
 
     launch();
+    if (steps_continuously()) {
+        step_in_windows(dt);
+        report_continuous();
+        // Who was woken sets out anew.
+        if (touches_.wake_unsupported(balls_, scene_->gravity)) in_window_ = false;
+        return fill_statistics(box_tests() - tests_before);
+    }
+    in_window_ = was_continuous_ = false;
     if (falls_asleep()) sleep_.watch(balls_, dt);
-    const bool continuous = steps_continuously();
-    if (continuous && !was_continuous_) continuous_.reset(table_, balls_);
-    was_continuous_ = continuous;
     if (steps_simply())
         simple_.step(table_, balls_, dt, *broad_, record_);
-    else if (continuous)
-        continuous_.step(table_, balls_, dt, *broad_, record_);
     else
         discrete_.step(table_, balls_, dt, *broad_, record_);
-
     table_.advance(dt);
     if (steps_simply())
         report_simple();
-    else if (continuous)
-        report_continuous();
     else
         report_discrete();
     any_asleep_ |= falls_asleep() && sleep_.settle(balls_, contacts(), dt);
     touches_.wake_unsupported(balls_, scene_->gravity);
     fill_statistics(box_tests() - tests_before);
+}
+
+/// The continuous solver works in windows whose ends lie on a grid of the world's time, whatever the steps:
+/// so they only say when the balls are looked at, and the outcome is the same, to the bit. A window begins
+/// where the last one ended, or where something from outside has changed the world.
+void CustomWorld::step_in_windows(double dt) {
+    Clock now = table_.clock();
+    now.advance(dt);
+    for (bool done = false; !done;) {
+        if (!in_window_) begin_window();
+        const bool whole = window_end_ <= now.time;
+        const Clock reached = window_end_ < now.time ? Clock{window_end_, 0} : now;
+        const double ahead = reached.time - continuous_.start().clock.time;
+        if (!continuous_.run(ahead, *broad_, record_)) {
+            begin_window();
+            continue;
+        }
+        table_.set_to(reached, continuous_.start().parts, ahead);
+        done = window_end_ >= now.time;
+        if (whole)
+            end_window();
+        else
+            continuous_.read(ahead, now.time, balls_);
+    }
+}
+
+void CustomWorld::begin_window() {
+    constexpr double window = 1.0 / 60;  // s; steps of this length, summed up, end with a window
+    double next = std::floor(time() / window) + 1;
+    while (next * window <= time()) ++next;
+    window_end_ = next * window;
+    in_window_ = true;
+    if (!was_continuous_) continuous_.reset(table_, balls_);
+    was_continuous_ = true;
+    sleep_.forget();
+    const double length = window_end_ - time();
+    if (settings_.sleep) sleep_.watch(balls_, length);
+    continuous_.begin(table_, balls_, length, record_);
+}
+
+void CustomWorld::end_window() {
+    continuous_.end(time(), balls_);
+    in_window_ = false;
+    if (!settings_.sleep) return;
+    look_over_all();
+    if (!sleep_.may_settle(balls_)) return;
+    find_touches();
+    any_asleep_ |= sleep_.settle(balls_, contacts(), window_end_ - continuous_.start().clock.time);
+    touches_.wake_unsupported(balls_, scene_->gravity);
 }
 
 /// Notes after the step what depends on every ball, in one look at each. Whether all are inside.
@@ -117,13 +166,14 @@ void CustomWorld::report_simple() {
 
 void CustomWorld::report_continuous() {
     look_over_all();
-    if (continuous_.quiet() && contacts().empty()) {
-        touches_.clear();
-        return;
-    }
-    touches_.refresh(layout_, table_, balls_, continuous_.near_pairs());
-    touches_.report_touches(time(), record_.events);
+    find_touches();
     sort_events();
+}
+
+void CustomWorld::find_touches() {
+    if (continuous_.quiet() && contacts().empty()) return touches_.clear();
+    touches_.refresh(layout_, table_, balls_, continuous_.find_pairs(balls_));
+    touches_.report_touches(time(), record_.events);
 }
 
 void CustomWorld::report_discrete() {
@@ -162,6 +212,7 @@ void CustomWorld::launch() {
         const auto launched = table_.launch(balls_);
         if (!launched) return;
         sleep_.forget();
+        in_window_ = false;
         if (launched->existing) {
             *std::ranges::lower_bound(balls_, launched->ball.number, {}, &Ball::number) = launched->ball;
         } else {
@@ -215,6 +266,7 @@ void CustomWorld::wake_all() {
 
 void CustomWorld::apply(const Control& control) {
     sleep_.forget();
+    in_window_ = false;
     table_.apply(control);
     if (const auto* nudge = std::get_if<control::Nudge>(&control)) {
         wake_all();
@@ -228,6 +280,7 @@ void CustomWorld::apply(const Control& control) {
 
 BallNumber CustomWorld::add(const Ball& ball) {
     sleep_.forget();
+    in_window_ = false;
     balls_.push_back(ball);
     balls_.back().number = table_.new_number();
     make_room();
@@ -239,22 +292,57 @@ bool CustomWorld::remove(BallNumber number) {
     if (std::erase_if(balls_, [&](const Ball& ball) { return ball.number == number; }) == 0) return false;
     std::erase(table_.reported_lost(), number);
     sleep_.forget();
-    was_continuous_ = false;
+    in_window_ = was_continuous_ = false;
     wake_all();
     touches_.refresh(layout_, table_, balls_, *broad_, discrete_.near(), false);
     return true;
 }
 
+State CustomWorld::save() const {
+    State state = table_.save(balls_);
+    if (in_window_) {
+        auto origin = std::make_shared<State>(continuous_.start());
+        Table::forget_gone(*origin);
+        state.origin = std::move(origin);
+    }
+    return state;
+}
+
 void CustomWorld::restore(const State& state) {
     guard_.forget();
+    if (!resume(state)) load(state);
+    record_.events.clear();
+    record_.statistics = {};
+    touches_.refresh(layout_, table_, balls_, *broad_, discrete_.near(), true);
+}
+
+void CustomWorld::load(const State& state) {
     sleep_.forget();
     table_.restore(state);
     balls_ = state.balls;
-    record_.events.clear();
-    record_.statistics = {};
-    was_continuous_ = false;
+    in_window_ = was_continuous_ = false;
     make_room();
-    touches_.refresh(layout_, table_, balls_, *broad_, discrete_.near(), true);
+}
+
+/// Goes through the window in which the state was saved, from its start. False where that does not lead to
+/// the state: it is another engine's, or was changed.
+bool CustomWorld::resume(const State& state) {
+    if (!state.origin) return false;
+    load(*state.origin);
+    if (!steps_continuously()) return false;
+    begin_window();
+    if (!(state.clock.time >= time() && state.clock.time < window_end_)) return false;
+    const double ahead = state.clock.time - time();
+    try {
+        if (!continuous_.run(ahead, *broad_, record_)) return false;
+    } catch (const Refusal&) {
+        return false;
+    }
+    table_.set_to(state.clock, continuous_.start().parts, ahead);
+    continuous_.read(ahead, time(), balls_);
+    State reached = save();
+    reached.origin = state.origin;
+    return reached == state;
 }
 
 void CustomWorld::inspect_boxes(Inspector& inspector) const {

@@ -28,7 +28,7 @@ class CustomWorld final : public World {
     [[nodiscard]] std::span<const Contact> contacts() const override { return touches_.contacts(); }
     [[nodiscard]] const Statistics& statistics() const override { return record_.statistics; }
 
-    [[nodiscard]] State save() const override { return table_.save(balls_); }
+    [[nodiscard]] State save() const override;
     void restore(const State& state) override;
     void inspect(Inspector& inspector) const override;
 
@@ -38,6 +38,11 @@ class CustomWorld final : public World {
     [[nodiscard]] bool falls_asleep() const { return settings_.sleep && !steps_simply(); }
     [[nodiscard]] std::uint64_t box_tests() const;
     void make_step(double dt);
+    void step_in_windows(double dt);
+    void begin_window();
+    void end_window();
+    void load(const State& state);
+    bool resume(const State& state);
     void launch();
     void make_room();
     bool look_over(auto&& each_ball);
@@ -45,6 +50,7 @@ class CustomWorld final : public World {
     bool lose_balls();
     void report_simple();
     void report_continuous();
+    void find_touches();
     void report_discrete();
     void sort_events();
     void wake_all();
@@ -61,6 +67,8 @@ class CustomWorld final : public World {
     DiscreteSolver discrete_;
     ContinuousSolver continuous_;
     bool was_continuous_ = false;  ///< the last step was, and nothing was removed or restored since
+    bool in_window_ = false;  ///< of the continuous solver; nothing else has changed anything since it began
+    double window_end_ = 0;   ///< s
     Sleep sleep_;
     bool any_asleep_ = false;  ///< at the end of the step
     TouchList touches_;

@@ -129,11 +129,12 @@ TEST(Sleep, AChangeFromOutsideIsHeededInTheNextStep) {
         EXPECT_EQ(std::ranges::count_if(world->balls(), &Ball::asleep), 0);
         return world;
     };
+    constexpr double dt = 0.02;  // longer than a window of the continuous solver
     for (const char* solver : {"discrete", "continuous"}) {
         SCOPED_TRACE(solver);
         const auto nudged = lone(solver);
         nudged->apply(control::Nudge{{-1, 0}});
-        nudged->step(0.01);
+        nudged->step(dt);
         EXPECT_TRUE(nudged->balls()[0].asleep);
         EXPECT_FALSE(nudged->balls()[1].asleep);
 
@@ -142,14 +143,14 @@ TEST(Sleep, AChangeFromOutsideIsHeededInTheNextStep) {
         still.velocity = {};
         const auto joined = lone(solver);
         joined->add(still);
-        joined->step(0.01);
+        joined->step(dt);
         EXPECT_TRUE(joined->balls()[2].asleep);
         still.position = {6, 0};
         still.velocity = {0, 1};
         joined->add(still);
-        joined->step(0.01);
+        joined->step(dt);
         EXPECT_TRUE(joined->remove(0));  // each is in the place of another now, and awake
-        joined->step(0.01);
+        joined->step(dt);
         EXPECT_TRUE(joined->balls()[1].asleep);
         EXPECT_EQ(std::ranges::count_if(joined->balls(), &Ball::asleep), 1);
 
@@ -157,7 +158,7 @@ TEST(Sleep, AChangeFromOutsideIsHeededInTheNextStep) {
         State state = restored->save();
         state.balls[1].velocity = {};
         restored->restore(state);
-        restored->step(0.01);
+        restored->step(dt);
         EXPECT_FALSE(restored->balls()[0].asleep);
         EXPECT_TRUE(restored->balls()[1].asleep);
     }

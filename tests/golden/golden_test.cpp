@@ -38,16 +38,16 @@ struct Golden {
 
 /// Rain has 320 balls. On the reference they press on each other after 76 steps, and it refuses to go on.
 constexpr Golden golden[] = {
-    {"bowl", "discrete", 600, 0xcb908546},     {"bowl", "continuous", 600, 0x5ce28c7a},
+    {"bowl", "discrete", 600, 0xcb908546},     {"bowl", "continuous", 600, 0x23a5104d},
     {"bowl", "reference", 600, 0xe08160d3},    {"box", "discrete", 600, 0x84f071c4},
-    {"box", "continuous", 600, 0xbeb4c505},    {"box", "reference", 600, 0x02ec3582},
-    {"cradle", "discrete", 600, 0xcf8a14cf},   {"cradle", "continuous", 600, 0x7e870ccc},
+    {"box", "continuous", 600, 0x6bf58821},    {"box", "reference", 600, 0x02ec3582},
+    {"cradle", "discrete", 600, 0xcf8a14cf},   {"cradle", "continuous", 600, 0xee754f46},
     {"cradle", "reference", 600, 0xbb6781c8},  {"drop", "discrete", 600, 0x420c2da0},
-    {"drop", "continuous", 600, 0x76d82cc0},   {"drop", "reference", 600, 0x60c3acdc},
-    {"pinball", "discrete", 600, 0xae199227},  {"pinball", "continuous", 600, 0xc558a9a3},
+    {"drop", "continuous", 600, 0xca50ba4a},   {"drop", "reference", 600, 0x60c3acdc},
+    {"pinball", "discrete", 600, 0xae199227},  {"pinball", "continuous", 600, 0xdff8a96f},
     {"pinball", "reference", 600, 0x1d0719ff}, {"rain", "discrete", 120, 0xb5d993bf},
-    {"rain", "continuous", 120, 0x19d92028},   {"rain", "reference", 60, 0x0bb4f183},
-    {"toy", "discrete", 600, 0xb9e30661},      {"toy", "continuous", 600, 0x8f56130f},
+    {"rain", "continuous", 120, 0x9a53b65e},   {"rain", "reference", 60, 0x0bb4f183},
+    {"toy", "discrete", 600, 0xb9e30661},      {"toy", "continuous", 600, 0x158d4c50},
     {"toy", "reference", 600, 0xe248d956},     {"bowl", "simple", 600, 0xcb908546},
     {"box", "simple", 600, 0x581d0c9d},        {"cradle", "simple", 600, 0x298368f9},
     {"drop", "simple", 600, 0x687ee19f},       {"pinball", "simple", 600, 0x79524f9d},

@@ -16,8 +16,8 @@ constexpr int most_at_once = 200;
 /// in units of √(r·g), reach 1e-10 radii; balls that are pressed together rattle so.
 constexpr int most_idle = 2000;
 constexpr double idle_impact = 1e-5;
-/// Steps of all searches for impacts in one step of the world, about a fifth of a second; and for each ball
-/// as many as 20 grazes take.
+/// Steps of all searches for impacts in one window, about a fifth of a second; and for each ball as many as
+/// 20 grazes take.
 constexpr std::uint64_t most_search_steps = 2'000'000, search_steps_per_ball = 1000;
 /// Events less than this part of the step apart are at one instant.
 constexpr double instant = 1e-12;
@@ -25,14 +25,12 @@ constexpr double instant = 1e-12;
 }  // namespace
 
 /// Moves a ball along its path.
-void ContinuousSolver::advance(Place i, double time) {
-    Ball& ball = (*balls_)[i];
-    const Path& path = movers_[i].way.path;
-    const auto [position, velocity] = path.at(time);
+void ContinuousSolver::advance(Ball& ball, const HeldPath& way, double time) {
+    const auto [position, velocity] = way.path.at(time);
     ball.position = position;
     ball.velocity = velocity;
-    const double spin = movers_[i].way.spin_at(ball.spin, time);
-    ball.angle += (ball.spin + spin) / 2 * (time - path.start);  // exact where the spin changes evenly
+    const double spin = way.spin_at(ball.spin, time);
+    ball.angle += (ball.spin + spin) / 2 * (time - way.path.start);  // exact where the spin changes evenly
     ball.spin = spin;
 }
 
@@ -54,13 +52,13 @@ void ContinuousSolver::handle(Place i) {
     apart_ = false;
     switch (mover.next) {
         case Next::feature:
-            if (ignores(features_[mover.met], (*balls_)[i])) return predict(i, time);
+            if (ignores(features_[mover.met], bodies_[i])) return predict(i, time);
             return hit_feature(i, time);
         case Next::ball:
             if (movers_[mover.met].changes != mover.met_changes) return predict(i, time);
             return hit_ball(i, time);
         case Next::look_again:
-            advance(i, time);
+            advance(bodies_[i], movers_[i].way, time);
             if (mover.way.lets_go) mover.left = mover.held;
             return go_on(i, time);
         case Next::sense:
@@ -79,9 +77,9 @@ void ContinuousSolver::go_on(Place i, double time) {
 
 void ContinuousSolver::report(double time, EventKind kind, const Ball& ball, Other other,
                               const Impact& impact, Vec2 point) {
-    if (!within_top_speed(ball)) refuse_speed(engine_name, ball, other, table_->time() + time, scene_);
-    record_->events.push_back({table_->time() + time, kind, ball.number, other, point, impact.normal,
-                               impact.speed, impact.impulse});
+    if (!within_top_speed(ball)) refuse_speed(engine_name, ball, other, start_ + time, scene_);
+    pending_.push_back(
+        {start_ + time, kind, ball.number, other, point, impact.normal, impact.speed, impact.impulse});
 }
 
 bool ContinuousSolver::leads_on(const Impact& impact, const Ball& ball) const {
@@ -89,13 +87,13 @@ bool ContinuousSolver::leads_on(const Impact& impact, const Ball& ball) const {
 }
 
 void ContinuousSolver::hit_feature(Place i, double time) {
-    Ball& ball = (*balls_)[i];
+    Ball& ball = bodies_[i];
     const Feature& feature = features_[movers_[i].met];
     const PartIndex index = feature.part;
     const Part& part = scene_.parts[index];
     const Turning& turning = turnings_[index];
     const Pose pose = turning.pose(time);
-    advance(i, time);
+    advance(bodies_[i], movers_[i].way, time);
     const Sight sight = look(feature, pose.undo(ball.position), ball.radius);
     if (feature.gate && meet_gate(i, index, time)) return go_on(i, time);
     const Vec2 normal = pose.angle == 0 ? sight.normal : rotated(sight.normal, pose.angle);
@@ -125,10 +123,10 @@ void ContinuousSolver::hit_feature(Place i, double time) {
 /// What lay on a part goes on without it.
 void ContinuousSolver::release(PartIndex part, double time) {
     for (Place j = 0; j < movers_.size(); ++j) {
-        Ball& ball = (*balls_)[j];
+        Ball& ball = bodies_[j];
         if (movers_[j].handed_over || movers_[j].lost) continue;
         if (!ball.asleep && (movers_[j].held == nullptr || movers_[j].held->part != part)) continue;
-        if (!ball.asleep) advance(j, time);
+        if (!ball.asleep) advance(bodies_[j], movers_[j].way, time);
         ball.asleep = false;
         go_on(j, time);
     }
@@ -137,9 +135,9 @@ void ContinuousSolver::release(PartIndex part, double time) {
 void ContinuousSolver::hit_ball(Place i, double time) {
     const Place j = movers_[i].met;
     const Place low = std::min(i, j), high = std::max(i, j);
-    Ball &a = (*balls_)[low], &b = (*balls_)[high];
-    advance(low, time);
-    advance(high, time);
+    Ball &a = bodies_[low], &b = bodies_[high];
+    advance(bodies_[low], movers_[low].way, time);
+    advance(bodies_[high], movers_[high].way, time);
     a.asleep = b.asleep = false;
     movers_[j].left = nullptr;
     const Impact impact =
@@ -149,8 +147,7 @@ void ContinuousSolver::hit_ball(Place i, double time) {
         if (leads_on(impact, a)) movers_[i].idle = movers_[j].idle = 0;
         report(time, EventKind::impact, a, Other::ball(b.number), impact,
                b.position + b.radius * impact.normal);
-        if (!within_top_speed(b))
-            refuse_speed(engine_name, b, Other::ball(a.number), table_->time() + time, scene_);
+        if (!within_top_speed(b)) refuse_speed(engine_name, b, Other::ball(a.number), start_ + time, scene_);
     }
     set_out(i, time);
     set_out(j, time);
@@ -164,7 +161,7 @@ void ContinuousSolver::hit_ball(Place i, double time) {
 }
 
 void ContinuousSolver::lose(Place i, double time) {
-    Ball& ball = (*balls_)[i];
+    Ball& ball = bodies_[i];
     const Vec2 p = movers_[i].way.path.position(time);
     report(time, EventKind::lost, ball, {}, {}, p);
     if (scene_.keep_lost) {
@@ -199,7 +196,7 @@ void ContinuousSolver::set_inside(BallNumber ball, PartIndex part, bool is_insid
 
 /// A ball enters or leaves a sensor, or leaves a gate.
 void ContinuousSolver::sense(Place i, double time) {
-    const Ball& ball = (*balls_)[i];
+    const Ball& ball = bodies_[i];
     const PartIndex part = movers_[i].met;
     if (scene_.parts[part].sensor) {
         const bool enters = !inside(ball.number, part);

@@ -8,7 +8,7 @@ namespace flipside::custom {
 /// where nothing turns. Any two who do not take part keep apart: the one who was found free later saw to it,
 /// and when one falls asleep all are looked at again.
 void ContinuousSolver::find_active() {
-    const std::vector<Ball>& balls = *balls_;
+    const std::vector<Ball>& balls = bodies_;
     bool look_again = parts_changed_ && clearance_.follow(turnings_);
     parts_changed_ = false;
     for (Place i = 0; i < balls.size(); ++i) {
@@ -37,21 +37,21 @@ void ContinuousSolver::find_active() {
 /// Whether the certificate of a ball holds to the end of this step.
 bool ContinuousSolver::still_free(Place i) const {
     const Mover& mover = movers_[i];
-    const Ball& ball = (*balls_)[i];
+    const Ball& ball = bodies_[i];
     const bool is_there = ball.position == mover.left_at, is_so_fast = ball.velocity == mover.left_with;
     return (mover.free >= dt_) & is_there & is_so_fast;
 }
 
 void ContinuousSolver::find_free_time(Place i) {
     Mover& mover = movers_[i];
-    const Ball& ball = (*balls_)[i];
+    const Ball& ball = bodies_[i];
     mover.clear = mover.free > 0 && ball.position == mover.left_at && ball.velocity == mover.left_with;
     mover.free = 0;
     const bool rested = mover.held != nullptr;
     // What cut the last certificate short is still ahead. Each is compared with all balls: among many that
     // costs more than it saves.
     constexpr std::size_t few = 64;
-    if (settings_.look_ahead <= 0 || (mover.clear && mover.cut) || rested || balls_->size() > few) return;
+    if (settings_.look_ahead <= 0 || (mover.clear && mover.cut) || rested || bodies_.size() > few) return;
     if (std::ranges::any_of(inside_, [&](const Sensed& in) { return in.ball == ball.number; })) return;
     const double way = settings_.look_ahead * ball.radius;
     const double speed = length(ball.velocity) + std::sqrt(way * length(drive_.gravity));
@@ -68,7 +68,7 @@ void ContinuousSolver::find_free_time(Place i) {
 
 /// Until when, at most, a ball in free flight stays clear of those who take no part.
 double ContinuousSolver::free_of_balls(Place i, double until) const {
-    const std::vector<Ball>& balls = *balls_;
+    const std::vector<Ball>& balls = bodies_;
     const Ball& a = balls[i];
     for (Place j = 0; j < balls.size(); ++j) {
         const Ball& b = balls[j];
@@ -96,7 +96,7 @@ double ContinuousSolver::free_of_balls(Place i, double until) const {
 
 /// The way of a ball that takes no part, for those who may hit it.
 void ContinuousSolver::go_free(Place i) {
-    const Ball& ball = (*balls_)[i];
+    const Ball& ball = bodies_[i];
     Mover& mover = movers_[i];
     const bool asleep = ball.asleep;
     mover.way.until = never_touch;

@@ -61,7 +61,7 @@ bool ContinuousSolver::lets_through(PartIndex part, const Ball& ball, double tim
 
 /// A ball comes within a radius of a gate. Whether that lets it through: then the gate is open for all.
 bool ContinuousSolver::meet_gate(Place i, PartIndex part, double time) {
-    const Ball& ball = (*balls_)[i];
+    const Ball& ball = bodies_[i];
     if (!lets_through(part, ball, time)) {
         table_->set_blocked(part, ball.number, true);
         return false;

@@ -72,7 +72,7 @@ bool ContinuousSolver::ignores(const Feature& feature, const Ball& ball) const {
 
 /// Finds the path of a ball from where it is: along what it rests on, or free.
 void ContinuousSolver::set_out(Place i, double time) {
-    Ball& ball = (*balls_)[i];
+    Ball& ball = bodies_[i];
     Mover& mover = movers_[i];
     mover.active = true;
     mover.free = 0;
@@ -101,7 +101,7 @@ void ContinuousSolver::set_out(Place i, double time) {
 }
 
 bool ContinuousSolver::beside_moving_part(Place i) {
-    const Ball& ball = (*balls_)[i];
+    const Ball& ball = bodies_[i];
     const Box here = bounds_of(ball.position, ball.radius * (1 + touch_distance));
     record_->statistics.pair_tests += movers_[i].near.cover(here, ranges_);
     return std::ranges::any_of(movers_[i].near.list(), [&](FeatureIndex f) {
@@ -112,7 +112,7 @@ bool ContinuousSolver::beside_moving_part(Place i) {
 /// What the ball touches without moving along the normal.
 void ContinuousSolver::find_grips(Place i, double time) {
     grips_.clear();
-    const Ball& ball = (*balls_)[i];
+    const Ball& ball = bodies_[i];
     const Mover& mover = movers_[i];
     const Box here = bounds_of(ball.position, ball.radius * (1 + 1e-6));
     for (const FeatureIndex f : mover.near.list()) {
@@ -178,7 +178,7 @@ bool ContinuousSolver::goes_before(const Grip& grip, const Grip& other) {
 /// Chooses what the ball rests on among its grips: the one whose force keeps it off all others, or all
 /// together where no single one does.
 void ContinuousSolver::take_hold(Place i, double time) {
-    Ball& ball = (*balls_)[i];
+    Ball& ball = bodies_[i];
     Mover& mover = movers_[i];
     int pressed = 0;
     bool moving = false;
@@ -258,7 +258,7 @@ bool ContinuousSolver::glides_over(const Mover& mover, const Feature& feature, c
 }
 
 void ContinuousSolver::predict_features(Place i, double time) {
-    const Ball& ball = (*balls_)[i];
+    const Ball& ball = bodies_[i];
     Mover& mover = movers_[i];
     const Path& path = mover.way.path;
     for (auto in = std::ranges::lower_bound(inside_, ball.number, {}, &Sensed::ball);
@@ -297,7 +297,7 @@ void ContinuousSolver::predict_features(Place i, double time) {
 }
 
 void ContinuousSolver::predict_balls(Place i, double time) {
-    const std::vector<Ball>& balls = *balls_;
+    const std::vector<Ball>& balls = bodies_;
     Mover& mover = movers_[i];
     if (apart_) return;
     record_->statistics.pair_tests += paths_.find(paths_[i], near_);
@@ -318,7 +318,7 @@ void ContinuousSolver::predict_balls(Place i, double time) {
 
 /// When the centre leaves the bounds.
 void ContinuousSolver::predict_loss(Place i, double time) {
-    const Ball& ball = (*balls_)[i];
+    const Ball& ball = bodies_[i];
     Mover& mover = movers_[i];
     const Box& bounds = scene_.bounds;
     if (bounds.contains(paths_[i].min) && bounds.contains(paths_[i].max)) return;
@@ -353,7 +353,7 @@ double ContinuousSolver::sense_time(PartIndex part, const Ball& ball, const Path
         if (t >= dt_) return never_touch;
         t = std::min(dt_, t + std::max(left, sense_step * ball.radius) / speed);
     }
-    refuse_search(engine_name, ball.number, Other::part(part), table_->time() + time, scene_);
+    refuse_search(engine_name, ball.number, Other::part(part), start_ + time, scene_);
 }
 
 }  // namespace flipside::custom

@@ -70,101 +70,25 @@ void ContinuousSolver::reserve(std::size_t balls) {
         movers_ = std::span(pool_).first(movers);
         for (Mover& mover : pool_) mover.near.reserve(std::min(features_.size(), most_near));
     }
-    for (auto* list : {&at_start_, &handed_}) custom::make_room(*list, most);
-    for (auto* list : {&inside_, &inside_at_start_}) custom::make_room(*list, most, touches_per_ball);
-    custom::make_room(pressings_at_start_, most, contacts_per_ball);
-    blocked_at_start_.reserve(std::min(most, layout_.gates().empty() ? 0 : most_near));
+    for (auto* list : {&bodies_, &start_state_.balls, &handed_}) custom::make_room(*list, most);
+    for (auto* list : {&inside_, &inside_before_}) custom::make_room(*list, most, touches_per_ball);
+    for (State* state : {&start_state_, &last_read_}) {
+        custom::make_room(state->pressings, most, contacts_per_ball);
+        state->blocked.reserve(std::min(most, layout_.gates().empty() ? 0 : most_near));
+    }
+    custom::make_room(pending_, most, events_per_ball);
+    make_writable(rank_, most);
     custom::make_room(active_room_, most);
     paths_.reserve(most);
     custom::make_room(near_, most);
     custom::make_room(queue_, most, pairs_per_ball);
     custom::make_room(pairs_, most, pairs_per_ball);
     grips_.reserve(std::min(features_.size(), most_near));
-    parts_at_start_.reserve(scene_.parts.size());
-}
-
-void ContinuousSolver::step(Table& table, std::vector<Ball>& balls, double dt, BroadPhase& broad,
-                            StepRecord& record) {
-    table_ = &table, balls_ = &balls, record_ = &record, dt_ = dt;
-    begin();
-    events_ = search_steps_ = 0;
-    if (any_active_) {
-        // Handing over spreads along touching balls, so a few attempts find a whole cluster.
-        constexpr int most_attempts = 8;
-        const std::size_t events = record.events.size();
-        for (int attempts = 1; !attempt(broad); ++attempts) {
-            roll_back(events);
-            activate_all();
-            if (attempts >= most_attempts)
-                for (Mover& mover : movers_) mover.handed_over = true;
-        }
-    }
-    finish();
-}
-
-void ContinuousSolver::begin() {
-    const std::vector<Ball>& balls = *balls_;
-    if (stretch_.time != dt_) stretch_ = Stretch(drive_.drag, dt_);
-    for (const PartIndex i : table_->moving_parts()) {
-        const auto [pose, rate, stop] = table_->turning(i, 0);
-        const double end = std::isfinite(stop) ? table_->pose(i, stop).angle : pose.angle;
-        Turning& turning = turnings_[i];
-        parts_changed_ = parts_changed_ || rate != turning.rate || pose.angle != turning.begin.angle;
-        turning = {pose, rate, stop, end};
-    }
-    take_places();
-    pairs_.clear();
-    find_active();
-    if (!any_active_) return;
-    at_start_ = balls;
-    inside_at_start_ = inside_;
-    pressings_at_start_ = table_->pressings();
-    blocked_at_start_ = table_->blocked();
-    reported_at_start_ = table_->reported_lost().size();
-    parts_at_start_.assign(table_->parts().begin(), table_->parts().end());
-}
-
-/// Gives each ball its mover. What was known of another ball is forgotten.
-void ContinuousSolver::take_places() {
-    std::vector<Ball>& balls = *balls_;
-    if (pool_.size() < balls.size()) reserve(balls.size());
-    movers_ = std::span(pool_).first(balls.size());
-    if (paths_.size() != balls.size()) paths_.reset(balls.size());
-    for (Place i = 0; i < balls.size(); ++i) {
-        Mover& mover = movers_[i];
-        if (mover.number != balls[i].number) {
-            mover.near.forget();
-            mover.lies = false;
-            mover.free = 0;
-            settled_ = false;
-        }
-        mover.number = balls[i].number;
-        mover.handed_over = false;
-    }
-    if (!settled_) settle_gates(*table_, balls);
-}
-
-/// Tries to make the step. False where more balls have to be handed over first.
-bool ContinuousSolver::attempt(BroadPhase& broad) {
-    spoilt_ = false;
-    run_discrete(broad);
-    prepare_movers();
-    find_piles();
-    if (spoilt_) return false;
-    for (const Place i : active_)
-        if (!movers_[i].handed_over) predict(i, 0);
-    while (!queue_.empty() && !spoilt_) {
-        const Entry entry = queue_.front();
-        std::ranges::pop_heap(queue_, std::greater{});
-        queue_.pop_back();
-        if (entry.prediction == movers_[entry.mover].predictions) handle(entry.mover);
-    }
-    return !spoilt_;
 }
 
 void ContinuousSolver::prepare_movers() {
     queue_.clear();
-    const std::vector<Ball>& balls = *balls_;
+    const std::vector<Ball>& balls = bodies_;
     for (Place i = 0; i < balls.size(); ++i) {
         Mover& mover = movers_[i];
         mover.held = mover.left = nullptr;
@@ -185,7 +109,7 @@ void ContinuousSolver::prepare_movers() {
 /// Pushes a ball that begins deep in a solid or on a curve out of it, by position only; one that begins in a
 /// gate is on its way through. The deepest comes first; what then still overlaps is left for later steps.
 void ContinuousSolver::come_out(Place i) {
-    Ball& ball = (*balls_)[i];
+    Ball& ball = bodies_[i];
     for (int round = 0; round < 4; ++round) {
         const Box here = bounds_of(ball.position, ball.radius);
         record_->statistics.pair_tests += movers_[i].near.cover(here, ranges_);
@@ -228,7 +152,7 @@ void ContinuousSolver::find_piles() {
 
 bool ContinuousSolver::piled(Place i, Place j) const {
     const Mover &first = movers_[i], &second = movers_[j];
-    const Ball &a = (*balls_)[i], &b = (*balls_)[j];
+    const Ball &a = bodies_[i], &b = bodies_[j];
     if (!first.active && !second.active) return false;
     if ((first.handed_over && second.handed_over) || (a.asleep && b.asleep)) return false;
     if (!layers_meet(a, b)) return false;
@@ -254,7 +178,7 @@ bool ContinuousSolver::any_paths_cross() const {
 }
 
 Box ContinuousSolver::touching_bounds(Place i) const {
-    return grown(paths_[i], touch_distance * (*balls_)[i].radius);
+    return grown(paths_[i], touch_distance * bodies_[i].radius);
 }
 
 /// With what acceleration two balls that touch would come closer, were there no contact, m/s².
@@ -274,14 +198,18 @@ void ContinuousSolver::hand_over(Place i) {
 /// Moves the balls that were handed over; the others may not come near them.
 void ContinuousSolver::run_discrete(BroadPhase& broad) {
     handed_.clear();
-    std::vector<Ball>& balls = *balls_;
+    std::vector<Ball>& balls = bodies_;
     for (Place i = 0; i < balls.size(); ++i)
         if (movers_[i].handed_over) handed_.push_back(balls[i]);
     if (handed_.empty()) return table_->pressings().clear();
     constexpr std::size_t few = 16;
     const std::uint64_t tests = few_->tests();
+    const auto reported = static_cast<std::ptrdiff_t>(record_->events.size());
     discrete_.step(*table_, handed_, dt_, handed_.size() <= few ? *few_ : broad, *record_);
     discrete_.land(handed_, [](std::size_t, const Ball&) {});
+    pending_.insert(pending_.end(), record_->events.begin() + reported, record_->events.end());
+    record_->events.erase(record_->events.begin() + reported, record_->events.end());
+    record_->crossed.clear();
     open_again();
     record_->statistics.pair_tests += few_->tests() - tests;
     auto next = handed_.begin();
@@ -293,81 +221,24 @@ void ContinuousSolver::run_discrete(BroadPhase& broad) {
     }
 }
 
-void ContinuousSolver::roll_back(std::size_t events) {
-    *balls_ = at_start_;
-    table_->reported_lost().resize(reported_at_start_);
-    inside_ = inside_at_start_;
-    table_->pressings() = pressings_at_start_;
-    table_->blocked() = blocked_at_start_;
-    record_->events.resize(events);
-    record_->crossed.clear();
-    record_->statistics.impacts = 0;
-    for (PartIndex i = 0; i < parts_at_start_.size(); ++i) {
-        table_->set_open(i, parts_at_start_[i].open);
-        table_->set_down(i, parts_at_start_[i].down);
-    }
-}
-
-void ContinuousSolver::finish() {
-    std::vector<Ball>& balls = *balls_;
-    std::uint64_t handed = 0;
-    for (Place i = 0; i < balls.size(); ++i) {
-        Mover& mover = movers_[i];
-        if (mover.handed_over)
-            ++handed;
-        else if (balls[i].asleep)
-            continue;
-        else if (mover.active)
-            advance(i, dt_);
-        else
-            fly_freely(balls[i], drive_.gravity, stretch_);
-        mover.free -= dt_;
-        mover.left_at = balls[i].position;
-        mover.left_with = balls[i].velocity;
-    }
-    record_->statistics.handed_over = handed;
-    if (handed > 0) settled_ = false;
-    if (!any_active_) return;
-    drop_lost();
-    find_pairs();
-}
-
-/// Forgets the balls that were lost; the lists of their movers stay in the pool.
-void ContinuousSolver::drop_lost() {
-    if (std::ranges::none_of(movers_, &Mover::lost)) return;
-    std::vector<Ball>& balls = *balls_;
-    Place kept = 0;
-    for (Place i = 0; i < balls.size(); ++i) {
-        if (movers_[i].lost) continue;
-        if (kept != i) {
-            balls[kept] = balls[i];
-            std::swap(movers_[kept], movers_[i]);
-            paths_.place(kept, paths_[i]);
-        }
-        ++kept;
-    }
-    balls.resize(kept);
-    movers_ = movers_.first(kept);
-    paths_.shrink(kept);
-}
-
-void ContinuousSolver::find_pairs() {
+std::span<const Pair> ContinuousSolver::find_pairs(std::span<const Ball> balls) {
+    pairs_.clear();
+    if (!any_active_ || balls.empty()) return pairs_;
     list_active();
-    if (apart_ || !any_paths_cross()) {
-        for (const Place i : active_) pair_with_parts(i);
-        return;
-    }
-    const double largest = std::ranges::max(*balls_, {}, &Ball::radius).radius;
+    const bool cross = !apart_ && any_paths_cross();
+    const double margin = touch_distance * std::ranges::max(balls, {}, &Ball::radius).radius;
     for (Place i = 0; i < movers_.size(); ++i) {
-        if (movers_[i].active) pair_with_parts(i);
-        pair_with_balls(i, touch_distance * largest);
+        if (movers_[i].lost) continue;
+        if (movers_[i].active) pair_with_parts(balls, i);
+        if (cross) pair_with_balls(balls, i, margin);
     }
+    return pairs_;
 }
 
-void ContinuousSolver::pair_with_parts(Place i) {
-    const Ball& ball = (*balls_)[i];
+void ContinuousSolver::pair_with_parts(std::span<const Ball> balls, Place i) {
+    const Ball& ball = balls[rank_[i]];
     if (ball.asleep) return;
-    const Handle handle = layout_.size() + i;
+    const Handle handle = layout_.size() + rank_[i];
     const Box box = touching_box(ball);
     const std::size_t first = pairs_.size();
     record_->statistics.pair_tests += movers_[i].near.cover(box, ranges_);
@@ -375,7 +246,7 @@ void ContinuousSolver::pair_with_parts(Place i) {
         if (!overlap(box, ranges_[f]) || !layers_meet(ball, features_[f])) continue;
         // The box of an arc is mostly empty.
         if (std::holds_alternative<Bow>(features_[f].is) &&
-            look(features_[f], table_->pose(features_[f].part, dt_).undo(ball.position), ball.radius)
+            look(features_[f], turnings_[features_[f].part].pose(read_at_).undo(ball.position), ball.radius)
                     .distance > ball.radius * (1 + touch_distance))
             continue;
         const Pair pair{features_[f].piece, handle};
@@ -384,15 +255,16 @@ void ContinuousSolver::pair_with_parts(Place i) {
 }
 
 /// With those before it. No touching_box() reaches further than by `margin` out of the bounds of a path.
-void ContinuousSolver::pair_with_balls(Place i, double margin) {
-    const std::vector<Ball>& balls = *balls_;
-    const Ball& ball = balls[i];
+void ContinuousSolver::pair_with_balls(std::span<const Ball> balls, Place i, double margin) {
+    const Ball& ball = balls[rank_[i]];
     const Box box = touching_box(ball);
     record_->statistics.pair_tests += paths_.find(grown(box, margin), near_);
-    for (const Place j : near_)
-        if (j < i && overlap(box, touching_box(balls[j])) && (movers_[i].active || movers_[j].active) &&
-            !(ball.asleep && balls[j].asleep) && layers_meet(ball, balls[j]))
-            pairs_.push_back({layout_.size() + j, layout_.size() + i});
+    for (const Place j : near_) {
+        if (j >= i || movers_[j].lost || !(movers_[i].active || movers_[j].active)) continue;
+        const Ball& other = balls[rank_[j]];
+        if (overlap(box, touching_box(other)) && !(ball.asleep && other.asleep) && layers_meet(ball, other))
+            pairs_.push_back({layout_.size() + rank_[j], layout_.size() + rank_[i]});
+    }
 }
 
 }  // namespace flipside::custom

@@ -1,20 +1,22 @@
 #pragma once
-/// The continuous solver: every ball flies its exact path to its next event inside the step, events are
-/// handled in order of time, and only the balls involved are predicted again (Alder and Wainwright 1959;
-/// Lubachevsky 1991, "How to simulate billiards and similar systems"). There is no error but rounding, and
-/// none that grows with dt.
+/// The continuous solver: every ball flies its exact path to its next event, events are handled in order of
+/// time, and only the balls involved are predicted again (Alder and Wainwright 1959; Lubachevsky 1991, "How
+/// to simulate billiards and similar systems"). There is no error but rounding, and none that grows with dt.
+///
+/// It works in windows of time. At the start of a window all balls set out; then it is run to any instants in
+/// it, and read there. How often it is read changes no bit. What a ball rests on follows from where it is and
+/// how it moves at the start, so a window can be made again from the state of the world there.
 ///
 /// One queue holds the next event of each ball; a count per ball voids entries that were overtaken. A ball
 /// that surely flies free for a while (clearance.hpp) or sleeps takes no part until something happens to it.
-/// Nothing of a step is kept for the next one but lists that only save work: what a ball rests on follows
-/// from where it is and how it moves, so a restored world continues with the same bits.
+/// Balls find each other in a hierarchical grid of the bounds of their paths.
 ///
 /// A slow contact (approach below rest_speed, or a hop too short to matter) holds: see holding.hpp. Balls
 /// that press on each other, or lie deep in each other, cannot be ordered by time. Such a cluster, or a ball
 /// for which events pile up without time passing or without an impact that counts, or whose hold has no end
 /// that a search finds, or all when `max_impacts` or the steps of searches are exceeded, are given to the
-/// discrete solver for that one step: the step is begun again without them. Statistics count them as
-/// handed_over.
+/// discrete solver for that one window: it is begun again without them. Between its ends they are read on
+/// straight lines. Statistics count them as handed_over.
 
 #include "custom/broad_phase/hierarchical_grid.hpp"
 #include "custom/continuous/candidates.hpp"
@@ -31,14 +33,26 @@ class ContinuousSolver {
     ContinuousSolver(const Table& table, const Layout& layout, const SolverSettings& settings,
                      DiscreteSolver& discrete);
 
-    /// Moves the balls by dt; the table's clock stays, its gates and targets may change. Lost balls are
-    /// removed (or kept and noted as reported).
-    void step(Table& table, std::vector<Ball>& balls, double dt, BroadPhase& broad, StepRecord& record);
+    /// Begins a window of time: the balls set out at the table's time, for `length` seconds. Until the end of
+    /// the window the table's clock and parts are the caller's, its gates and targets the solver's.
+    void begin(Table& table, std::span<const Ball> balls, double length, StepRecord& record);
+    /// Handles the events up to `until`, in seconds since the window's start. False where balls have to be
+    /// handed over and the window was read already: then nothing is changed, and another window is to begin
+    /// where it was read last.
+    [[nodiscard]] bool run(double until, BroadPhase& broad, StepRecord& record);
+    /// Where the balls are `time` seconds after the window's start, which run() has reached; lost ones are
+    /// left out. Writes the events up to there that were not written yet; none gets a time after `now`.
+    void read(double time, double now, std::vector<Ball>& balls);
+    /// The same at the end of the window, after a run to there. Another one is to begin.
+    void end(double now, std::vector<Ball>& balls);
 
-    /// Whether nothing happened in the last step: all balls flew free or slept on.
+    /// The state of the world at the window's start.
+    [[nodiscard]] const State& start() const { return start_state_; }
+    /// Whether nothing happens in this window: all balls fly free or sleep on.
     [[nodiscard]] bool quiet() const { return !any_active_; }
-    /// Pairs of pieces and awake balls that are near each other after a step, as a broad phase gives them.
-    [[nodiscard]] std::span<const Pair> near_pairs() const { return pairs_; }
+    /// Pairs of pieces and awake balls that are near each other, as a broad phase gives them; `balls` as they
+    /// were read last.
+    [[nodiscard]] std::span<const Pair> find_pairs(std::span<const Ball> balls);
     /// Makes room for so many balls.
     void reserve(std::size_t balls);
     /// Forgets what it noted of sensors and gates: they are found anew from where the balls are.
@@ -88,10 +102,17 @@ class ContinuousSolver {
     };
     [[nodiscard]] static std::uint64_t order_of(Place i, const Mover& mover);
 
-    // The step as a whole (continuous_solver.cpp).
-    void begin();
+    // The window as a whole (continuous_window.cpp).
     void take_places();
-    bool attempt(BroadPhase& broad);
+    void set_out_all(BroadPhase& broad);
+    void handle_until(double time);
+    void note_flags();
+    void restore_flags(const State& before);
+    [[nodiscard]] Ball ball_at(Place i, double time, const Stretch& since_start) const;
+    void report_until(double time, double now);
+    void drop_lost();
+
+    // What happens at its start, and which pairs are near when it is read (continuous_solver.cpp).
     void prepare_movers();
     void come_out(Place i);
     void find_piles();
@@ -102,12 +123,8 @@ class ContinuousSolver {
     /// Around all that touches a ball on its path.
     [[nodiscard]] Box touching_bounds(Place i) const;
     void run_discrete(BroadPhase& broad);
-    void roll_back(std::size_t events);
-    void finish();
-    void drop_lost();
-    void find_pairs();
-    void pair_with_parts(Place i);
-    void pair_with_balls(Place i, double margin);
+    void pair_with_parts(std::span<const Ball> balls, Place i);
+    void pair_with_balls(std::span<const Ball> balls, Place i, double margin);
     [[nodiscard]] double pressing(Place i, Place j, double time) const;
     void hand_over(Place i);
 
@@ -157,7 +174,7 @@ class ContinuousSolver {
 
     // Events (continuous_events.cpp).
     void handle(Place i);
-    void advance(Place i, double time);
+    static void advance(Ball& ball, const HeldPath& way, double time);
     [[nodiscard]] bool leads_on(const Impact& impact, const Ball& ball) const;
     void hit_feature(Place i, double time);
     void hit_ball(Place i, double time);
@@ -182,13 +199,18 @@ class ContinuousSolver {
     Clearance clearance_;
     std::unique_ptr<BroadPhase> few_;  ///< for what is handed over
 
-    // Of the step being made.
+    // Of the window.
     Table* table_ = nullptr;
-    std::vector<Ball>* balls_ = nullptr;
     StepRecord* record_ = nullptr;
-    double dt_ = 0;
-    Stretch stretch_{0, 0};      ///< dt
-    bool parts_changed_ = true;  ///< how a part stands or turns is not as in the last step
+    double start_ = 0;            ///< s, on the table's clock; all other times count from there
+    double dt_ = 0;               ///< its length
+    double read_at_ = 0;          ///< where it was read last
+    std::vector<Ball> bodies_;    ///< each at its last event
+    std::vector<Event> pending_;  ///< not written yet
+    bool set_out_ = false;        ///< all balls have their paths
+    bool ended_ = false;          ///< the last window was not given up
+    Stretch stretch_{0, 0};       ///< dt
+    bool parts_changed_ = true;   ///< how a part stands or turns is not as in the last step
     bool any_active_ = false;
     std::uint64_t events_ = 0, search_steps_ = 0;  ///< in all attempts
     bool spoilt_ = false;                          ///< this attempt found balls to hand over
@@ -204,13 +226,12 @@ class ContinuousSolver {
     HierarchicalGrid paths_;          ///< bounds of each ball's path until the end of the step, by place
     std::vector<Place> near_;         ///< scratch: what a query found
     std::vector<Grip> grips_;
-    std::vector<Ball> at_start_, handed_;
-    std::vector<PartState> parts_at_start_;
-    std::size_t reported_at_start_ = 0;
+    std::vector<Ball> handed_;
+    std::vector<Place> rank_;  ///< of a ball among those read
     std::vector<Pair> pairs_;
-    std::vector<Sensed> inside_at_start_;
-    std::vector<Pressing> pressings_at_start_;
-    std::vector<Blocked> blocked_at_start_;
+    State start_state_;                  ///< of the window
+    State last_read_;                    ///< without balls; where the window was read
+    std::vector<Sensed> inside_before_;  ///< the run under way
 };
 
 }  // namespace flipside::custom

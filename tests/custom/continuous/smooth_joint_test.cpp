@@ -19,7 +19,10 @@ double worst_of(Placement place, int orientations, double dt) {
         for (const Slide& slide : flipside::test::slides(place)) {
             const auto world = make_world(slide.scene, {{"solver", "continuous"}});
             const double strayed = flipside::test::strays(*world, slide, dt);
-            EXPECT_LE(strayed, 1e-12 * (1 + length(place.origin))) << slide.name << ", angle " << place.angle;
+            // A place is rounded once in each window of the solver, of which there are 60 a second.
+            const double rounding = 60 * slide.seconds * 0x1p-53 * length(place.origin) / place.radius;
+            EXPECT_LE(strayed, 1e-12 * (1 + length(place.origin)) + rounding)
+                << slide.name << ", angle " << place.angle;
             worst = std::max(worst, strayed);
         }
     }
