@@ -38,7 +38,10 @@ void Box2dWorld::make_step(double dt) {
     report_impacts();
     report_touches();
     report_lost();
-    for (Event& event : events_) event.time = table_.time();
+    for (Event& event : events_) {
+        event.time = table_.time();
+        require_finite("box2d", event, table_.scene());
+    }
     measure();
 }
 

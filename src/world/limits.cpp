@@ -38,6 +38,16 @@ void refuse_search(std::string_view engine, BallNumber ball, Other met, double t
                   " s on: the search for their next touch has passed its bound of steps");
 }
 
+void require_finite(std::string_view engine, const Event& event, const Scene& scene) {
+    for (const double number :
+         {event.point.x, event.point.y, event.normal.x, event.normal.y, event.speed, event.impulse})
+        if (!std::isfinite(number))
+            throw Refusal(std::string(engine) + ": ball " + std::to_string(event.ball) + " and " +
+                          (event.kind == EventKind::lost ? "the bounds" : name_of(event.other, scene)) +
+                          " at " + shown("%.9g", event.time) +
+                          " s: what they do to each other is beyond the numbers of this engine");
+}
+
 void require_limits(std::string_view engine, std::span<const Ball> balls, double time) {
     for (const Ball& ball : balls) {
         if (!within_top_speed(ball)) refuse(engine, ball, "", time);

@@ -35,6 +35,9 @@ inline constexpr double last_time = 1e12;
 /// Throws Refusal: when `ball` touches or leaves `met`, on its way from `time` on, is not found.
 [[noreturn]] void refuse_search(std::string_view engine, BallNumber ball, Other met, double time,
                                 const Scene& scene);
+/// Throws Refusal where a number of the event is infinite or none: an engine in single precision gets there
+/// with balls of extreme radius or mass.
+void require_finite(std::string_view engine, const Event& event, const Scene& scene);
 /// Throws Refusal where a ball, or the time, is beyond the limits.
 void require_limits(std::string_view engine, std::span<const Ball> balls, double time);
 
