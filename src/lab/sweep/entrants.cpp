@@ -15,7 +15,9 @@ constexpr int coarse = coarsest_steps, middle = 960, fine = finest_steps;
 constexpr Entrant all[] = {
     {"custom-continuous", "custom", "solver=continuous", coarse, fine,
      "the bespoke engine from impact to impact"},
-    {"custom-discrete", "custom", "solver=discrete", coarse, fine, "the bespoke engine's toy solver"},
+    {"custom-simple", "custom", "solver=simple", coarse, fine,
+     "the bespoke engine's toy: the loop that it teaches"},
+    {"custom-discrete", "custom", "solver=discrete", coarse, fine, "the bespoke engine in fixed sub-steps"},
     {"custom-discrete-tuned", "custom", "solver=discrete motion_iterations=16 collision_iterations=12",
      coarse, middle, "the same with four times the flights and twice the rounds of response"},
     {"box2d", "box2d", "", coarse, fine, "Box2D as it comes: bullets, 8 velocity and 3 position iterations"},

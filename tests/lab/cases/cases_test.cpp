@@ -140,6 +140,22 @@ TEST(Cases, discreteSolverStaysWithinItsBounds) {
     expect_within(entrant("custom", {"solver=discrete"}), bounds);
 }
 
+// What a single impact does it gets right, a motion iteration late; what is fast goes through.
+TEST(Cases, simpleSolverFailsWhereItTunnels) {
+    const CaseInput input = entrant("custom", {"solver=simple"});
+    const Bound bounds[] = {{"zeno-drop", "speeds", 1e-8},
+                            {"zeno-drop", "time of the last impact", 0.5},
+                            {"elastic-drop", "energy drift, relative", 1e-9},
+                            {"head-on", "", 1e-14},
+                            {"friction-bounce", "", 1e-12},
+                            {"deep-overlap", "energy gained", 1e-12}};
+    expect_within(input, bounds);
+    for (const char* name : {"thin-wall", "opposed-balls", "crushed-ball"}) {
+        const std::vector<std::string> names{name};
+        EXPECT_EQ(run_case(*find_cases(names).front(), input).verdict, Verdict::fail) << name;
+    }
+}
+
 // Single precision; times are those of steps of 1/60 s; flight is off by ½·g·h·t.
 TEST(Cases, box2dStaysWithinItsBounds) {
     const Bound bounds[] = {{"galperin", "collisions, M/m = 100^0", 0},
