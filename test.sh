@@ -11,6 +11,7 @@ case "${*:-}" in
     *) echo "usage: $0 [--all]" >&2 && exit 2 ;;
 esac
 jobs=$(nproc)
+tests_at_once=$((jobs + 1))  # some wait for the disk or for a window
 release=release
 if $gates; then release=ci; fi  # the same, and warnings are errors
 started=$SECONDS
@@ -26,7 +27,7 @@ fi
 stage "Release build"
 build "$release"
 stage "tests"
-ctest --preset "$release" -j "$jobs"
+ctest --preset "$release" -j "$tests_at_once"
 if $gates; then
     # clang without optimisation: the golden test is among those under the sanitizers
     for preset in debug clang aarch64; do
@@ -39,7 +40,7 @@ if $gates; then
     stage "clang-tidy"
     scripts/tidy.sh sanitize
     stage "tests under the sanitizers"
-    ctest --preset sanitize -j "$jobs"
+    ctest --preset sanitize -j "$tests_at_once"
     stage "fuzzing, 30 s per target"
     FLIPSIDE_FUZZ_PRESET=sanitize FLIPSIDE_FUZZ_DIR=build/fuzzed scripts/fuzz.sh 30s
     stage "uninitialised reads: valgrind"
