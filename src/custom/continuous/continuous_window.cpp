@@ -24,10 +24,10 @@ void ContinuousSolver::begin(Table& table, std::span<const Ball> balls, double l
         parts_changed_ = parts_changed_ || rate != turning.rate || pose.angle != turning.begin.angle;
         turning = {pose, rate, stop, end};
     }
+    take_places();  // which settles gates: a run made again begins from there
     table.copy(start_state_);
-    inside_before_ = inside_;
-    take_places();
     start_state_.balls = bodies_;
+    inside_before_ = inside_;
     find_active();
 }
 
