@@ -32,11 +32,9 @@ void Simulation<R>::predict(Place i) {
         const R goes = leaves(mover.path, scene_->bounds, now_, mover.next_time, side);
         offer(mover, goes, Next::lost, static_cast<std::uint32_t>(side));
     }
-    const std::uint64_t searches_before = counts_.narrow_tests;
     predict_features(mover);
     predict_sensors(mover);
     predict_balls(i);
-    mover.searches += counts_.narrow_tests - searches_before;
     queue_.push_back({mover.next_time, i, mover.predictions});
     std::push_heap(queue_.begin(), queue_.end());
 }

@@ -307,7 +307,6 @@ template <class R>
 void Simulation<R>::begin(double seconds) {
     events_.clear();
     counts_ = {};
-    for (Mover& mover : movers_) mover.searches = 0;
     run_start_ = now_;
     run_end_ = now_ + R(seconds);
     length_ = seconds;

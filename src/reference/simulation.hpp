@@ -90,7 +90,6 @@ class Simulation final : public Exact {
         int busy = 0;
         R pressed_since{};  ///< slow touches of other balls pile up since then
         int pressed = 0;
-        std::uint64_t searches = 0;  ///< for what it meets next, in this run
     };
     struct PartNow {
         Turning<R> turning;
