@@ -33,14 +33,6 @@ constexpr SettingSpec specs[] = {
      .max = 1e9,
      .about = "events that the continuous solver handles in one step before it leaves the step to the "
               "discrete one; too few and a busy step loses its exactness"},
-    {.name = "look_ahead",
-     .type = SettingType::real,
-     .unit = "radii",
-     .initial = 12,
-     .min = 0,
-     .max = 1e6,
-     .about = "how far ahead the continuous solver follows a ball to see how long it flies free; 0 searches "
-              "every flight in every step; changes the cost, never the outcome"},
     {.name = "motion_iterations",
      .type = SettingType::integer,
      .initial = 4,
@@ -128,7 +120,6 @@ SolverSettings::SolverSettings(const Settings& settings)
       search_steps(settings.real("search_steps")),
       sleep(settings.toggle("sleep")),
       sleep_speed(settings.real("sleep_speed")),
-      look_ahead(settings.real("look_ahead")),
       max_impacts(static_cast<std::uint64_t>(settings.integer("max_impacts"))) {}
 
 }  // namespace flipside::custom

@@ -17,7 +17,6 @@ struct SolverSettings {
     double search_steps;
     bool sleep;
     double sleep_speed;  ///< m/s
-    double look_ahead;   ///< radii
     std::uint64_t max_impacts;
 
     explicit SolverSettings(const Settings& settings);

@@ -26,7 +26,7 @@ CustomWorld::CustomWorld(std::shared_ptr<const Scene> scene, const Settings& set
       broad_(make_broad_phase(*scene_, layout_.still_proxies(), settings)),
       simple_(*scene_, layout_, settings_),
       discrete_(*scene_, layout_, settings_),
-      continuous_(table_, layout_, settings_, discrete_),
+      continuous_(table_, layout_, settings_),
       sleep_(settings_.sleep_speed, length(scene_->gravity)),
       balls_(scene_->balls) {
     make_room();
@@ -50,8 +50,14 @@ void CustomWorld::make_room() {
 }
 
 void CustomWorld::step(double dt) {
+    const bool in_window = in_window_;
+    continuous_.keep_start();
     guard_.run(
-        table_, balls_, [&] { make_step(dt); }, [&](const State& before) { restore(before); });
+        table_, balls_, [&] { make_step(dt); },
+        [&](State before) {
+            if (in_window) before.origin = origin_of(continuous_.kept_start());
+            restore(before);
+        });
 }
 
 void CustomWorld::make_step(double dt) {
@@ -96,10 +102,7 @@ void CustomWorld::step_in_windows(double dt) {
         const bool whole = window_end_ <= now.time;
         const Clock reached = window_end_ < now.time ? Clock{window_end_, 0} : now;
         const double ahead = reached.time - continuous_.start().clock.time;
-        if (!continuous_.run(ahead, *broad_, record_)) {
-            begin_window();
-            continue;
-        }
+        continuous_.run(ahead, record_);
         table_.set_to(reached, continuous_.start().parts, ahead);
         done = window_end_ >= now.time;
         if (whole)
@@ -110,23 +113,29 @@ void CustomWorld::step_in_windows(double dt) {
 }
 
 void CustomWorld::begin_window() {
-    constexpr double window = 1.0 / 60;  // s; steps of this length, summed up, end with a window
-    double next = std::floor(time() / window) + 1;
-    while (next * window <= time()) ++next;
-    window_end_ = next * window;
     in_window_ = true;
     if (!was_continuous_) continuous_.reset(table_, balls_);
     was_continuous_ = true;
-    sleep_.forget();
+    // Who may fall asleep is looked at often.
+    constexpr double often = 1.0 / 60, seldom = 1.0 / 4;  // s; steps of 1/60 s, summed up, end with a window
+    bool may_settle = false;
+    if (settings_.sleep) {
+        sleep_.forget();
+        sleep_.watch(balls_, often);
+        may_settle = sleep_.may_settle(balls_);
+    }
+    const double window = may_settle ? often : seldom;
+    double next = std::floor(time() / window) + 1;
+    while (next * window <= time()) ++next;
+    window_end_ = next * window;
     const double length = window_end_ - time();
-    if (settings_.sleep) sleep_.watch(balls_, length);
     continuous_.begin(table_, balls_, length, record_);
 }
 
 void CustomWorld::end_window() {
     continuous_.end(time(), balls_);
     in_window_ = false;
-    if (!settings_.sleep) return;
+    if (!settings_.sleep || window_end_ - continuous_.start().clock.time > 1.0 / 30) return;
     look_over_all();
     if (!sleep_.may_settle(balls_)) return;
     find_touches();
@@ -298,13 +307,15 @@ bool CustomWorld::remove(BallNumber number) {
     return true;
 }
 
+std::shared_ptr<const State> CustomWorld::origin_of(const State& start) {
+    auto origin = std::make_shared<State>(start);
+    Table::forget_gone(*origin);
+    return origin;
+}
+
 State CustomWorld::save() const {
     State state = table_.save(balls_);
-    if (in_window_) {
-        auto origin = std::make_shared<State>(continuous_.start());
-        Table::forget_gone(*origin);
-        state.origin = std::move(origin);
-    }
+    if (in_window_) state.origin = origin_of(continuous_.start());
     return state;
 }
 
@@ -334,7 +345,7 @@ bool CustomWorld::resume(const State& state) {
     if (!(state.clock.time >= time() && state.clock.time < window_end_)) return false;
     const double ahead = state.clock.time - time();
     try {
-        if (!continuous_.run(ahead, *broad_, record_)) return false;
+        continuous_.run(ahead, record_);
     } catch (const Refusal&) {
         return false;
     }

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "custom/continuous/continuous_solver.hpp"
+#include "custom/discrete/discrete_solver.hpp"
 #include "custom/engine.hpp"
 #include "custom/simple/simple_solver.hpp"
 #include "custom/sleep.hpp"
@@ -43,6 +44,7 @@ class CustomWorld final : public World {
     void end_window();
     void load(const State& state);
     bool resume(const State& state);
+    [[nodiscard]] static std::shared_ptr<const State> origin_of(const State& start);
     void launch();
     void make_room();
     bool look_over(auto&& each_ball);

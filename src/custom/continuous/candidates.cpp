@@ -23,7 +23,7 @@ std::uint64_t Candidates::cover(const Box& box, const BoxIndex& feature_ranges) 
     if (fat_.contains(box.min) && fat_.contains(box.max)) return 0;
     const Vec2 size = box.max - box.min;
     // More makes the list too long to look through, less makes it anew too often; measured on pinball.
-    constexpr double fat = 0.05;
+    constexpr double fat = 0.25;
     fat_ = grown(box, fat * (size.x + size.y));
     list_.clear();
     return feature_ranges.find(fat_, list_);

@@ -16,6 +16,8 @@ constexpr int most_at_once = 200;
 /// in units of √(r·g), reach 1e-10 radii; balls that are pressed together rattle so.
 constexpr int most_idle = 2000;
 constexpr double idle_impact = 1e-5;
+/// So many more, of one that had to wait for a tick.
+constexpr int idle_after_wait = 20;
 /// Steps of all searches for impacts in one window, about a fifth of a second; and for each ball as many as
 /// 20 grazes take.
 constexpr std::uint64_t most_search_steps = 2'000'000, search_steps_per_ball = 1000;
@@ -37,28 +39,35 @@ void ContinuousSolver::advance(Ball& ball, const HeldPath& way, double time) {
 /// Handles the next event of a ball.
 void ContinuousSolver::handle(Place i) {
     Mover& mover = movers_[i];
+    if (mover.horizon <= mover.next_time) return enter_cell(i);
     const double time = mover.next_time;
     // Of two balls the first is held to have the event.
-    Mover& counted = mover.next == Next::ball ? movers_[std::min(i, mover.met)] : mover;
+    Mover& counted =
+        mover.next == Next::ball && !bodies_[mover.met].asleep ? movers_[std::min(i, mover.met)] : mover;
     counted.stalled = time <= counted.last_time + instant * dt_ ? counted.stalled + 1 : 0;
     counted.last_time = time;
-    if (counted.stalled > most_at_once || ++counted.idle > most_idle) return hand_over(i);
+    if (counted.stalled > most_at_once || ++counted.idle > most_idle) {
+        counted.idle = most_idle - idle_after_wait;
+        counted.stalled = 0;
+        if (counted.crushed) return wait(&counted == &mover ? i : mover.met, time);
+        return crush(i, time);
+    }
     if (++events_ > settings_.max_impacts ||
         search_steps_ > most_search_steps + search_steps_per_ball * movers_.size()) {
-        for (Place j = 0; j < movers_.size(); ++j) hand_over(j);
+        for (Place j = 0; j < movers_.size(); ++j)
+            if (!movers_[j].lost && !bodies_[j].asleep) wait(j, time);
         return;
     }
     mover.left = nullptr;
-    apart_ = false;
     switch (mover.next) {
         case Next::feature:
             if (ignores(features_[mover.met], bodies_[i])) return predict(i, time);
             return hit_feature(i, time);
         case Next::ball:
-            if (movers_[mover.met].changes != mover.met_changes) return predict(i, time);
+            if (flying_[mover.met].changes != mover.met_changes) return predict(i, time);
             return hit_ball(i, time);
         case Next::look_again:
-            advance(bodies_[i], movers_[i].way, time);
+            move_to(i, time);
             if (mover.way.lets_go) mover.left = mover.held;
             return go_on(i, time);
         case Next::sense:
@@ -93,12 +102,14 @@ void ContinuousSolver::hit_feature(Place i, double time) {
     const Part& part = scene_.parts[index];
     const Turning& turning = turnings_[index];
     const Pose pose = turning.pose(time);
-    advance(bodies_[i], movers_[i].way, time);
+    advance(ball, movers_[i].way, time);
     const Sight sight = look(feature, pose.undo(ball.position), ball.radius);
     if (feature.gate && meet_gate(i, index, time)) return go_on(i, time);
     const Vec2 normal = pose.angle == 0 ? sight.normal : rotated(sight.normal, pose.angle);
     const Vec2 point = ball.position - sight.distance * normal;
     const Vec2 surface = cross(turning.rate_at(time), point - pose.pivot);
+    if (const Vec2 v = true_velocity(i, time); - dot(v - surface, normal) > scene_.rest_speed)
+        ball.velocity = v;
     const Vec2 relative = ball.velocity - surface;
     ball.asleep = false;
     if (const double closing = -dot(relative, normal); closing <= graze * length(relative)) {
@@ -117,6 +128,7 @@ void ContinuousSolver::hit_feature(Place i, double time) {
             release(index, time);
         }
     }
+    if (impact.happened) leave(i);
     go_on(i, time);
 }
 
@@ -124,7 +136,7 @@ void ContinuousSolver::hit_feature(Place i, double time) {
 void ContinuousSolver::release(PartIndex part, double time) {
     for (Place j = 0; j < movers_.size(); ++j) {
         Ball& ball = bodies_[j];
-        if (movers_[j].handed_over || movers_[j].lost) continue;
+        if (flying_[j].pressed || movers_[j].lost) continue;
         if (!ball.asleep && (movers_[j].held == nullptr || movers_[j].held->part != part)) continue;
         if (!ball.asleep) advance(bodies_[j], movers_[j].way, time);
         ball.asleep = false;
@@ -136,26 +148,40 @@ void ContinuousSolver::hit_ball(Place i, double time) {
     const Place j = movers_[i].met;
     const Place low = std::min(i, j), high = std::max(i, j);
     Ball &a = bodies_[low], &b = bodies_[high];
-    advance(bodies_[low], movers_[low].way, time);
-    advance(bodies_[high], movers_[high].way, time);
-    a.asleep = b.asleep = false;
+    advance(a, movers_[low].way, time);
+    advance(b, movers_[high].way, time);
+    // A blow meets a member of an island with the velocity that it has; what comes to rest on one, with that
+    // of its hop, so that both go on together until the next tick.
+    const Vec2 u = true_velocity(low, time), v = true_velocity(high, time);
+    if (-dot(u - v, unit(a.position - b.position)) > scene_.rest_speed) a.velocity = u, b.velocity = v;
     movers_[j].left = nullptr;
+    // A sleeper holds against what merely comes to rest on it, and wakes when hit.
+    const double approach = -dot(a.velocity - b.velocity, unit(a.position - b.position));
+    if (approach > settings_.sleep_speed) a.asleep = b.asleep = false;
+    const bool held = a.asleep || b.asleep;
     const Impact impact =
-        respond(a, b, false, layout_.mixed(a.material, b.material), {scene_.gravity, scene_.rest_speed, 0});
+        respond(a.asleep ? b : a, a.asleep ? a : b, held, layout_.mixed(a.material, b.material),
+                {scene_.gravity, scene_.rest_speed, 0});
     if (impact.happened) {
         ++record_->statistics.impacts;
         if (leads_on(impact, a)) movers_[i].idle = movers_[j].idle = 0;
         report(time, EventKind::impact, a, Other::ball(b.number), impact,
-               b.position + b.radius * impact.normal);
+               b.position + (a.asleep ? -b.radius : b.radius) * impact.normal);
         if (!within_top_speed(b)) refuse_speed(engine_name, b, Other::ball(a.number), start_ + time, scene_);
     }
+    // A slow touch of balls that are driven together lasts; a blow tears a ball out of its island.
+    bool lasts = !impact.happened && (flying_[i].pressed || flying_[j].pressed);
+    if (!impact.happened)
+        for (Mover* mover : {&movers_[i], &movers_[j]}) {
+            // One that touches others slowly again and again is between them.
+            lasts = lasts || time - mover->last_slow < tick_length;
+            mover->last_slow = time;
+        }
+    if (impact.happened) leave(i), leave(j);
     set_out(i, time);
     set_out(j, time);
-    // A slow touch of balls that are driven together lasts.
-    if (!impact.happened && pressing(low, high, time) > 1e-9 * length(scene_.gravity)) {
-        hand_over(i);
-        return hand_over(j);
-    }
+    if (lasts || (!impact.happened && pressing(low, high, time) > 1e-9 * length(scene_.gravity)))
+        join(i, time), join(j, time);
     predict(i, time);
     predict(j, time);
 }
@@ -169,7 +195,10 @@ void ContinuousSolver::lose(Place i, double time) {
         return predict(i, time);
     }
     movers_[i].lost = true;
-    ++movers_[i].changes;
+    flying_[i].meets = false;
+    ++flying_[i].changes;
+    cells_.remove(i);
+    next_events_.set(i, INFINITY, 0);
     std::erase_if(table_->blocked(), [&](const Blocked& blocked) { return blocked.ball == ball.number; });
     for (PartIndex part = 0; part < pieces_.size(); ++part) {
         if (!inside(ball.number, part)) continue;

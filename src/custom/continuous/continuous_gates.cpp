@@ -86,14 +86,7 @@ void ContinuousSolver::leave_gate(BallNumber ball, PartIndex part, double time) 
     table_->set_open(part, false);
     // What counted on an open gate looks again.
     for (Place j = 0; j < movers_.size(); ++j)
-        if (movers_[j].number != ball && movers_[j].active && !movers_[j].handed_over && !movers_[j].lost)
-            predict(j, time);
-}
-
-/// The discrete solver closes gates in which there is none of the balls that it was given.
-void ContinuousSolver::open_again() {
-    for (const Sensed& in : inside_)
-        if (!scene_.parts[in.sensor].sensor) table_->set_open(in.sensor, true);
+        if (movers_[j].number != ball && !bodies_[j].asleep && !movers_[j].lost) predict(j, time);
 }
 
 }  // namespace flipside::custom

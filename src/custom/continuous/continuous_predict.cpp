@@ -74,10 +74,8 @@ bool ContinuousSolver::ignores(const Feature& feature, const Ball& ball) const {
 void ContinuousSolver::set_out(Place i, double time) {
     Ball& ball = bodies_[i];
     Mover& mover = movers_[i];
-    mover.active = true;
-    mover.free = 0;
+    mover.hops = mover.waits = false;
     if (ball.asleep && beside_moving_part(i)) ball.asleep = false;
-    ++mover.changes;
     mover.held = nullptr;
     mover.glides.clear();
     mover.way.until = never_touch;
@@ -88,16 +86,72 @@ void ContinuousSolver::set_out(Place i, double time) {
     path.swings = false;
     path.flight = {ball.position, ball.velocity, ball.asleep ? Vec2{} : drive_.gravity,
                    ball.asleep ? 0 : drive_.drag};
-    paths_.place(i, bounds_of(path, ball.radius, dt_));
-    record_->statistics.pair_tests += mover.near.cover(paths_[i], ranges_);
-    if (ball.asleep || (mover.clear && time == 0)) return;
+    Flying& flying = flying_[i];
+    ++flying.changes;
+    flying.position = ball.position;
+    flying.velocity = ball.velocity;
+    flying.start = time;
+    flying.freely = !ball.asleep;
+    list_in_cell(i, time);
+    if (ball.asleep) return;
     find_grips(i, time);
-    if (!grips_.empty()) {
-        take_hold(i, time);
-        if (mover.held == nullptr) note_glides(mover);
-        paths_.place(i, bounds_of(path, ball.radius, dt_));
-        record_->statistics.pair_tests += mover.near.cover(paths_[i], ranges_);
+    if (grips_.empty()) return;
+    take_hold(i, time);
+    flying.freely = mover.held == nullptr;
+    if (flying.freely) return note_glides(mover);
+    list_in_cell(i, time);
+}
+
+/// Lists a ball that sets out in the cell where it is: a wide one if it is fast, so that it does not leave
+/// one more often than a thousand times a second.
+void ContinuousSolver::list_in_cell(Place i, double time) {
+    const Ball& ball = bodies_[i];
+    constexpr double soon = 1e-3;  // s
+    cells_.choose_level(i,
+                        std::max(Cells::width_for(ball.radius), movers_[i].way.path.max_speed(dt_) * soon));
+    cells_.put(i, ball.position);
+    cover_way(i, time);
+}
+
+/// Finds how long the ball stays listed in its cell, and what it can meet until then.
+void ContinuousSolver::cover_way(Place i, double time) {
+    Mover& mover = movers_[i];
+    const Path& path = mover.way.path;
+    Vec2 at = path.flight.position;
+    if (bodies_[i].asleep) {
+        mover.horizon = never_touch;
+        mover.bounds = bounds_of(at, bodies_[i].radius);
+        return;
     }
+    const auto [here, velocity] = path.at(time);
+    const double left = dt_ - time;
+    Vec2 top{std::abs(path.flight.acceleration.x), std::abs(path.flight.acceleration.y)};
+    if (path.swings || path.flight.drag > 0) {
+        const double most = path.max_acceleration(dt_);
+        top = {most, most};
+    }
+    const double stays = std::min(cells_.stays(i, here, velocity, top), left);
+    mover.horizon = stays < left ? time + stays : never_touch;
+    const Vec2 far = Vec2{std::abs(velocity.x), std::abs(velocity.y)} * stays + 0.5 * stays * stays * top;
+    mover.bounds = {here - Vec2{velocity.x > 0 ? 0.5 * stays * stays * top.x : far.x,
+                                velocity.y > 0 ? 0.5 * stays * stays * top.y : far.y},
+                    here + Vec2{velocity.x > 0 ? far.x : 0.5 * stays * stays * top.x,
+                                velocity.y > 0 ? far.y : 0.5 * stays * stays * top.y}};
+    mover.bounds = grown(mover.bounds, bodies_[i].radius);
+    record_->statistics.pair_tests += mover.near.cover(mover.bounds, ranges_);
+}
+
+/// A ball is listed in the cell in which it is now, and meets whoever is near there.
+void ContinuousSolver::enter_cell(Place i) {
+    const double time = movers_[i].horizon;
+    const Cells::Cell before = cells_[i];
+    cells_.put(i, movers_[i].way.path.position(time));
+    cover_way(i, time);
+    if (movers_[i].horizon <= time) movers_[i].horizon = never_touch;
+    predict_loss(i, time);
+    predict_features(i, time);
+    cells_.each_newly_near(i, before, [&](Place j) { predict_ball(i, j, time); });
+    schedule(i);
 }
 
 bool ContinuousSolver::beside_moving_part(Place i) {
@@ -196,7 +250,7 @@ void ContinuousSolver::take_hold(Place i, double time) {
         });
         if (!enough) continue;
         mover.held = grip.hold.feature;
-        if (!hold(grip.hold, ball, time, dt_, drive_, mover.way)) hand_over(i);
+        if (!hold(grip.hold, ball, time, dt_, drive_, mover.way)) join(i, time);
         return;
     }
     const double slow = 1e-6 * std::sqrt(ball.radius * length(drive_.gravity));
@@ -207,34 +261,42 @@ void ContinuousSolver::take_hold(Place i, double time) {
     mover.way.path.flight = {ball.position, {}, {}, 0};
 }
 
-void ContinuousSolver::offer(Mover& mover, double time, Next next, std::uint32_t met,
-                             std::uint32_t met_changes) {
-    if (!(time < mover.next_time)) return;
+void ContinuousSolver::offer(Place i, double time, Next next, std::uint32_t met, std::uint32_t met_changes) {
+    Mover& mover = movers_[i];
+    if (!(time <= mover.next_time)) return;
+    if (time == mover.next_time && order_of(i, next, met) >= order_of(i, mover.next, mover.met)) return;
     mover.next_time = time;
     mover.next = next;
     mover.met = met;
     mover.met_changes = met_changes;
 }
 
-std::uint64_t ContinuousSolver::order_of(Place i, const Mover& mover) {
+std::uint64_t ContinuousSolver::order_of(Place i, Next next, std::uint32_t met) {
     constexpr std::uint64_t meets_ball = std::uint64_t{1} << 63;
-    if (mover.next != Next::ball) return std::uint64_t{i} << 32;
-    return meets_ball | std::uint64_t{std::min(i, mover.met)} << 32 | std::max(i, mover.met);
+    if (next == Next::nothing) return ~std::uint64_t{0};
+    if (next != Next::ball) return std::uint64_t{i} << 32;
+    return meets_ball | std::uint64_t{std::min(i, met)} << 32 | std::max(i, met);
 }
 
-/// Finds the next event of a ball on its path and queues it.
+/// Finds the next event of a ball on its path and notes it.
 void ContinuousSolver::predict(Place i, double time) {
     Mover& mover = movers_[i];
-    ++mover.predictions;
     mover.next = Next::nothing;
-    mover.next_time = std::nextafter(dt_, INFINITY);
-    offer(mover, mover.way.until, Next::look_again);
+    mover.next_time = after_end_;
+    flying_[i].near_ball = false;
+    if (!flying_[i].meets || bodies_[i].asleep || mover.waits) return next_events_.set(i, INFINITY, 0);
+    if (!mover.hops) offer(i, mover.way.until, Next::look_again);
     predict_loss(i, time);
     predict_features(i, time);
-    predict_balls(i, time);
-    if (mover.next == Next::nothing) return;
-    queue_.push_back({mover.next_time, order_of(i, mover), i, mover.predictions});
-    std::ranges::push_heap(queue_, std::greater{});
+    cells_.each_near(i, [&](Place j) { predict_ball(i, j, time); });
+    schedule(i);
+}
+
+void ContinuousSolver::schedule(Place i) {
+    const Mover& mover = movers_[i];
+    if (mover.horizon <= mover.next_time) return next_events_.set(i, mover.horizon, std::uint64_t{i} << 32);
+    if (mover.next == Next::nothing) return next_events_.set(i, INFINITY, 0);
+    next_events_.set(i, mover.next_time, order_of(i, mover.next, mover.met));
 }
 
 /// Whether the ball comes to this feature only by sliding to the end of what holds it. That is no touch, but
@@ -258,62 +320,101 @@ bool ContinuousSolver::glides_over(const Mover& mover, const Feature& feature, c
 }
 
 void ContinuousSolver::predict_features(Place i, double time) {
-    const Ball& ball = bodies_[i];
     Mover& mover = movers_[i];
+    mover.near_part = mover.held != nullptr;
+    if (mover.near.list().empty() && inside_.empty() && table_->blocked().empty()) return;
+    const Ball& ball = bodies_[i];
     const Path& path = mover.way.path;
     for (auto in = std::ranges::lower_bound(inside_, ball.number, {}, &Sensed::ball);
          in != inside_.end() && in->ball == ball.number; ++in)
-        offer(mover, sense_time(in->sensor, ball, path, time, true), Next::sense, in->sensor);
+        offer(i, sense_time(in->sensor, ball, path, time, true), Next::sense, in->sensor);
     for (const Blocked& blocked : table_->blocked())
         if (blocked.ball == ball.number)
-            offer(mover, sense_time(blocked.gate, ball, path, time, true), Next::sense, blocked.gate);
+            offer(i, sense_time(blocked.gate, ball, path, time, true), Next::sense, blocked.gate);
     PartIndex sensed = ~0U;
     // How far from the chord of its path the ball can get, with a margin over what counts as touch.
-    const double end = std::min(dt_, mover.way.until), flies = end - time;
+    const double end = std::min({dt_, mover.way.until, mover.horizon}), flies = end - time;
     const Vec2 from = time == path.start ? path.flight.position : path.position(time);
     const Vec2 to = path.position(end);
     const double sag = path.max_acceleration(end) * flies * flies / 8 + clearance_margin(ball);
     for (const FeatureIndex f : mover.near.list()) {
-        if (!overlap(paths_[i], ranges_[f])) continue;
+        if (!overlap(mover.bounds, ranges_[f])) continue;
         const Feature& feature = features_[f];
         if (feature.sensor && inside(ball.number, feature.part)) continue;
         if (feature.sensor) {
             if (feature.part == sensed || !layers_meet(ball, feature)) continue;
             sensed = feature.part;
-            offer(mover, sense_time(sensed, ball, path, time, false), Next::sense, sensed);
+            offer(i, sense_time(sensed, ball, path, time, false), Next::sense, sensed);
             continue;
         }
-        if (&feature == mover.held || ignores(feature, ball) || slides_to(mover, ball, feature)) continue;
+        if (&feature == mover.held || ignores(feature, ball)) continue;
         const Turning& turning = turnings_[feature.part];
-        if (turning.still() && glides_over(mover, feature, turning.begin)) continue;
-        if (turning.still() &&
-            (ball.asleep || (turning.begin.angle == 0 && clear_of(feature, from, to, ball.radius, sag))))
+        if (turning.still() && !ball.asleep && turning.begin.angle == 0 &&
+            clear_of(feature, from, to, ball.radius, sag))
             continue;
+        mover.near_part = true;
+        if (slides_to(mover, ball, feature)) continue;
+        if (flying_[i].pressed && rests_on(i, feature, turning.pose(time), time)) continue;
+        if (turning.still() && glides_over(mover, feature, turning.begin)) continue;
         ++record_->statistics.narrow_tests;
-        const double last = std::min(mover.next_time, dt_);
-        offer(mover, time_of_impact(feature, turning, path, ball.radius, time, last, &search_steps_),
+        const double last = std::min({mover.next_time, dt_, mover.hops ? mover.way.until : dt_});
+        offer(i, time_of_impact(feature, turning, path, ball.radius, time, last, &search_steps_),
               Next::feature, f);
     }
 }
 
-void ContinuousSolver::predict_balls(Place i, double time) {
-    const std::vector<Ball>& balls = bodies_;
-    Mover& mover = movers_[i];
-    if (apart_) return;
-    record_->statistics.pair_tests += paths_.find(paths_[i], near_);
-    for (const Place j : near_) {
-        Mover& other = movers_[j];
-        if (j == i || !layers_meet(balls[i], balls[j]) || other.lost) continue;
-        if (other.handed_over) return hand_over(i);
-        // The same from either side, whenever it is asked, so that it does not matter who asks.
-        const double from = std::max(mover.way.path.start, other.way.path.start);
-        const double until = std::min({dt_, mover.way.until, other.way.until});
-        if (until < from) continue;
-        ++record_->statistics.narrow_tests;
-        const double met = time_of_impact(mover.way.path, other.way.path, balls[i].radius + balls[j].radius,
-                                          from, until, &search_steps_);
-        offer(mover, std::max(met, time), Next::ball, j, other.changes);
-    }
+/// Offers when two balls meet: the same from either side, whenever it is asked, so that it does not matter
+/// who asks.
+void ContinuousSolver::predict_ball(Place i, Place j, double time) {
+    const Flying &a = flying_[i], &b = flying_[j];
+    ++record_->statistics.pair_tests;
+    if (!b.meets) return;
+    if (a.freely && b.freely) return predict_flying(i, j, time);
+    if (!layers_meet(bodies_[i], bodies_[j])) return;
+    flying_[i].near_ball = flying_[j].near_ball = true;
+    if (a.pressed && (b.pressed || bodies_[j].asleep) && in_slow_touch(i, j, time)) return;
+    const Mover &mover = movers_[i], &other = movers_[j];
+    const double from = std::max(a.start, b.start);
+    const double until = std::min({dt_, mover.way.until, other.way.until});
+    if (until < from) return;
+    ++record_->statistics.narrow_tests;
+    const double met =
+        time_of_impact(mover.way.path, other.way.path, a.radius + b.radius, from, until, &search_steps_);
+    offer(i, std::max(met, time), Next::ball, j, b.changes);
+}
+
+/// Two that fly under one gravity and one drag: seen from one another they move straight.
+void ContinuousSolver::predict_flying(Place i, Place j, double time) {
+    const Flying &a = flying_[i], &b = flying_[j];
+    const double from = std::max(a.start, b.start);
+    const auto at = [&](const Flying& flying) {
+        const double t = from - flying.start;
+        if (t == 0) return Path::Motion{flying.position, flying.velocity};
+        const Stretch stretch(drive_.drag, t);
+        const Flight flight{flying.position, flying.velocity, drive_.gravity, drive_.drag};
+        return Path::Motion{flight.position + flight.displacement(stretch), flight.velocity_after(stretch)};
+    };
+    const auto [p, v] = at(a);
+    const auto [q, u] = at(b);
+    const Vec2 between = p - q, relative = v - u;
+    const double approach = -dot(between, relative);
+    // Most pairs are told apart without a root: they part or pass each other by, and do not even come near.
+    constexpr double near = 1e-3;  // of the sum of radii: well over what counts as touch
+    constexpr double sure = 1e-9;  // well over what rounding adds up to
+    const double reach = a.radius + b.radius, wide = (1 + near) * reach;
+    const double apart = length_squared(between) - wide * wide;
+    if (apart > 0 && !(approach > 0)) return;
+    if (apart > 0 && approach * approach * (1 + sure) < length_squared(relative) * apart) return;
+    flying_[i].near_ball = flying_[j].near_ball = true;
+    if (!(approach > 0)) return;
+    if (apart > 0 && from + (1 - sure) * apart / (2 * approach) > movers_[i].next_time) return;
+    if (a.pressed && b.pressed && approach <= slow_ * length(between)) return;
+    if (!layers_meet(bodies_[i], bodies_[j])) return;
+    ++record_->statistics.narrow_tests;
+    const double e = straight_touch(between, relative, reach, gap_rounding(p, q, reach));
+    const double met = from + drag_stretch(drive_.drag, e);
+    if (met <= std::min(movers_[i].way.until, movers_[j].way.until))
+        offer(i, std::max(met, time), Next::ball, j, b.changes);
 }
 
 /// When the centre leaves the bounds.
@@ -321,11 +422,11 @@ void ContinuousSolver::predict_loss(Place i, double time) {
     const Ball& ball = bodies_[i];
     Mover& mover = movers_[i];
     const Box& bounds = scene_.bounds;
-    if (bounds.contains(paths_[i].min) && bounds.contains(paths_[i].max)) return;
+    if (bounds.contains(mover.bounds.min) && bounds.contains(mover.bounds.max)) return;
     const auto& reported = table_->reported_lost();
     if (std::ranges::find(reported, ball.number) != reported.end()) return;
-    const double last = std::min({dt_, mover.way.until, mover.next_time});
-    offer(mover, first_exit(mover.way.path, bounds, time, last), Next::leave_bounds);
+    const double last = std::min({dt_, mover.way.until, mover.next_time, mover.horizon});
+    offer(i, first_exit(mover.way.path, bounds, time, last), Next::leave_bounds);
 }
 
 /// When a ball enters a sensor, or leaves it (or a gate): by steps that no speed can outrun, but not less

@@ -20,18 +20,15 @@ Box touching_box(const Ball& ball) {
 
 }  // namespace
 
-ContinuousSolver::ContinuousSolver(const Table& table, const Layout& layout, const SolverSettings& settings,
-                                   DiscreteSolver& discrete)
+ContinuousSolver::ContinuousSolver(const Table& table, const Layout& layout, const SolverSettings& settings)
     : scene_(table.scene()),
       layout_(layout),
       settings_(settings),
-      discrete_(discrete),
       drive_{scene_.gravity, scene_.damping},
+      slow_(2 * (scene_.rest_speed + length(scene_.gravity) * tick_length)),
       features_(features_of(layout.pieces(), scene_)),
       ranges_(scene_.bounds, features_.size()),
       pieces_(scene_.parts.size()),
-      clearance_(scene_, layout, table),
-      few_(make_few(layout.still_proxies(), scene_.bounds)),
       turnings_(scene_.parts.size()) {
     for (FeatureIndex i = 0; i < features_.size(); ++i)
         ranges_.set(i, range_of(features_[i], layout.piece(features_[i].piece), table));
@@ -43,11 +40,7 @@ ContinuousSolver::ContinuousSolver(const Table& table, const Layout& layout, con
 
 void ContinuousSolver::reset(Table& table, std::vector<Ball>& balls) {
     inside_.clear();
-    for (Mover& mover : pool_) {
-        mover.near.forget();
-        mover.lies = false;
-        mover.free = 0;
-    }
+    for (Mover& mover : pool_) mover.near.forget();
     for (const Ball& ball : balls)
         for (PartIndex part = 0; part < pieces_.size(); ++part)
             for (const PieceIndex piece : pieces_[part]) {
@@ -70,40 +63,23 @@ void ContinuousSolver::reserve(std::size_t balls) {
         movers_ = std::span(pool_).first(movers);
         for (Mover& mover : pool_) mover.near.reserve(std::min(features_.size(), most_near));
     }
-    for (auto* list : {&bodies_, &start_state_.balls, &handed_}) custom::make_room(*list, most);
-    for (auto* list : {&inside_, &inside_before_}) custom::make_room(*list, most, touches_per_ball);
-    for (State* state : {&start_state_, &last_read_}) {
-        custom::make_room(state->pressings, most, contacts_per_ball);
-        state->blocked.reserve(std::min(most, layout_.gates().empty() ? 0 : most_near));
+    custom::make_room(bodies_, most);
+    custom::make_room(inside_, most, touches_per_ball);
+    for (State& start : starts_) {
+        custom::make_room(start.balls, most);
+        custom::make_room(start.pressings, most, contacts_per_ball);
+        start.blocked.reserve(std::min(most, layout_.gates().empty() ? 0 : most_near));
     }
+    custom::make_room(part_forces_, most, contacts_per_ball);
+    contact_solver_.reserve(most);
+    custom::make_room(members_, most);
     custom::make_room(pending_, most, events_per_ball);
     make_writable(rank_, most);
-    custom::make_room(active_room_, most);
-    paths_.reserve(most);
-    custom::make_room(near_, most);
-    custom::make_room(queue_, most, pairs_per_ball);
+    make_writable(flying_, most);
+    next_events_.reserve(most);
+    cells_.reserve(most);
     custom::make_room(pairs_, most, pairs_per_ball);
     grips_.reserve(std::min(features_.size(), most_near));
-}
-
-void ContinuousSolver::prepare_movers() {
-    queue_.clear();
-    const std::vector<Ball>& balls = bodies_;
-    for (Place i = 0; i < balls.size(); ++i) {
-        Mover& mover = movers_[i];
-        mover.held = mover.left = nullptr;
-        mover.last_time = -1;
-        mover.stalled = mover.idle = 0;
-        mover.lost = false;
-        ++mover.predictions;
-        if (mover.handed_over) continue;
-        if (!mover.active) {
-            go_free(i);
-            continue;
-        }
-        if (!balls[i].asleep && !mover.clear) come_out(i);
-        set_out(i, 0);
-    }
 }
 
 /// Pushes a ball that begins deep in a solid or on a curve out of it, by position only; one that begins in a
@@ -137,48 +113,51 @@ void ContinuousSolver::come_out(Place i) {
     }
 }
 
-/// Balls that touch, are pressed together, and neither bounce nor hop out of touch; and those that a pile
-/// left deep in one another, which flying freely would never come apart.
+/// Balls that pressed on each other when the window before ended; balls that touch, are pressed together, and
+/// neither bounce nor hop out of touch, with all whom they touch; and those that lie deep in one another,
+/// which flying freely would never come apart.
 void ContinuousSolver::find_piles() {
-    list_active();
-    apart_ = !any_paths_cross();
-    if (apart_) return;
+    members_.clear();
+    const auto join_once = [&](Place i) {
+        if (bodies_[i].asleep || flying_[i].pressed) return;
+        join(i, 0);
+        members_.push_back(i);
+    };
+    for (const Pressing& pressing : table_->pressings())
+        for (const BallNumber number : {pressing.a, pressing.b}) {
+            const auto at = std::ranges::lower_bound(bodies_, number, {}, &Ball::number);
+            if (at != bodies_.end() && at->number == number)
+                join_once(static_cast<Place>(at - bodies_.begin()));
+        }
     for (Place i = 0; i < movers_.size(); ++i) {
-        record_->statistics.pair_tests += paths_.find(touching_bounds(i), near_);
-        for (const Place j : near_)
-            if (j > i && piled(i, j)) hand_over(i), hand_over(j);
+        if (bodies_[i].asleep) continue;
+        cells_.each_near(i, [&](Place j) {
+            ++record_->statistics.pair_tests;
+            if ((j > i || bodies_[j].asleep) && piled(i, j, false)) join_once(i), join_once(j);
+        });
+    }
+    for (std::size_t seen = 0; seen < members_.size();) {
+        const Place i = members_[seen++];
+        cells_.each_near(i, [&](Place j) {
+            if (!flying_[j].pressed && piled(i, j, true)) join_once(j);
+        });
     }
 }
 
-bool ContinuousSolver::piled(Place i, Place j) const {
-    const Mover &first = movers_[i], &second = movers_[j];
+/// `leaning`: one of the two is in an island.
+bool ContinuousSolver::piled(Place i, Place j, bool leaning) const {
     const Ball &a = bodies_[i], &b = bodies_[j];
-    if (!first.active && !second.active) return false;
-    if ((first.handed_over && second.handed_over) || (a.asleep && b.asleep)) return false;
-    if (!layers_meet(a, b)) return false;
-    if (first.handed_over || second.handed_over) return overlap(paths_[i], paths_[j]);
     const Vec2 between = a.position - b.position;
     const double near = touch_distance * std::min(a.radius, b.radius);
     const double reach = a.radius + b.radius + near;
-    if (length_squared(between) > reach * reach) return false;
+    if (length_squared(between) > reach * reach || !layers_meet(a, b)) return false;
     const double out = a.radius + b.radius - deep * std::min(a.radius, b.radius);
     if (length_squared(between) < out * out) return true;
     const double apart = dot(a.velocity - b.velocity, unit(between));
+    if (leaning) return std::abs(apart) <= scene_.rest_speed;
     const double pressed = pressing(i, j, 0);
     if (pressed <= 1e-9 * length(scene_.gravity) || apart < -scene_.rest_speed) return false;
     return apart <= 0 || apart * apart <= 2 * pressed * near;
-}
-
-void ContinuousSolver::list_active() {
-    active_ = sift(Places{0, movers_.size()}, active_room_, [&](Place i) { return movers_[i].active; });
-}
-
-bool ContinuousSolver::any_paths_cross() const {
-    return std::ranges::any_of(active_, [&](Place i) { return paths_.any(touching_bounds(i), i); });
-}
-
-Box ContinuousSolver::touching_bounds(Place i) const {
-    return grown(paths_[i], touch_distance * bodies_[i].radius);
 }
 
 /// With what acceleration two balls that touch would come closer, were there no contact, m/s².
@@ -189,55 +168,19 @@ double ContinuousSolver::pressing(Place i, Place j, double time) const {
     return -dot(a.acceleration(time) - b.acceleration(time), n) - across * across / length(between);
 }
 
-void ContinuousSolver::hand_over(Place i) {
-    if (movers_[i].handed_over) return;
-    movers_[i].handed_over = true;
-    spoilt_ = true;
-}
-
-/// Moves the balls that were handed over; the others may not come near them.
-void ContinuousSolver::run_discrete(BroadPhase& broad) {
-    handed_.clear();
-    std::vector<Ball>& balls = bodies_;
-    for (Place i = 0; i < balls.size(); ++i)
-        if (movers_[i].handed_over) handed_.push_back(balls[i]);
-    if (handed_.empty()) return table_->pressings().clear();
-    constexpr std::size_t few = 16;
-    const std::uint64_t tests = few_->tests();
-    const auto reported = static_cast<std::ptrdiff_t>(record_->events.size());
-    discrete_.step(*table_, handed_, dt_, handed_.size() <= few ? *few_ : broad, *record_);
-    discrete_.land(handed_, [](std::size_t, const Ball&) {});
-    pending_.insert(pending_.end(), record_->events.begin() + reported, record_->events.end());
-    record_->events.erase(record_->events.begin() + reported, record_->events.end());
-    record_->crossed.clear();
-    open_again();
-    record_->statistics.pair_tests += few_->tests() - tests;
-    auto next = handed_.begin();
-    for (Place i = 0; i < balls.size(); ++i) {
-        if (!movers_[i].handed_over) continue;
-        paths_.place(i, united(bounds_of(balls[i].position, balls[i].radius),
-                               bounds_of(next->position, next->radius)));
-        balls[i] = *next++;
-    }
-}
-
 std::span<const Pair> ContinuousSolver::find_pairs(std::span<const Ball> balls) {
     pairs_.clear();
-    if (!any_active_ || balls.empty()) return pairs_;
-    list_active();
-    const bool cross = !apart_ && any_paths_cross();
-    const double margin = touch_distance * std::ranges::max(balls, {}, &Ball::radius).radius;
+    if (!set_out_) return pairs_;
     for (Place i = 0; i < movers_.size(); ++i) {
-        if (movers_[i].lost) continue;
-        if (movers_[i].active) pair_with_parts(balls, i);
-        if (cross) pair_with_balls(balls, i, margin);
+        if (movers_[i].lost || bodies_[i].asleep) continue;
+        if (movers_[i].near_part) pair_with_parts(balls, i);
+        if (flying_[i].near_ball) pair_with_balls(balls, i);
     }
     return pairs_;
 }
 
 void ContinuousSolver::pair_with_parts(std::span<const Ball> balls, Place i) {
     const Ball& ball = balls[rank_[i]];
-    if (ball.asleep) return;
     const Handle handle = layout_.size() + rank_[i];
     const Box box = touching_box(ball);
     const std::size_t first = pairs_.size();
@@ -254,17 +197,18 @@ void ContinuousSolver::pair_with_parts(std::span<const Ball> balls, Place i) {
     }
 }
 
-/// With those before it. No touching_box() reaches further than by `margin` out of the bounds of a path.
-void ContinuousSolver::pair_with_balls(std::span<const Ball> balls, Place i, double margin) {
+/// With sleepers, and those before it.
+void ContinuousSolver::pair_with_balls(std::span<const Ball> balls, Place i) {
     const Ball& ball = balls[rank_[i]];
     const Box box = touching_box(ball);
-    record_->statistics.pair_tests += paths_.find(grown(box, margin), near_);
-    for (const Place j : near_) {
-        if (j >= i || movers_[j].lost || !(movers_[i].active || movers_[j].active)) continue;
+    cells_.each_near(i, [&](Place j) {
+        if ((j > i && !bodies_[j].asleep) || movers_[j].lost) return;
+        ++record_->statistics.pair_tests;
         const Ball& other = balls[rank_[j]];
-        if (overlap(box, touching_box(other)) && !(ball.asleep && other.asleep) && layers_meet(ball, other))
-            pairs_.push_back({layout_.size() + rank_[j], layout_.size() + rank_[i]});
-    }
+        if (!overlap(box, touching_box(other)) || !layers_meet(ball, other)) return;
+        const Handle a = layout_.size() + rank_[i], b = layout_.size() + rank_[j];
+        pairs_.push_back({std::min(a, b), std::max(a, b)});
+    });
 }
 
 }  // namespace flipside::custom

@@ -1,5 +1,7 @@
 #include "custom/continuous/time_of_impact.hpp"
 
+#include "custom/continuous/quartic.hpp"
+
 namespace flipside::custom {
 
 double first_fall(double gap, double rate, double bend) {
@@ -244,8 +246,9 @@ double touch_line(const Line& line, const Path& path, double radius, double t0, 
     return t0 + first;
 }
 
-/// A point in straight motion against a disc of radius `reach` about the origin; never_touch when it only
-/// slides or moves away. The miss distance is a cross product, so grazes keep their digits.
+}  // namespace
+
+// The miss distance is a cross product, so grazes keep their digits.
 double straight_touch(Vec2 d, Vec2 v, double reach, double rounding) {
     const double speed = length(v), distance = length(d);
     if (speed == 0 || dot(d, v) >= 0) return never_touch;
@@ -256,8 +259,6 @@ double straight_touch(Vec2 d, Vec2 v, double reach, double rounding) {
     const double half = std::sqrt((reach - miss) * (reach + miss));
     return gap * (distance + reach) / (speed * (approach + half));
 }
-
-}  // namespace
 
 double search_impact(const Feature& feature, const Turning& turning, const Path& path, double radius,
                      double t0, double t1, std::uint64_t* steps) {
@@ -304,6 +305,12 @@ double time_of_impact(const Path& a, const Path& b, double radii, double t0, dou
                       std::uint64_t* steps) {
     const bool alike = !a.swings && !b.swings && a.flight.acceleration == b.flight.acceleration &&
                        a.flight.drag == b.flight.drag;
+    if (!alike && !a.swings && !b.swings && a.flight.drag <= 0 && b.flight.drag <= 0) {
+        const Vec2 p = a.position(t0) - b.position(t0), v = a.velocity(t0) - b.velocity(t0);
+        const double t =
+            t0 + first_fall(squared_gap(p, v, a.flight.acceleration - b.flight.acceleration, radii), t1 - t0);
+        return t <= t1 ? t : never_touch;
+    }
     if (!alike) return search_impact(a, b, radii, t0, t1, steps);
     // Equal accelerations cancel, and drag shrinks time for both alike: straight motion.
     const Vec2 p = a.position(t0), q = b.position(t0);

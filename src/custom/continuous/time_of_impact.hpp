@@ -51,6 +51,17 @@ inline double gap_rounding(Vec2 p, Vec2 q, double radii) {
     return std::max(gap_rounding(p, radii), gap_rounding(q, radii));
 }
 
+/// Balls surely fly free only where they stay so far from everything, m: well over what any touch or rounding
+/// counts as contact.
+[[nodiscard]] inline double clearance_margin(const Ball& ball) {
+    return 1e-3 * ball.radius + joint_distance +
+           1e-12 * (std::abs(ball.position.x) + std::abs(ball.position.y));
+}
+
+/// A point at d in straight motion at v against a disc of radius `reach` about the origin: when it touches,
+/// or never_touch when it only slides or moves away. A gap up to `rounding` is contact.
+[[nodiscard]] double straight_touch(Vec2 d, Vec2 v, double reach, double rounding);
+
 /// First touch in [t0, t1], or never_touch. By the closed form where there is one. A search of up to 10,000
 /// steps adds their number to `steps`.
 [[nodiscard]] double time_of_impact(const Feature& feature, const Turning& turning, const Path& path,

@@ -249,7 +249,7 @@ TEST(ContinuousSolver, TouchingBallsThatPartAreNoPile) {
 }
 
 // Balls that press on each other are the discrete solver's, and counted; nothing sinks in or is lost.
-TEST(ContinuousSolver, PilesAreHandedOver) {
+TEST(ContinuousSolver, PilesAreIslands) {
     const auto settles = [](const Scene& scene, double deepest_allowed) {
         const auto world = make_world(scene, {{"solver", "continuous"}, {"sleep", "off"}});
         run(*world, 6);
@@ -296,7 +296,7 @@ TEST(ContinuousSolver, BallsDeepInEachOtherComeApartInFlight) {
     }
 }
 
-TEST(ContinuousSolver, WorkWithoutEndIsHandedOverInTime) {
+TEST(ContinuousSolver, WorkWithoutEndEndsInTime) {
     // Thrown at a million radii per second, the heavy ball presses the light one against the wall, which
     // rattles between them: without a limit that step has a million impacts.
     Scene scene = empty_scene({0, -g});
@@ -307,17 +307,15 @@ TEST(ContinuousSolver, WorkWithoutEndIsHandedOverInTime) {
     add_ball(scene, {0, 0.1}, {}, 0.1, 1);
     add_ball(scene, {0.01, 1.5}, {0, -1e5}, 0.1, 10);
     const auto world = continuous(scene);
-    std::uint64_t handed_over = 0, most = 0;
+    std::uint64_t most = 0;
     for (int i = 0; i < 60; ++i) {
         world->step(1.0 / 30);
-        handed_over += world->statistics().handed_over;
         most = std::max(most, world->statistics().narrow_tests);
         for (const Ball& ball : world->balls()) {
             EXPECT_LT(std::abs(ball.position.x), 1);
             EXPECT_LT(std::abs(ball.position.y - 1.5), 1.5);
         }
     }
-    EXPECT_GT(handed_over, 0U);
     EXPECT_LT(most, 100'000U);
 }
 

@@ -39,7 +39,6 @@ std::unique_ptr<World> windows_of(const Scene& scene) {
 struct Course {
     std::vector<std::vector<Ball>> balls;
     std::vector<Event> impacts;
-    std::uint64_t handed_over = 0;
 };
 
 /// With steps of next_step(), cut at tenths of a second, where controls may come.
@@ -54,7 +53,6 @@ Course course_of(const Scene& scene, double end, auto&& next_step) {
             world->step(step < left ? step : left);
             for (const Event& event : world->events())
                 if (event.kind == EventKind::impact) course.impacts.push_back(event);
-            course.handed_over += world->statistics().handed_over;
         }
         EXPECT_EQ(world->time(), tenth / 10.0);
         course.balls.emplace_back(world->balls().begin(), world->balls().end());
@@ -73,12 +71,9 @@ void expect_same(const Course& course, const Course& expected) {
 }
 
 TEST(Windows, TheStepChangesNoBit) {
-    int compared = 0;
     for (int scenes = 0; scenes < 12; ++scenes) {
         const Scene scene = table_of(1 + scenes % 4, 0.7 * scenes);
         const Course expected = course_of(scene, 3, [] { return 1.0 / 60; });
-        if (expected.handed_over > 0) continue;  // pressed balls may depend on the step
-        ++compared;
         EXPECT_GT(expected.impacts.size(), 5U);
         for (const double step : {1.0 / 30, 1.0 / 97, 1.0 / 240, 1.0 / 1000, 0.1})
             expect_same(course_of(scene, 3, [&] { return step; }), expected);
@@ -86,7 +81,6 @@ TEST(Windows, TheStepChangesNoBit) {
         const auto next = [&] { return irregular = 0.001 + std::fmod(irregular * 17.3, 0.05); };
         expect_same(course_of(scene, 3, next), expected);
     }
-    EXPECT_GE(compared, 8);
 }
 
 TEST(Windows, AStateSavedAnywhereContinuesWithTheSameBits) {
@@ -109,7 +103,7 @@ TEST(Windows, AStateSavedAnywhereContinuesWithTheSameBits) {
 /// A state in the middle of a window.
 State in_a_window(const Scene& scene) {
     const auto world = windows_of(scene);
-    world->step(0.1);
+    world->step(0.26);
     world->step(0.011);
     return world->save();
 }

@@ -1,0 +1,114 @@
+#include "custom/continuous/cells.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "custom/broad_phase/room.hpp"
+
+namespace flipside::custom {
+
+namespace {
+
+/// So much wider than a diameter are the narrowest cells in which a ball is listed: with what it may be
+/// outside of its cell, the next one but one is out of its reach.
+constexpr double room = 1.25;
+/// How far the centre may be outside, in widths.
+constexpr double loose = 0.1;
+static_assert(room * (1 - 2 * loose) >= 1);
+
+}  // namespace
+
+double Cells::width_for(double radius) {
+    return 2 * room * radius;
+}
+
+std::int64_t Cells::index_at(double place, double width) {
+    constexpr double far = 0x1p52;
+    return static_cast<std::int64_t>(std::clamp(std::floor(place / width), -far, far));
+}
+
+void Cells::reserve(std::size_t balls) {
+    make_room(links_, balls);
+    make_room(cells_, balls);
+    heads_.reserve(4 * std::bit_ceil(balls));
+    levels_.reserve(most_levels);
+}
+
+void Cells::reset(std::span<const Ball> balls, double area) {
+    links_.assign(balls.size(), {});
+    cells_.assign(balls.size(), {});
+    levels_.clear();
+    heads_.assign(4 * std::bit_ceil(balls.size()), none);
+    mask_ = heads_.size() - 1;
+    if (balls.empty()) return;
+    // Where balls are few, wider cells are changed more seldom: a quarter of a ball in each.
+    const double spacing = std::sqrt(area / static_cast<double>(balls.size()));
+    const double least = std::ranges::min(balls, {}, &Ball::radius).radius;
+    double width = std::max(width_for(least), spacing / 2);
+    for (double& w : widths_) w = width, width *= 2;
+}
+
+void Cells::choose_level(Place i, double width) {
+    int level = 0;
+    std::frexp(width / widths_[0], &level);
+    if (width <= widths_[0]) level = 0;
+    level = std::min<int>(level, most_levels - 1);
+    if (cells_[i].level == static_cast<std::uint32_t>(level)) return;
+    remove(i);
+    cells_[i].level = static_cast<std::uint32_t>(level);
+}
+
+void Cells::put(Place i, Vec2 center) {
+    const std::uint32_t level = cells_[i].level;
+    const Cell cell{level, index_at(center.x, widths_[level]), index_at(center.y, widths_[level])};
+    Link& link = links_[i];
+    if (link.key != unlisted && cell == cells_[i]) return;
+    remove(i);
+    cells_[i] = cell;
+    link.key = key_of(cell);
+    Place& head = heads_[bucket(cell)];
+    link.next = head;
+    link.previous = none;
+    if (head != none) links_[head].previous = i;
+    head = i;
+    count(level, 1);
+}
+
+void Cells::remove(Place i) {
+    Link& link = links_[i];
+    if (link.key == unlisted) return;
+    link.key = unlisted;
+    if (link.previous != none)
+        links_[link.previous].next = link.next;
+    else
+        heads_[bucket(cells_[i])] = link.next;
+    if (link.next != none) links_[link.next].previous = link.previous;
+    count(cells_[i].level, -1);
+}
+
+void Cells::count(std::uint32_t number, int change) {
+    auto level = std::ranges::find(levels_, number, &Level::number);
+    if (level == levels_.end()) level = levels_.insert(level, {number, 0});
+    level->balls += static_cast<std::size_t>(change);
+    if (level->balls == 0) levels_.erase(level);
+}
+
+double Cells::stays(Place i, Vec2 center, Vec2 velocity, Vec2 top) const {
+    const double w = widths_[cells_[i].level], slack = loose * w;
+    const auto along = [&](double at, std::int64_t index, double speed, double bend) {
+        const double low = at - (static_cast<double>(index) * w - slack);
+        const double ahead = speed > 0 ? w + 2 * slack - low : low;
+        const double behind = speed > 0 ? low : w + 2 * slack - low;
+        if (!(ahead > 0 && behind > 0)) return 0.0;
+        speed = std::abs(speed);
+        if (bend <= 0) return speed > 0 ? ahead / speed : INFINITY;
+        const double forward = 2 * ahead / (speed + std::sqrt(speed * speed + 2 * bend * ahead));
+        const double back = (speed + std::sqrt(speed * speed + 2 * bend * behind)) / bend;
+        return std::min(forward, back);
+    };
+    return std::min(along(center.x, cells_[i].column, velocity.x, top.x),
+                    along(center.y, cells_[i].row, velocity.y, top.y));
+}
+
+}  // namespace flipside::custom

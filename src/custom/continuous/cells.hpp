@@ -1,0 +1,155 @@
+#pragma once
+/// Where balls find each other: square cells, on levels whose widths double, as in a quadtree. A ball is
+/// listed on the level whose cells are just wider than 1.25 diameters (or than it flies in a millisecond, if
+/// that is more), in the cell in which its centre lies, and stays listed there until its centre is a tenth of
+/// a width outside (Rapaport 1980, "The event scheduling problem in molecular dynamic simulation"). What it
+/// may touch meanwhile is listed, on its own level, in that cell or one of the eight around it; on another
+/// level in the cells within half a width of both.
+///
+/// Cells have no border: they are kept in a hash table by level, column and row. Columns and rows count
+/// modulo 2²⁸, so cells that far apart share their lists, which costs tests and changes no result.
+///
+/// Cost: constant for a ball that changes its cell; a query looks at nine cells on its own level and about
+/// four on each coarser one in use; on a finer one at as many as the ball covers, or at all balls where that
+/// is less.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "custom/geometry/bounds.hpp"
+#include "world/ball.hpp"
+
+namespace flipside::custom {
+
+class Cells {
+  public:
+    using Place = std::uint32_t;
+
+    struct Cell {
+        std::uint32_t level = 0;
+        std::int64_t column = 0, row = 0;
+        friend bool operator==(const Cell&, const Cell&) = default;
+    };
+
+    /// Makes room for so many balls.
+    void reserve(std::size_t balls);
+    /// Begins anew with these balls, none of them listed, in a table with this area, m².
+    void reset(std::span<const Ball> balls, double area);
+    /// On which level a ball will be listed: its cells are at least `width` wide, m. Takes it off its list
+    /// if that changes.
+    void choose_level(Place i, double width);
+    /// Lists a ball in the cell of this place.
+    void put(Place i, Vec2 center);
+    void remove(Place i);
+    [[nodiscard]] const Cell& operator[](Place i) const { return cells_[i]; }
+    /// The least width for a ball of this radius.
+    [[nodiscard]] static double width_for(double radius);
+
+    /// For how long a ball surely stays listed rightly, s: its centre is now at `center`, and neither
+    /// component of its acceleration gets greater than `top` (m/s²). Above 0 right after put(), unless
+    /// coordinates are so large that rounding is a cell wide.
+    [[nodiscard]] double stays(Place i, Vec2 center, Vec2 velocity, Vec2 top) const;
+
+    /// Visits, in no order that means anything, all balls but i that i may touch as long as both are listed
+    /// rightly; some others too.
+    void each_near(Place i, auto&& visit) const {
+        for (const Level& level : levels_) {
+            if (level.number == cells_[i].level)
+                each_around(cells_[i], i, visit);
+            else
+                each_on_other(level, i, visit);
+        }
+    }
+    /// The same, of those only that were not to be visited when the ball was still listed in cell `before`.
+    void each_newly_near(Place i, const Cell& before, auto&& visit) const {
+        for (const Level& level : levels_) {
+            if (level.number == cells_[i].level)
+                each_newly_around(cells_[i], before, i, visit);
+            else
+                each_on_other(level, i, visit);
+        }
+    }
+
+  private:
+    static constexpr Place none = ~Place{0};
+    static constexpr int index_bits = 28;
+    static constexpr std::uint32_t index_mask = (1U << index_bits) - 1;
+    static constexpr std::uint32_t most_levels = 128;
+
+    struct Link {
+        std::uint64_t key = unlisted;  ///< of the cell: level, column, row
+        Place next = none, previous = none;
+    };
+    static constexpr std::uint64_t unlisted = ~std::uint64_t{0};
+    struct Level {
+        std::uint32_t number = 0;
+        std::size_t balls = 0;
+    };
+
+    [[nodiscard]] static std::uint64_t key_of(const Cell& cell) {
+        return std::uint64_t{cell.level} << 2 * index_bits |
+               (static_cast<std::uint64_t>(cell.column) & index_mask) << index_bits |
+               (static_cast<std::uint64_t>(cell.row) & index_mask);
+    }
+    /// Cells of a row lie side by side.
+    [[nodiscard]] std::size_t bucket(const Cell& cell) const {
+        constexpr std::uint64_t spread = 0x9e3779b97f4a7c15;  // 2⁶⁴ by the golden ratio
+        const std::uint64_t line =
+            (static_cast<std::uint64_t>(cell.row) & index_mask) * most_levels + cell.level;
+        return ((static_cast<std::uint64_t>(cell.column) & index_mask) + (line * spread >> 20)) & mask_;
+    }
+    [[nodiscard]] static std::int64_t index_at(double place, double width);
+
+    void each_in(const Cell& cell, Place except, auto& visit) const {
+        const std::uint64_t key = key_of(cell);
+        for (Place j = heads_[bucket(cell)]; j != none; j = links_[j].next)
+            if (links_[j].key == key && j != except) visit(j);
+    }
+    void each_around(const Cell& at, Place except, auto& visit) const {
+        for (std::int64_t row = at.row - 1; row <= at.row + 1; ++row)
+            for (std::int64_t column = at.column - 1; column <= at.column + 1; ++column)
+                each_in({at.level, column, row}, except, visit);
+    }
+    void each_newly_around(const Cell& at, const Cell& before, Place except, auto& visit) const {
+        const auto was_near = [](std::int64_t index, std::int64_t other) {
+            return index >= other - 1 && index <= other + 1;
+        };
+        for (std::int64_t row = at.row - 1; row <= at.row + 1; ++row)
+            for (std::int64_t column = at.column - 1; column <= at.column + 1; ++column)
+                if (!was_near(row, before.row) || !was_near(column, before.column))
+                    each_in({at.level, column, row}, except, visit);
+    }
+    void each_on_other(const Level& level, Place i, auto& visit) const {
+        const Cell& at = cells_[i];
+        const double own = widths_[at.level], other = widths_[level.number], reach = (own + other) / 2;
+        const auto first = [&](std::int64_t index) {
+            return index_at(static_cast<double>(index) * own - reach, other);
+        };
+        const auto last = [&](std::int64_t index) {
+            return index_at(static_cast<double>(index + 1) * own + reach, other);
+        };
+        const std::int64_t left = first(at.column), right = last(at.column);
+        const std::int64_t low = first(at.row), high = last(at.row);
+        const double cells = static_cast<double>(right - left + 1) * static_cast<double>(high - low + 1);
+        if (cells > static_cast<double>(links_.size())) {
+            for (Place j = 0; j < links_.size(); ++j)
+                if (links_[j].key != unlisted && cells_[j].level == level.number && j != i) visit(j);
+            return;
+        }
+        for (std::int64_t row = low; row <= high; ++row)
+            for (std::int64_t column = left; column <= right; ++column)
+                each_in({level.number, column, row}, i, visit);
+    }
+    void count(std::uint32_t number, int change);
+
+    std::array<double, most_levels> widths_{};  ///< m, by level
+    std::vector<Link> links_;                   ///< by place
+    std::vector<Cell> cells_;                   ///< by place
+    std::vector<Place> heads_;                  ///< by bucket, a power of two of them
+    std::uint64_t mask_ = 0;
+    std::vector<Level> levels_;  ///< in use
+};
+
+}  // namespace flipside::custom

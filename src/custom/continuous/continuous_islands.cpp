@@ -1,0 +1,315 @@
+#include <algorithm>
+#include <cmath>
+
+#include "custom/continuous/continuous_solver.hpp"
+
+namespace flipside::custom {
+
+namespace {
+
+/// Surfaces nearer than this, in radii, can press on each other.
+constexpr double leaning = 1e-3;
+/// So many ticks without a load, and a ball leaves its island.
+constexpr int most_unloaded = 3;
+
+}  // namespace
+
+/// Takes a ball into an island. Until the next tick it goes on as it does, but meets no other of an island.
+void ContinuousSolver::join(Place i, double time) {
+    Mover& mover = movers_[i];
+    if (bodies_[i].asleep || mover.lost || flying_[i].pressed) return;
+    if (!any_pressed_) next_tick_ = next_tick(time);
+    flying_[i].pressed = any_pressed_ = true;
+    mover.hops = false;
+    mover.unloaded = 0;
+}
+
+void ContinuousSolver::leave(Place i) {
+    flying_[i].pressed = false;
+}
+
+/// Events of a ball at one instant without end, or impacts that come to nothing: it is squeezed. Then all
+/// that touches it, and what touches that, is solved at once, however fast it comes, as an impact without
+/// bounce.
+void ContinuousSolver::crush(Place first, double time) {
+    members_.clear();
+    const auto squeeze = [&](Place i) {
+        if (bodies_[i].asleep || movers_[i].lost || movers_[i].crushed) return;
+        join(i, time);
+        movers_[i].crushed = true;
+        members_.push_back(i);
+    };
+    squeeze(first);
+    for (std::size_t seen = 0; seen < members_.size();) {
+        const Place i = members_[seen++];
+        const Vec2 here = movers_[i].way.path.position(time);
+        cells_.each_near(i, [&](Place j) {
+            const double reach = bodies_[i].radius + bodies_[j].radius;
+            const double apart = length(movers_[j].way.path.position(time) - here);
+            if (apart <= (1 + leaning) * reach && layers_meet(bodies_[i], bodies_[j])) squeeze(j);
+        });
+    }
+    tick(time);
+}
+
+/// Where that did not help, the ball stays where it is until the next tick.
+void ContinuousSolver::wait(Place i, double time) {
+    move_to(i, time);
+    join(i, time);
+    Mover& mover = movers_[i];
+    Ball& ball = bodies_[i];
+    mover.hops = mover.waits = true;
+    mover.held = mover.left = nullptr;
+    mover.glides.clear();
+    mover.set_out_with = mover.arrives_with = ball.velocity;
+    HeldPath& way = mover.way;
+    way = HeldPath{};
+    way.until = next_tick(time);
+    way.path.start = time;
+    way.path.flight = {ball.position, {}, {}, 0};
+    ball.velocity = {};
+    Flying& flying = flying_[i];
+    ++flying.changes;
+    flying.freely = false;
+    flying.start = time;
+    flying.position = ball.position;
+    flying.velocity = {};
+    cover_way(i, time);
+    predict(i, time);
+}
+
+/// Ticks end with the window.
+double ContinuousSolver::next_tick(double time) const {
+    double left = std::ceil((dt_ - time) / tick_length) - 1;
+    while (left > 0 && dt_ - left * tick_length <= time + 1e-3 * tick_length) --left;
+    return left > 0 ? dt_ - left * tick_length : dt_;
+}
+
+/// Finds the forces in all islands until the next tick, and the way of their balls. Who was not pressed
+/// by a ball lately leaves.
+void ContinuousSolver::tick(double time) {
+    members_.clear();
+    const bool regular = time == next_tick_;
+    next_tick_ = next_tick(time);
+    for (Place i = 0; i < movers_.size(); ++i) {
+        if (!flying_[i].pressed || movers_[i].lost) continue;
+        movers_[i].waits = false;
+        if (regular) movers_[i].crushed = false;
+        move_to(i, time);
+        members_.push_back(i);
+    }
+    any_pressed_ = false;
+    record_->statistics.handed_over =
+        std::max<std::uint64_t>(record_->statistics.handed_over, members_.size());
+    const double duration = next_tick_ - time;
+    if (members_.empty() || !(duration > 0)) return;
+    gather(time, duration);
+    contact_solver_.solve(duration, scene_.gravity);
+    note_loads(duration);
+    for (Place k = 0; k < members_.size(); ++k)
+        set_out_pressed(members_[k], time, contact_solver_.bodies()[k]);
+    if (time > 0)
+        for (const Place i : members_) predict(i, time);
+}
+
+/// The bodies of all members, and the contacts that may press within the tick.
+void ContinuousSolver::gather(double time, double duration) {
+    contact_solver_.start();
+    const Stretch stretch(drive_.drag, duration);
+    for (const Place i : members_) {
+        const Ball& ball = bodies_[i];
+        const Vec2 driven = Flight{{}, ball.velocity, drive_.gravity}.velocity_after(stretch) - ball.velocity;
+        rank_[i] = contact_solver_.add(
+            {ball.position, ball.velocity, driven, ball.spin, ball.radius, 1 / ball.mass, 1 / inertia(ball)});
+    }
+    deepest_ = 0;
+    for (const Place i : members_) cells_.each_near(i, [&](Place j) { press_balls(i, j, duration); });
+    for (const Place i : members_) press_parts(i, time, duration);
+}
+
+/// Adds two balls that are in touch or will be, slowly; a fast approach is an event.
+void ContinuousSolver::press_balls(Place i, Place j, double duration) {
+    const Ball &a = bodies_[i], &b = bodies_[j];
+    ++record_->statistics.pair_tests;
+    if (b.asleep ? movers_[j].lost : !flying_[j].pressed || j > i) return;
+    const Vec2 between = a.position - b.position;
+    const double reach = a.radius + b.radius,
+                 slack = 2 * scene_.rest_speed * duration + leaning * std::min(a.radius, b.radius);
+    const double square = length_squared(between);
+    if (square >= (reach + slack) * (reach + slack) || square == 0 || !layers_meet(a, b)) return;
+    const double distance = std::sqrt(square), gap = distance - reach;
+    const Vec2 normal = between / distance;
+    const bool deep = gap < -leaning * std::min(a.radius, b.radius);
+    deepest_ = std::max(deepest_, -gap);
+    const Vec2 other_velocity = b.asleep ? Vec2{} : b.velocity;
+    const bool crushed = movers_[i].crushed || movers_[j].crushed;
+    if (!deep && !crushed && -dot(a.velocity - other_velocity, normal) > slow_) return;
+    ++record_->statistics.narrow_tests;
+    ++record_->statistics.contacts;
+    const bool i_above = dot(normal, scene_.gravity) <= 0;
+    ContactSolver::Contact contact;
+    const auto other = b.asleep ? contact_solver_.add({b.position, {}, {}, 0, b.radius, 0, 0}) : rank_[j];
+    contact.upper = i_above ? rank_[i] : other;
+    contact.lower = i_above ? other : rank_[i];
+    contact.normal = i_above ? normal : -normal;
+    contact.gap_found = gap;
+    contact.friction = layout_.mixed(a.material, b.material).friction;
+    contact.height = -dot(a.position + b.position, scene_.gravity);
+    press(contact, {std::min(a.number, b.number), std::max(a.number, b.number), 0, 0}, duration);
+}
+
+/// Adds a contact, which begins from the force that it had in the tick before.
+void ContinuousSolver::press(ContactSolver::Contact& contact, const Pressing& key, double duration) {
+    contact.a = key.a, contact.b = key.b;
+    const bool balls = contact.with == ContactSolver::With::ball;
+    const std::vector<Pressing>& forces = balls ? table_->pressings() : part_forces_;
+    const auto known = std::ranges::lower_bound(forces, rank(key), {}, rank);
+    if (known != forces.end() && rank(*known) == rank(key)) {
+        contact.impulse.normal = known->normal * duration;
+        contact.impulse.tangent = known->tangent * duration;
+    }
+    contact_solver_.add(contact);
+}
+
+void ContinuousSolver::press_parts(Place i, double time, double duration) {
+    const Ball& ball = bodies_[i];
+    Mover& mover = movers_[i];
+    // Where balls are to be moved apart, they are kept from being moved through a part.
+    const double slack = 2 * scene_.rest_speed * duration + leaning * ball.radius + 2 * deepest_;
+    const Box box = bounds_of(ball.position, ball.radius + slack);
+    record_->statistics.pair_tests += mover.near.cover(box, ranges_);
+    PieceIndex seen = layout_.size();
+    for (const FeatureIndex f : mover.near.list()) {
+        if (!overlap(box, ranges_[f]) || ignores(features_[f], ball) || features_[f].piece == seen) continue;
+        seen = features_[f].piece;
+        const Piece& piece = layout_.piece(seen);
+        const Turning& turning = turnings_[piece.part];
+        const Pose pose = turning.pose(time);
+        if (!layout_.stops(*table_, seen, pose, ball)) continue;
+        ++record_->statistics.narrow_tests;
+        const Touch found = touch(ball.position, ball.radius, piece, pose);
+        if (found.past_end || found.separation > slack) continue;
+        const Vec2 surface = cross(turning.rate_at(time), found.point - pose.pivot);
+        const double closing = -dot(ball.velocity - surface, found.normal);
+        ++record_->statistics.contacts;
+        ContactSolver::Contact contact;
+        contact.bounces = !mover.crushed && found.separation > -leaning * ball.radius && closing > slow_;
+        contact.upper = rank_[i];
+        contact.lower = contact_solver_.add({found.point, surface, {}, 0, 0, 0, 0});
+        contact.normal = found.normal;
+        contact.gap_found = found.separation;
+        contact.friction = layout_.mixed(ball.material, scene_.parts[piece.part].material).friction;
+        contact.height = -2 * dot(found.point, scene_.gravity);
+        contact.with =
+            turning.rate_at(time) == 0 ? ContactSolver::With::still_part : ContactSolver::With::moving_part;
+        press(contact, {ball.number, seen, 0, 0}, duration);
+    }
+}
+
+/// Remembers the forces between balls, and who is pressed: by a ball, or from two sides.
+void ContinuousSolver::note_loads(double duration) {
+    std::vector<Pressing>& pressings = table_->pressings();
+    const auto members = static_cast<Place>(members_.size());
+    pressings.clear();
+    part_forces_.clear();
+    for (const Place i : members_) ++movers_[i].unloaded, movers_[i].sides = 0;
+    for (const ContactSolver::Contact& contact : contact_solver_.contacts()) {
+        if (contact.impulse.normal <= 0) continue;
+        const auto bear = [&](Place body, int sides) {
+            if (body >= members) return;
+            Mover& mover = movers_[members_[body]];
+            if ((mover.sides += sides) >= 2) mover.unloaded = 0;
+        };
+        bear(contact.upper, contact.with == ContactSolver::With::ball ? 2 : 1);
+        bear(contact.lower, contact.with == ContactSolver::With::ball ? 2 : 0);
+        (contact.with == ContactSolver::With::ball ? pressings : part_forces_)
+            .push_back({contact.a, contact.b, contact.impulse.normal / duration,
+                        contact.impulse.tangent / duration});
+    }
+    std::ranges::sort(pressings, {}, rank);
+    std::ranges::sort(part_forces_, {}, rank);
+}
+
+/// Of a ball that was moved along its path to this time. That of a member changes evenly between ticks,
+/// while it hops.
+Vec2 ContinuousSolver::true_velocity(Place i, double time) const {
+    const Mover& mover = movers_[i];
+    if (!mover.hops) return bodies_[i].velocity;
+    const double start = mover.way.path.start, part = (time - start) / (mover.way.until - start);
+    return mover.set_out_with + part * (mover.arrives_with - mover.set_out_with);
+}
+
+/// A member as it is at a time.
+void ContinuousSolver::follow(Ball& ball, const Mover& mover, double time) const {
+    const double start = mover.way.path.start;
+    advance(ball, mover.way, time);
+    if (!mover.hops) return;
+    const double part = (time - start) / (mover.way.until - start);
+    ball.velocity = mover.set_out_with + part * (mover.arrives_with - mover.set_out_with);
+}
+
+void ContinuousSolver::move_to(Place i, double time) {
+    if (flying_[i].pressed)
+        follow(bodies_[i], movers_[i], time);
+    else
+        advance(bodies_[i], movers_[i].way, time);
+}
+
+/// The path of a member: a hop to where the forces bring it. So all balls fly under one gravity, and any two
+/// meet as if they flew straight. One that nothing presses flies freely, and leaves after some ticks.
+void ContinuousSolver::set_out_pressed(Place i, double time, const ContactSolver::Body& body) {
+    Mover& mover = movers_[i];
+    Ball& ball = bodies_[i];
+    if (mover.unloaded >= most_unloaded) {
+        leave(i);
+        ball.position = body.position;
+        return set_out(i, time);
+    }
+    any_pressed_ = true;
+    const double duration = next_tick_ - time;
+    mover.hops = true;
+    mover.held = mover.left = nullptr;
+    mover.glides.clear();
+    HeldPath& way = mover.way;
+    way.until = next_tick_;
+    way.roll = {};
+    way.lets_go = false;
+    way.spin_rate = (body.spin - ball.spin) / duration;
+    way.path.start = time;
+    way.path.swings = false;
+    ball.position = body.position;
+    mover.set_out_with = ball.velocity;
+    mover.arrives_with = body.velocity;
+    const Stretch stretch(drive_.drag, duration);
+    const Vec2 thrown = mover.sides == 0
+                            ? ball.velocity
+                            : (duration * body.velocity - stretch.fallen * drive_.gravity) / stretch.shrunk;
+    way.path.flight = {ball.position, thrown, drive_.gravity, drive_.drag};
+    ball.velocity = thrown;
+    Flying& flying = flying_[i];
+    ++flying.changes;
+    flying.position = ball.position;
+    flying.velocity = thrown;
+    flying.start = time;
+    flying.freely = true;
+    list_in_cell(i, time);
+}
+
+/// Whether two members touch and do not come together faster than at rest.
+bool ContinuousSolver::in_slow_touch(Place i, Place j, double time) const {
+    const auto a = movers_[i].way.path.at(time), b = movers_[j].way.path.at(time);
+    const Vec2 between = a.position - b.position, normal = unit(between);
+    return -dot(a.velocity - b.velocity, normal) <= slow_;
+}
+
+/// The same for a member and a feature.
+bool ContinuousSolver::rests_on(Place i, const Feature& feature, const Pose& pose, double time) const {
+    const auto here = movers_[i].way.path.at(time);
+    const Sight sight = look(feature, pose.undo(here.position), bodies_[i].radius);
+    const Vec2 normal = pose.angle == 0 ? sight.normal : rotated(sight.normal, pose.angle);
+    const Vec2 point = here.position - sight.distance * normal;
+    const Vec2 surface = cross(turnings_[feature.part].rate_at(time), point - pose.pivot);
+    return -dot(here.velocity - surface, normal) <= slow_;
+}
+
+}  // namespace flipside::custom

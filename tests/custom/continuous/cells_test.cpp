@@ -1,0 +1,97 @@
+#include "custom/continuous/cells.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "custom/between.hpp"
+
+namespace flipside::custom::test {
+namespace {
+
+using Place = Cells::Place;
+
+Ball ball_at(Vec2 position, double radius) {
+    Ball ball;
+    ball.position = position;
+    ball.radius = radius;
+    return ball;
+}
+
+std::vector<Ball> some_balls() {
+    std::vector<Ball> balls;
+    const int count = *rc::gen::inRange(1, 60);
+    const double ratio = *rc::gen::element(1.0, 3.0, 300.0);
+    for (int i = 0; i < count; ++i)
+        balls.push_back(ball_at({between(-1, 1), between(-1, 1)}, 0.02 * std::pow(ratio, between(0, 1))));
+    return balls;
+}
+
+std::set<Place> near(const Cells& cells, Place i) {
+    std::set<Place> found;
+    cells.each_near(i, [&](Place j) { found.insert(j); });
+    return found;
+}
+
+bool touch(const Ball& a, const Ball& b) {
+    return length(a.position - b.position) <= a.radius + b.radius;
+}
+
+// However balls move about within what stays() allows, whoever touches one is found, from either side.
+RC_GTEST_PROP(Cells, WhoTouchesIsFoundUntilEitherLeavesItsCell, ()) {
+    std::vector<Ball> balls = some_balls();
+    Cells cells;
+    cells.reset(balls, 4);
+    for (Place i = 0; i < balls.size(); ++i) {
+        cells.choose_level(i, Cells::width_for(balls[i].radius) * *rc::gen::element(1.0, 1.0, 5.0));
+        cells.put(i, balls[i].position);
+    }
+    for (Place i = 0; i < balls.size(); ++i) {
+        const Vec2 velocity{between(-3, 3), between(-3, 3)}, top{between(0, 9), between(0, 9)};
+        const double stays = cells.stays(i, balls[i].position, velocity, top);
+        RC_ASSERT(stays > 0);
+        const double t = between(0, 1) * std::min(stays, 10.0);
+        const Vec2 bend{between(-1, 1) * top.x, between(-1, 1) * top.y};
+        balls[i].position += t * velocity + 0.5 * t * t * bend;
+    }
+    for (Place i = 0; i < balls.size(); ++i)
+        for (Place j = 0; j < balls.size(); ++j)
+            if (i != j && touch(balls[i], balls[j])) RC_ASSERT(near(cells, i).contains(j));
+}
+
+// A ball that enters a cell need only look at what it did not see from the last one.
+RC_GTEST_PROP(Cells, WhatIsNewlyNearAndWhatWasNearIsAllThatIsNear, ()) {
+    const std::vector<Ball> balls = some_balls();
+    Cells cells;
+    cells.reset(balls, 4);
+    for (Place i = 0; i < balls.size(); ++i) {
+        cells.choose_level(i, Cells::width_for(balls[i].radius));
+        cells.put(i, balls[i].position);
+    }
+    std::set<Place> seen = near(cells, 0);
+    const Cells::Cell before = cells[0];
+    cells.put(0, {between(-1, 1), between(-1, 1)});
+    cells.each_newly_near(0, before, [&](Place j) { seen.insert(j); });
+    RC_ASSERT(std::ranges::includes(seen, near(cells, 0)));
+}
+
+TEST(Cells, OneThatIsTakenOffIsNotFound) {
+    const std::vector<Ball> balls{ball_at({0, 0}, 0.1), ball_at({0.1, 0}, 0.1), ball_at({0, 0.1}, 1)};
+    Cells cells;
+    cells.reset(balls, 1);
+    for (Place i = 0; i < 3; ++i) {
+        cells.choose_level(i, Cells::width_for(balls[i].radius));
+        cells.put(i, balls[i].position);
+    }
+    EXPECT_EQ(near(cells, 0), (std::set<Place>{1, 2}));
+    cells.remove(1);
+    EXPECT_EQ(near(cells, 0), (std::set<Place>{2}));
+    cells.remove(1);
+    cells.put(1, {0.1, 0});
+    EXPECT_EQ(near(cells, 2), (std::set<Place>{0, 1}));
+}
+
+}  // namespace
+}  // namespace flipside::custom::test
