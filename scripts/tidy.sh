@@ -18,6 +18,7 @@ files_read() {
 # check LINE
 check() {
     local unit=${1%%$'\t'*} known
+    if [[ $unit != /* ]]; then unit=$build/$unit; fi
     # A file that puts others together says nothing that those do not say, but where the build is.
     known=$passed/$({
         echo "$common"
