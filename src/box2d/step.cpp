@@ -215,8 +215,6 @@ void Box2dWorld::measure() {
     look();
     statistics_.substeps = static_cast<std::uint64_t>(options_.substeps);
     statistics_.asleep = static_cast<std::uint64_t>(std::ranges::count(balls_, true, &Ball::asleep));
-    for (const Contact& contact : touching_.contacts)
-        statistics_.max_penetration = std::max(statistics_.max_penetration, -contact.separation);
     // Box2D does not count the boxes it tests in its tree: pair_tests stays 0.
     statistics_.broad_phase.name = "dynamic tree";
     statistics_.broad_phase.levels = world_->GetTreeHeight();

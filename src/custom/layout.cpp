@@ -1,7 +1,6 @@
 #include "custom/layout.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "world/gate.hpp"
 
@@ -16,9 +15,6 @@ Layout::Layout(const Scene& scene)
         const Part& part = scene.parts[pieces_[i].part];
         still_proxies_.push_back({bounds_of(pieces_[i]), part.layer, part.collides_with, false, false});
     }
-    constexpr float far = std::numeric_limits<float>::infinity();
-    for (PieceIndex i = 0; i < size(); ++i)
-        capsules_.push_back(moves(i) ? Capsule{{}, 0, 0, 0, far} : capsule_around(pieces_[i]));
     for (const Piece& piece : pieces_) {
         const Part& part = scene.parts[piece.part];
         always_stops_.push_back(!part.sensor && !part.target && gate_of(part) == nullptr);

@@ -5,7 +5,6 @@
 #include <span>
 
 #include "custom/broad_phase/broad_phase.hpp"
-#include "custom/geometry/capsule.hpp"
 #include "custom/geometry/narrow_phase.hpp"
 
 namespace flipside::custom {
@@ -37,12 +36,6 @@ class Layout {
     [[nodiscard]] bool stops(const Table& table, PieceIndex i, const Pose& pose, const Ball& ball) const {
         return always_stops_[i] || custom::stops(table, pieces_[i], pose, ball);
     }
-    /// Whether a disc may overlap a piece: false only where it does not. Always true of what moves.
-    [[nodiscard]] bool may_touch(PieceIndex i, Vec2 center, double radius) const {
-        return overlap(capsules_[i], center, radius);
-    }
-    /// What may_touch() will read of a piece.
-    [[nodiscard]] const Capsule& capsule(PieceIndex i) const { return capsules_[i]; }
     /// Of the still pieces, by index.
     [[nodiscard]] const std::vector<Proxy>& still_proxies() const { return still_proxies_; }
     /// Parts that are gates.
@@ -78,7 +71,6 @@ class Layout {
     PieceIndex still_ = 0;
     std::vector<Proxy> still_proxies_;
     std::vector<PartIndex> gates_;
-    std::vector<Capsule> capsules_;           ///< per piece; without end around what moves
     std::vector<char> always_stops_;          ///< per piece
     std::vector<std::uint32_t> material_of_;  ///< per piece
     std::size_t materials_;

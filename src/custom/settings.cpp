@@ -9,7 +9,10 @@ namespace flipside::custom {
 
 namespace {
 
-constexpr std::string_view solvers[] = {"simple", "discrete", "continuous", "auto"};
+constexpr std::string_view solvers[] = {"continuous", "simple"};
+constexpr RetiredChoice retired_solvers[] = {
+    {"discrete", "take continuous, which is exact and faster, or simple, which steps as it did"},
+    {"auto", "take continuous, which it chose for few balls and which now serves any number"}};
 /// Of every broad phase, and what leaves the choice to the engine.
 constexpr auto broad_phase_names = [] {
     std::array<std::string_view, std::size(broad_phases) + 1> names{};
@@ -21,18 +24,17 @@ constexpr auto broad_phase_names = [] {
 constexpr SettingSpec specs[] = {
     {.name = "solver",
      .type = SettingType::choice,
-     .initial = 3,
      .choices = solvers,
-     .about = "simple: the loop of a toy, to be read; fast balls tunnel, heaps overlap; discrete: fly, push "
-              "out, reflect, several times a step; continuous: every impact at its "
-              "exact time; auto: continuous while there are at most 64 balls"},
+     .retired = retired_solvers,
+     .about = "continuous: every impact at its exact time; simple: the loop of a toy, to be read; fast balls "
+              "tunnel, heaps overlap"},
     {.name = "max_impacts",
      .type = SettingType::integer,
      .initial = 500'000,
      .min = 1,
      .max = 1e9,
-     .about = "events that the continuous solver handles in one step before it leaves the step to the "
-              "discrete one; too few and a busy step loses its exactness"},
+     .about = "events that the continuous solver handles in a quarter of a second before balls have to wait "
+              "for the next tick of 1/240 s; too few and a busy scene loses its exactness"},
     {.name = "motion_iterations",
      .type = SettingType::integer,
      .initial = 4,
@@ -77,22 +79,6 @@ constexpr SettingSpec specs[] = {
      .max = 1e6,
      .about = "width of a cell of the grid, 0: fitted to the balls; too small and balls are listed in many "
               "cells, too large and cells are crowded"},
-    {.name = "sweep_from",
-     .type = SettingType::real,
-     .unit = "radii",
-     .initial = 0.25,
-     .min = 0.01,
-     .max = 1e6,
-     .about = "a ball that may sink deeper than this into a part in one flight is stopped at its "
-              "surface; large values show how a plain discrete solver lets fast balls through"},
-    {.name = "search_steps",
-     .type = SettingType::real,
-     .unit = "steps",
-     .initial = 2,
-     .min = 1,
-     .max = 100,
-     .about = "how long one search for pairs serves where nothing kicks the balls; 1 searches in every step; "
-              "changes the cost, never the outcome"},
     {.name = "sleep",
      .type = SettingType::toggle,
      .initial = 1,
@@ -116,8 +102,6 @@ SolverSettings::SolverSettings(const Settings& settings)
     : solver(settings.choice("solver")),
       motion_iterations(settings.integer("motion_iterations")),
       collision_iterations(settings.integer("collision_iterations")),
-      sweep_from(settings.real("sweep_from")),
-      search_steps(settings.real("search_steps")),
       sleep(settings.toggle("sleep")),
       sleep_speed(settings.real("sleep_speed")),
       max_impacts(static_cast<std::uint64_t>(settings.integer("max_impacts"))) {}

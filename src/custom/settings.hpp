@@ -13,8 +13,6 @@ struct SolverSettings {
     std::string_view solver;
     int motion_iterations;
     int collision_iterations;
-    double sweep_from;  ///< radii
-    double search_steps;
     bool sleep;
     double sleep_speed;  ///< m/s
     std::uint64_t max_impacts;

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <functional>
-#include <iterator>
 #include <tuple>
 
 #include "custom/broad_phase/room.hpp"
-#include "custom/sift.hpp"
 
 namespace flipside::custom {
 
@@ -51,7 +49,7 @@ void each_missing(const std::vector<T>& these, const std::vector<T>& those, auto
 void TouchList::reserve(std::size_t pieces, std::size_t balls) {
     make_room(moving_, pieces + balls);
     for (auto* list : {&before_, &now_}) make_room(*list, balls, touches_per_ball);
-    for (auto* list : {&part_pairs_, &ball_pairs_, &near_}) make_room(*list, balls, contacts_per_ball);
+    make_room(pairs_, balls, pairs_per_ball);
     for (auto* list : {&sensed_before_, &sensed_}) make_room(*list, balls, touches_per_ball);
 }
 
@@ -63,7 +61,7 @@ void TouchList::keep_sleepers(std::span<const Ball> balls) {
         if (sleeps(balls, s.ball)) sensed_.push_back(s);
 }
 
-void TouchList::look(const Layout& layout, const Table& table, const Ball& ball, PieceIndex index) {
+void TouchList::test(const Layout& layout, const Table& table, const Ball& ball, PieceIndex index) {
     const Piece& piece = layout.piece(index);
     const Pose pose = layout.pose(table, index, 0);
     const bool sensor = table.scene().parts[piece.part].sensor;
@@ -75,7 +73,7 @@ void TouchList::look(const Layout& layout, const Table& table, const Ball& ball,
         now_.push_back({ball.number, Other::part(piece.part), found.point, found.normal, found.separation});
 }
 
-void TouchList::look(const Ball& lower, const Ball& ball) {
+void TouchList::test(const Ball& lower, const Ball& ball) {
     const Touch found = touch(lower.position, lower.radius, ball.position, ball.radius);
     if (found.separation <= touch_distance * std::min(lower.radius, ball.radius))
         now_.push_back({lower.number, Other::ball(ball.number), found.point, found.normal, found.separation});
@@ -94,77 +92,40 @@ void TouchList::clear() {
     now_.clear();
     sensed_before_.clear();
     sensed_.clear();
-    part_pairs_.clear();
-    ball_pairs_.clear();
+    pairs_.clear();
     narrow_tests_ = 0;
 }
 
-void TouchList::refresh(const Layout& layout, const Table& table, std::span<const Ball> balls,
-                        BroadPhase& broad, NearList& near, bool everything) {
+void TouchList::search(const Layout& layout, const Table& table, std::span<const Ball> balls,
+                       BroadPhase& broad) {
     begin();
-    if (!everything) keep_sleepers(balls);
     const auto box_of = [](const Ball& ball) {
         return bounds_of(ball.position, ball.radius * (1 + touch_distance));
     };
-    layout.place(table, balls, 0, 0, everything, box_of, moving_);
-    tell_apart(near.find_pairs(moving_, broad, [&](std::size_t i) { return moving_[i].box; }), layout.size());
-    look_at(layout, table, balls);
+    layout.place(table, balls, 0, 0, true, box_of, moving_);
+    broad.find_pairs(moving_, pairs_);
+    test_pairs(layout, table, balls);
 }
 
 void TouchList::refresh(const Layout& layout, const Table& table, std::span<const Ball> balls,
-                        std::span<const Pair> candidates) {
+                        std::span<const Pair> pairs) {
     begin();
     keep_sleepers(balls);
-    tell_apart(candidates, layout.size());
-    look_at(layout, table, balls);
+    pairs_.assign(pairs.begin(), pairs.end());
+    test_pairs(layout, table, balls);
 }
 
-void TouchList::refresh(const Layout& layout, const Table& table, std::span<const Ball> balls,
-                        std::span<const Pair> with_parts, std::span<const Pair> of_balls) {
-    begin();
-    keep_sleepers(balls);
-    part_pairs_.assign(with_parts.begin(), with_parts.end());
-    ball_pairs_.assign(of_balls.begin(), of_balls.end());
-    look_at(layout, table, balls);
-}
-
-void TouchList::tell_apart(std::span<const Pair> candidates, Handle first_ball) {
-    part_pairs_.clear();
-    ball_pairs_.clear();
-    std::ranges::partition_copy(candidates, std::back_inserter(part_pairs_), std::back_inserter(ball_pairs_),
-                                [&](Pair pair) { return pair.a < first_ball; });
-}
-
-void TouchList::look_at(const Layout& layout, const Table& table, std::span<const Ball> balls) {
-    narrow_tests_ = part_pairs_.size() + ball_pairs_.size();
-    if (narrow_tests_ == 0) return;  // and what was kept of sleepers is in order
-    // Most candidates are not even near: they go first.
-    constexpr double room = 1 + 2 * touch_distance;
+void TouchList::test_pairs(const Layout& layout, const Table& table, std::span<const Ball> balls) {
+    narrow_tests_ = pairs_.size();
+    if (narrow_tests_ == 0) return;  // what was kept of sleepers is in order
     const Handle first_ball = layout.size();
-    each_sifted(
-        part_pairs_, near_,
-        [&](Pair pair) {
-            const Ball& ball = balls[pair.b - first_ball];
-            return layout.may_touch(pair.a, ball.position, room * ball.radius);
-        },
-        [&](std::span<const Pair> these) {
-            for (const Pair pair : these) look(layout, table, balls[pair.b - first_ball], pair.a);
-        },
-        [&](Pair pair) {
-            fetch(layout.capsule(pair.a));
-            fetch_motion(balls[pair.b - first_ball]);
-        });
-    each_sifted(
-        ball_pairs_, near_,
-        [&](Pair pair) {
-            const Ball &a = balls[pair.a - first_ball], &b = balls[pair.b - first_ball];
-            const double reach = (a.radius + b.radius) * room;
-            return length_squared(a.position - b.position) <= reach * reach;
-        },
-        [&](std::span<const Pair> these) {
-            for (const Pair pair : these) look(balls[pair.a - first_ball], balls[pair.b - first_ball]);
-        },
-        [&](Pair pair) { fetch_motion(balls[pair.a - first_ball]); });
+    for (const Pair pair : pairs_) {
+        const Ball& ball = balls[pair.b - first_ball];
+        if (pair.a < first_ball)
+            test(layout, table, ball, pair.a);
+        else
+            test(balls[pair.a - first_ball], ball);
+    }
     std::ranges::sort(now_, [](const Contact& a, const Contact& b) {
         return std::tie(a.ball, a.other, a.separation, a.normal.x, a.normal.y) <
                std::tie(b.ball, b.other, b.separation, b.normal.x, b.normal.y);

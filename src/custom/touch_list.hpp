@@ -2,7 +2,6 @@
 /// Which balls touch what at an instant. It follows from the state of a world alone, so a world continued
 /// from a saved state knows the same touches as one that ran through.
 
-#include "custom/broad_phase/near_list.hpp"
 #include "custom/layout.hpp"
 #include "custom/tolerances.hpp"
 #include "world/events.hpp"
@@ -18,23 +17,18 @@ struct Sensed {
 
 class TouchList {
   public:
-    /// Finds all touches now. What sleeps beside what stands still is taken over from the last time,
-    /// unless `everything` says to look again.
-    void refresh(const Layout& layout, const Table& table, std::span<const Ball> balls, BroadPhase& broad,
-                 NearList& near, bool everything);
-    /// The same from given candidates, ordered as the broad phase orders them; those with parts and those of
-    /// balls in one list or in two.
+    /// Finds all touches now.
+    void search(const Layout& layout, const Table& table, std::span<const Ball> balls, BroadPhase& broad);
+    /// The same where the pairs of awake balls whose boxes overlap are known. What sleeps beside what stands
+    /// still touches what it touched before.
     void refresh(const Layout& layout, const Table& table, std::span<const Ball> balls,
-                 std::span<const Pair> candidates);
-    void refresh(const Layout& layout, const Table& table, std::span<const Ball> balls,
-                 std::span<const Pair> with_parts, std::span<const Pair> of_balls);
+                 std::span<const Pair> pairs);
     /// Nothing touches, and nothing did.
     void clear();
     /// One per touching pair (the deepest where there are several), by ball, then other.
     [[nodiscard]] std::span<const Contact> contacts() const { return now_; }
     /// Candidates of the last search, for those who want to see them.
-    [[nodiscard]] std::span<const Pair> part_pairs() const { return part_pairs_; }
-    [[nodiscard]] std::span<const Pair> ball_pairs() const { return ball_pairs_; }
+    [[nodiscard]] std::span<const Pair> pairs() const { return pairs_; }
     /// Shapes tested in the last search.
     [[nodiscard]] std::uint64_t narrow_tests() const { return narrow_tests_; }
     /// Reports what began and ended between the last two searches. `crossed` are the sensors that balls met
@@ -50,17 +44,15 @@ class TouchList {
 
   private:
     void begin();
-    void tell_apart(std::span<const Pair> candidates, Handle first_ball);
-    void look_at(const Layout& layout, const Table& table, std::span<const Ball> balls);
+    void test_pairs(const Layout& layout, const Table& table, std::span<const Ball> balls);
     void keep_sleepers(std::span<const Ball> balls);
-    void look(const Layout& layout, const Table& table, const Ball& ball, PieceIndex index);
-    void look(const Ball& lower, const Ball& ball);
+    void test(const Layout& layout, const Table& table, const Ball& ball, PieceIndex index);
+    void test(const Ball& lower, const Ball& ball);
 
     std::vector<Contact> before_, now_;
     std::vector<Sensed> sensed_before_, sensed_;
     std::vector<Proxy> moving_;
-    std::vector<Pair> part_pairs_, ball_pairs_;  ///< candidates
-    std::vector<Pair> near_;                     ///< scratch
+    std::vector<Pair> pairs_;  ///< candidates
     std::uint64_t narrow_tests_ = 0;
 };
 

@@ -3,11 +3,9 @@
 
 #include <memory>
 
-#include "custom/continuous/continuous_solver.hpp"
-#include "custom/discrete/discrete_solver.hpp"
+#include "custom/continuous/windows.hpp"
 #include "custom/engine.hpp"
 #include "custom/simple/simple_solver.hpp"
-#include "custom/sleep.hpp"
 #include "world/step_guard.hpp"
 #include "world/world.hpp"
 
@@ -25,8 +23,8 @@ class CustomWorld final : public World {
     [[nodiscard]] double time() const override { return table_.time(); }
     [[nodiscard]] std::span<const Ball> balls() const override { return balls_; }
     [[nodiscard]] std::span<const PartState> parts() const override { return table_.parts(); }
-    [[nodiscard]] std::span<const Event> events() const override { return record_.events; }
-    [[nodiscard]] std::span<const Contact> contacts() const override { return touches_.contacts(); }
+    [[nodiscard]] std::span<const Event> events() const override;
+    [[nodiscard]] std::span<const Contact> contacts() const override;
     [[nodiscard]] const Statistics& statistics() const override { return record_.statistics; }
 
     [[nodiscard]] State save() const override;
@@ -34,49 +32,35 @@ class CustomWorld final : public World {
     void inspect(Inspector& inspector) const override;
 
   private:
-    [[nodiscard]] bool steps_simply() const { return settings_.solver == "simple"; }
-    [[nodiscard]] bool steps_continuously() const;
-    [[nodiscard]] bool falls_asleep() const { return settings_.sleep && !steps_simply(); }
-    [[nodiscard]] std::uint64_t box_tests() const;
+    void make_room();
     void make_step(double dt);
-    void step_in_windows(double dt);
-    void begin_window();
-    void end_window();
+    void launch();
+    void step_simply(double dt);
+    void lose_balls();
+    void find_contacts() const;
+    void search_contacts();
+    void sort_events() const;
+    void fill_statistics(std::uint64_t pair_tests);
+    void wake_all();
+    void interrupt();
     void load(const State& state);
     bool resume(const State& state);
-    [[nodiscard]] static std::shared_ptr<const State> origin_of(const State& start);
-    void launch();
-    void make_room();
-    bool look_over(auto&& each_ball);
-    void look_over_all();
-    bool lose_balls();
-    void report_simple();
-    void report_continuous();
-    void find_touches();
-    void report_discrete();
-    void sort_events();
-    void wake_all();
-    void fill_statistics(std::uint64_t pair_tests);
-    void inspect_boxes(Inspector& inspector) const;
-    void inspect_turning_bounds(Inspector& inspector) const;
 
     std::shared_ptr<const Scene> scene_;
     SolverSettings settings_;
     Table table_;
     Layout layout_;
     std::unique_ptr<BroadPhase> broad_;
-    SimpleSolver simple_;
-    DiscreteSolver discrete_;
-    ContinuousSolver continuous_;
-    bool was_continuous_ = false;  ///< the last step was, and nothing was removed or restored since
-    bool in_window_ = false;  ///< of the continuous solver; nothing else has changed anything since it began
-    double window_end_ = 0;   ///< s
-    Sleep sleep_;
-    bool any_asleep_ = false;  ///< at the end of the step
-    TouchList touches_;
-    std::vector<Ball> balls_;  ///< by rising number
-    StepRecord record_;
+    std::unique_ptr<SimpleSolver> simple_;  ///< the solver is this one
+    std::unique_ptr<Windows> windows_;      ///< or this one
+    std::vector<Ball> balls_;               ///< by rising number
     StepGuard guard_{engine_name};
+    // Contacts, and events of those that begin and end, are found when somebody asks for them.
+    mutable bool contacts_found_ = false;
+    mutable bool contacts_skipped_ = false;  ///< in a step since they were found last
+    mutable bool contacts_last_ = false;     ///< until something from outside changes the world: it is quiet
+    mutable TouchList contacts_;
+    mutable StepRecord record_;
 };
 
 }  // namespace flipside::custom

@@ -79,6 +79,8 @@ bool Session::advance(double dt, double seconds) {
     bool done = false;
     try {
         done = world_->step_within(dt, seconds);
+        // An engine may find these only when asked: they are part of what a step costs.
+        if (done) static_cast<void>(world_->events()), static_cast<void>(world_->contacts());
     } catch (const Refusal&) {
         under_way_.reset();
         throw;
@@ -92,7 +94,7 @@ bool Session::advance(double dt, double seconds) {
     totals_.narrow_tests += statistics.narrow_tests;
     totals_.contacts += statistics.contacts;
     totals_.handed_over += statistics.handed_over;
-    totals_.max_penetration = std::max(totals_.max_penetration, statistics.max_penetration);
+    totals_.max_penetration = std::max(totals_.max_penetration, deepest_overlap(world_->contacts()));
     for (const Event& event : world_->events()) count(event);
     events_.insert(events_.end(), world_->events().begin(), world_->events().end());
 

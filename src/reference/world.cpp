@@ -254,8 +254,6 @@ void ReferenceWorld::report_touches() {
                std::tie(b.time, b.kind, b.ball, b.other, b.speed);
     });
     statistics_.contacts = contacts_.size();
-    for (const Contact& contact : contacts_)
-        statistics_.max_penetration = std::max(statistics_.max_penetration, -contact.separation);
 }
 
 /// The distance to the twin's ball, of the position as it is reported: so what rounding to 53 bits took is in

@@ -1,6 +1,8 @@
 #pragma once
 /// What happened during the last step, read after it; nothing calls back in mid-step.
 
+#include <algorithm>
+#include <span>
 #include <string_view>
 #include <variant>
 
@@ -51,5 +53,12 @@ struct Contact {
     Vec2 normal;            ///< unit, from other to ball
     double separation = 0;  ///< m, negative when they overlap
 };
+
+/// How deep the deepest of these overlaps, m; 0 where none does.
+[[nodiscard]] inline double deepest_overlap(std::span<const Contact> contacts) {
+    double deepest = 0;
+    for (const Contact& contact : contacts) deepest = std::max(deepest, -contact.separation);
+    return deepest;
+}
 
 }  // namespace flipside

@@ -42,6 +42,10 @@ std::string allowed(const SettingSpec& spec) {
 }
 
 [[noreturn]] void refuse(const SettingSpec& spec, std::string_view value) {
+    const auto retired = std::ranges::find(spec.retired, value, &RetiredChoice::name);
+    if (retired != spec.retired.end())
+        throw InputError("setting " + std::string(spec.name) + ": '" + std::string(value) +
+                         "' is no longer there; " + std::string(retired->advice));
     throw InputError("setting " + std::string(spec.name) + ": '" + std::string(value) +
                      "' is not allowed; it takes " + allowed(spec));
 }

@@ -10,6 +10,11 @@ namespace flipside {
 
 enum class SettingType { real, integer, toggle, choice };
 
+/// A value that a setting took once, and what to do instead: said to who still uses it.
+struct RetiredChoice {
+    std::string_view name, advice;
+};
+
 struct SettingSpec {
     std::string_view name;
     SettingType type = SettingType::real;
@@ -17,6 +22,7 @@ struct SettingSpec {
     double initial = 0;       ///< a toggle's 0 or 1, a choice's index
     double min = 0, max = 0;  ///< of reals and integers, inclusive
     std::span<const std::string_view> choices{};
+    std::span<const RetiredChoice> retired{};
     std::string_view about;  ///< one line: meaning, and what too small or too large does
 };
 

@@ -20,6 +20,8 @@ class StepGuard {
     void reserve(std::size_t balls, std::size_t pressings) {
         before_.balls.reserve(balls);
         before_.pressings.reserve(pressings);
+        before_.reported_lost.reserve(balls);
+        before_.blocked.reserve(balls);
     }
     /// Makes the step. Where it is refused, `restore(State)` is to bring back what was before.
     void run(const Table& table, const std::vector<Ball>& balls, auto&& step, auto&& restore) {

@@ -236,8 +236,8 @@ TEST_F(CommandLine, CasesGiveATableAndAFileAndExitOneWhereOneFails) {
     const auto json = nlohmann::json::parse(text_of(file("cases.json")));
     EXPECT_EQ(json["cases"].size(), 2U);
     EXPECT_EQ(json["settings"]["solver"], "continuous");
-    // Sweeps off and steps coarse: a ball of a million radii per second is past the wall in one step.
-    const Result failed = flipside("cases thin-wall --set solver=discrete --set sweep_from=1000000");
+    // A ball of a million radii per second is past the wall in one step of the toy.
+    const Result failed = flipside("cases thin-wall --set solver=simple");
     EXPECT_EQ(failed.code, 1);
     EXPECT_NE(failed.out.find("1 cases: 1 fail"), std::string::npos);
     EXPECT_EQ(flipside("cases --engine box2d --map " + file("map.csv")).code, 0);

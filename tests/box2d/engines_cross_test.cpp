@@ -138,9 +138,8 @@ TEST(EnginesCross, firstImpactsAreOfTheSamePartWithinOneStep) {
             };
             ASSERT_TRUE(ours && theirs) << where();
             if (ours->other != theirs->other) {
-                // A discrete solver looks four times per step, every 6 mm here: it may miss a ball that a
-                // point enters by less than the height of a 6 mm chord, 2.5 % of the radius, which is met
-                // at √(2 · 0.025) of the ball's speed.
+                // Box2D's skin may miss or meet what passes within it, 2.5 % of the radius, which is met at
+                // √(2 · 0.025) of the ball's speed.
                 const Event& hit = ours->other == Other::part(0) ? *ours : *theirs;
                 const double speed = std::sqrt(length_squared(top.scene.balls[0].velocity) + 2 * 1.11 * 0.25);
                 EXPECT_LT(hit.speed, std::sqrt(2 * 0.025) * speed) << where();

@@ -22,7 +22,6 @@
 #include <gtest/gtest.h>
 
 #include "custom/geometry/narrow_phase.hpp"
-#include "custom/geometry/polygon_contact.hpp"
 
 namespace flipside::box2d::test {
 namespace {
@@ -295,74 +294,6 @@ TEST(NarrowPhaseCross, discAndArc) {
         comparison.add(ours, theirs, center, length(center - ours.point), tie);
     }
     comparison.finish(1e-3);
-}
-
-TEST(NarrowPhaseCross, polygonAndPolygon) {
-    // Box2D takes the other polygon's face as reference unless the first one's is better by a tenth of its
-    // slop, so where the two best axes are that near, normals may differ and separations by that much.
-    constexpr double tie_band = 0.1 * b2_linearSlop + 1e-6;
-    Dice dice;
-    int touching = 0, verge = 0, ties = 0, counts = 0, unclipped = 0;
-    constexpr int pairs = 100000;
-    for (int i = 0; i < pairs; ++i) {
-        const std::vector<Vec2> a = dice.polygon({}), b = dice.polygon(dice.place(2));
-        const b2PolygonShape shape_a = shape_of(a), shape_b = shape_of(b);
-        b2Manifold manifold{};
-        b2CollidePolygons(&manifold, &shape_a, nowhere(), &shape_b, nowhere());
-        const custom::PolygonContact ours = custom::polygon_contact(a, b);
-        const custom::PolygonContact swapped = custom::polygon_contact(b, a);
-        EXPECT_NEAR(ours.separation, swapped.separation, 1e-12);
-        if (std::abs(ours.separation) < verdict_band) {
-            ++verge;
-            continue;
-        }
-        if (ours.separation > 0) {
-            ASSERT_EQ(manifold.pointCount, 0) << "pair " << i << ", our separation " << ours.separation;
-            continue;
-        }
-        ++touching;
-        if (manifold.pointCount == 0 || ours.count == 0) {
-            // Overlap, but the incident side lies past the reference face once it is clipped.
-            ++unclipped;
-            EXPECT_EQ(manifold.pointCount, ours.count) << "pair " << i;
-            continue;
-        }
-        b2WorldManifold world;
-        world.Initialize(&manifold, nowhere(), 0, nowhere(), 0);
-        const Vec2 normal{double{world.normal.x}, double{world.normal.y}};
-        if (length(normal - ours.normal) > normal_tolerance) {
-            ++ties;
-            // Along Box2D's normal the overlap must be as small as along ours, to its tolerance.
-            double reach_a = -1e9, reach_b = 1e9;
-            for (const Vec2 p : a) reach_a = std::max(reach_a, dot(p, normal));
-            for (const Vec2 p : b) reach_b = std::min(reach_b, dot(p, normal));
-            EXPECT_NEAR(reach_b - reach_a, ours.separation, tie_band)
-                << "pair " << i << ": our normal " << ours.normal.x << ", " << ours.normal.y << ", Box2D's "
-                << normal.x << ", " << normal.y;
-            continue;
-        }
-        if (manifold.pointCount != ours.count) {
-            ++counts;  // a second point that lies on the reference face, to rounding
-            continue;
-        }
-        std::vector<double> depths, depths_b2;
-        for (int k = 0; k < ours.count; ++k) {
-            depths.push_back(ours.separations[k]);
-            depths_b2.push_back(double{world.separations[k]});
-        }
-        std::ranges::sort(depths);
-        std::ranges::sort(depths_b2);
-        for (std::size_t k = 0; k < depths.size(); ++k)
-            EXPECT_NEAR(depths[k], depths_b2[k], separation_tolerance) << "pair " << i;
-    }
-    std::printf(
-        "%d pairs, %d touching; left out: %d on the verge, %d ties, %d of other counts, %d unclipped\n",
-        pairs, touching, verge, ties, counts, unclipped);
-    EXPECT_GT(touching, pairs / 5);
-    EXPECT_LT(verge, pairs / 1000);
-    EXPECT_LT(ties, touching / 100);
-    EXPECT_LT(counts, touching / 1000);
-    EXPECT_LT(unclipped, touching / 100);
 }
 
 }  // namespace

@@ -8,11 +8,9 @@
 
 namespace flipside::custom::test {
 
-/// On the discrete solver unless the settings say otherwise.
 inline std::unique_ptr<World> make_world(
     const Scene& scene, std::initializer_list<std::pair<std::string_view, std::string_view>> settings = {}) {
     Settings values(engine().settings);
-    values.set("solver", "discrete");
     for (const auto& [name, value] : settings) values.set(name, value);
     return engine().make(std::make_shared<const Scene>(scene), values);
 }

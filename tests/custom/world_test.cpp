@@ -266,15 +266,16 @@ TEST(World, SaveAndRestoreContinueBitForBit) {
 }
 
 TEST(World, BroadPhaseChangesNoBit) {
-    const auto brute = make_world(rich_scene(), {{"broad_phase", "brute"}});
-    const auto tree = make_world(rich_scene(), {{"broad_phase", "quadtree"}, {"quadtree_levels", "3"}});
+    const auto brute = make_world(rich_scene(), {{"solver", "simple"}, {"broad_phase", "brute"}});
+    const auto tree = make_world(
+        rich_scene(), {{"solver", "simple"}, {"broad_phase", "quadtree"}, {"quadtree_levels", "3"}});
     run(*brute, 5);
     run(*tree, 5);
     expect_same(*brute, *tree);
     EXPECT_LT(tree->statistics().pair_tests, brute->statistics().pair_tests);
     EXPECT_EQ(tree->statistics().broad_phase.leaves, 64);
     for (const BroadPhaseKind& kind : broad_phases) {
-        const auto world = make_world(rich_scene(), {{"broad_phase", kind.name}});
+        const auto world = make_world(rich_scene(), {{"solver", "simple"}, {"broad_phase", kind.name}});
         run(*world, 5);
         expect_same(*brute, *world);
     }
@@ -297,13 +298,13 @@ TEST(World, ShowsItsInsides) {
     add_ball(scene, {5, 5});
     add_part(scene, segment({-1, 0}, {1, 0}));
     add_part(scene, segment({-9, 9}, {-8, 9})).motion = motion::Turn{{-8, 9}, 1, true};
-    const auto world = make_world(scene, {{"broad_phase", "quadtree"}, {"quadtree_levels", "2"}});
-    world->step(1.0 / 60);
+    const auto world = make_world(scene);
+    run(*world, 0.3);
     world->inspect(counter);
     EXPECT_EQ(counter.boxes, 2 * 3 + 2);  // two faces with two ends each, two balls
     EXPECT_EQ(counter.discs, 1);          // around the part that turns
     EXPECT_EQ(counter.sides, 4);
-    EXPECT_EQ(counter.cells, 16);
+    EXPECT_EQ(counter.cells, 2);
     EXPECT_EQ(counter.pairs, 1);
     EXPECT_EQ(counter.contacts, 1);
     EXPECT_EQ(counter.sleepers, 1);
@@ -313,8 +314,14 @@ TEST(World, KnowsItsSettingsAndRefusesOthers) {
     Settings settings(engine().settings);
     EXPECT_EQ(settings.integer("motion_iterations"), 4);
     EXPECT_EQ(settings.integer("collision_iterations"), 6);
-    EXPECT_EQ(settings.choice("solver"), "auto");
+    EXPECT_EQ(settings.choice("solver"), "continuous");
     EXPECT_THROW(settings.set("broad_phase", "magic"), std::runtime_error);
+    try {
+        settings.set("solver", "discrete");
+        FAIL() << "a solver that is no longer there was taken";
+    } catch (const std::runtime_error& error) {
+        EXPECT_NE(std::string_view(error.what()).find("take continuous"), std::string_view::npos);
+    }
     EXPECT_THROW(settings.set("motion_iterations", "65"), std::runtime_error);
 }
 

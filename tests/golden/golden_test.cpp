@@ -38,20 +38,17 @@ struct Golden {
 
 /// Rain has 320 balls. On the reference they press on each other after 76 steps, and it refuses to go on.
 constexpr Golden golden[] = {
-    {"bowl", "discrete", 600, 0xcb908546},     {"bowl", "continuous", 600, 0xc365e9e2},
-    {"bowl", "reference", 600, 0xe08160d3},    {"box", "discrete", 600, 0x84f071c4},
-    {"box", "continuous", 600, 0x15814d3c},    {"box", "reference", 600, 0x02ec3582},
-    {"cradle", "discrete", 600, 0xcf8a14cf},   {"cradle", "continuous", 600, 0x1eacfc34},
-    {"cradle", "reference", 600, 0xbb6781c8},  {"drop", "discrete", 600, 0x420c2da0},
-    {"drop", "continuous", 600, 0x19f434aa},   {"drop", "reference", 600, 0x60c3acdc},
-    {"pinball", "discrete", 600, 0xae199227},  {"pinball", "continuous", 600, 0x9cf5be2d},
-    {"pinball", "reference", 600, 0x1d0719ff}, {"rain", "discrete", 120, 0xb5d993bf},
-    {"rain", "continuous", 120, 0x557b83},     {"rain", "reference", 60, 0x0bb4f183},
-    {"toy", "discrete", 600, 0xb9e30661},      {"toy", "continuous", 600, 0xe5da96f0},
-    {"toy", "reference", 600, 0xe248d956},     {"bowl", "simple", 600, 0xcb908546},
-    {"box", "simple", 600, 0x581d0c9d},        {"cradle", "simple", 600, 0x298368f9},
-    {"drop", "simple", 600, 0x687ee19f},       {"pinball", "simple", 600, 0x79524f9d},
-    {"rain", "simple", 120, 0x2ce49644},       {"toy", "simple", 600, 0x7ce8729e},
+    {"bowl", "continuous", 600, 0x60b67480},    {"bowl", "reference", 600, 0xe08160d3},
+    {"box", "continuous", 600, 0x9fc15866},     {"box", "reference", 600, 0x02ec3582},
+    {"cradle", "continuous", 600, 0x5ff4df5d},  {"cradle", "reference", 600, 0xbb6781c8},
+    {"drop", "continuous", 600, 0x47c1c428},    {"drop", "reference", 600, 0x60c3acdc},
+    {"pinball", "continuous", 600, 0xc58ca328}, {"pinball", "reference", 600, 0x1d0719ff},
+    {"rain", "continuous", 120, 0x7c8fda82},    {"rain", "reference", 60, 0x0bb4f183},
+    {"toy", "continuous", 600, 0x6d10d7d2},     {"toy", "reference", 600, 0xe248d956},
+    {"bowl", "simple", 600, 0xa37a95cd},        {"box", "simple", 600, 0x581d0c9d},
+    {"cradle", "simple", 600, 0x298368f9},      {"drop", "simple", 600, 0x687ee19f},
+    {"pinball", "simple", 600, 0x55c51196},     {"rain", "simple", 120, 0x60483566},
+    {"toy", "simple", 600, 0xe682341c},
 };
 
 void PrintTo(const Golden& g, std::ostream* out) {
@@ -132,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, CustomHash,
 
 TEST(GoldenHashes, CoverEveryScene) {
     for (const std::string& name : scene_names())
-        for (const std::string_view how : {"simple", "discrete", "continuous", "reference"})
+        for (const std::string_view how : {"simple", "continuous", "reference"})
             EXPECT_TRUE(
                 std::ranges::any_of(golden, [&](const Golden& g) { return g.scene == name && g.how == how; }))
                 << name << ' ' << how;

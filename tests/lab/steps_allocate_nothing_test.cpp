@@ -35,7 +35,7 @@ TEST_P(Steps, AllocateNothingAfterWarmUp) {
 
 INSTANTIATE_TEST_SUITE_P(EveryScene, Steps,
                          testing::Combine(testing::ValuesIn(scene_names()),
-                                          testing::Values("auto", "discrete", "continuous")),
+                                          testing::Values("simple", "continuous")),
                          [](const auto& test) {
                              return std::get<0>(test.param) + "_" + std::get<1>(test.param);
                          });

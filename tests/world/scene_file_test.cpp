@@ -158,7 +158,7 @@ TEST(SceneFile, LauncherRulesAndRecommendationsAreRead) {
         "rules": {"balls": 5, "ball_save": 8, "tilt": {"nudges": 2, "seconds": 4}, "score": {"bumper": 100},
                   "targets": [{"parts": ["drop"], "bonus": 500}], "lanes": [{"parts": ["lane"], "bonus": 50}],
                   "spinners": [{"part": "lane", "points": 10, "turns_per_speed": 4}]},
-        "recommend": {"custom": {"motion_iterations": 8, "solver": "discrete"}, "box2d": {"bullets": true},
+        "recommend": {"custom": {"motion_iterations": 8, "solver": "simple"}, "box2d": {"bullets": true},
                       "run": {"dt": 0.001}}})",
                                     "s.json");
     EXPECT_TRUE(scene.keep_lost);
@@ -180,7 +180,7 @@ TEST(SceneFile, LauncherRulesAndRecommendationsAreRead) {
     EXPECT_EQ(scene.rules->lanes.at(0).bonus, 50);
     EXPECT_EQ(scene.rules->spinners.at(0).turns_per_speed, 4);
     EXPECT_EQ(scene.recommend.at("custom").at("motion_iterations"), "8");
-    EXPECT_EQ(scene.recommend.at("custom").at("solver"), "discrete");
+    EXPECT_EQ(scene.recommend.at("custom").at("solver"), "simple");
     EXPECT_EQ(scene.recommend.at("box2d").at("bullets"), "on");
     EXPECT_EQ(scene.recommend.at("run").at("dt"), "0.001");
 }

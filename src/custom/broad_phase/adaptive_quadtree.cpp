@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "custom/broad_phase/pair_order.hpp"
+#include "custom/broad_phase/broad_phase.hpp"
 
 namespace flipside::custom {
 
@@ -157,13 +157,12 @@ class AdaptiveQuadtree final : public BroadPhase {
     void find_pairs(std::span<const Proxy> moving, std::vector<Pair>& pairs) override {
         pairs.clear();
         if (std::ranges::none_of(moving, &Proxy::active)) return;
-        moving_ = moving;
         const auto first = static_cast<Handle>(still_.size());
-        order_.start(first, moving.size());
         const auto test = [&](Handle b, const Proxy& other, Handle a) {
             if (!may_meet(moving[b], other)) return;
             ++tests_;
-            if (overlap(moving[b].box, other.box)) order_.add(a, first + b);
+            if (overlap(moving[b].box, other.box))
+                pairs.push_back({std::min(a, first + b), std::max(a, first + b)});
         };
         tests_ += moving_tree_.build(moving);
         moving_tree_.each_node([&](std::uint32_t node, std::span<const Handle> items, bool split) {
@@ -176,17 +175,7 @@ class AdaptiveQuadtree final : public BroadPhase {
                 tests_ += still_tree_.reach(moving[b].box, still);
             }
         });
-        order_.finish(pairs);
-    }
-
-    void find_overlapping(const SingleBox& box, std::vector<Handle>& found) override {
-        const auto look_at = [&](Handle handle, const Proxy& proxy) {
-            ++tests_;
-            if (overlap(box, proxy.box)) found.push_back(handle);
-        };
-        const auto first = static_cast<Handle>(still_.size());
-        tests_ += still_tree_.reach(box, [&](Handle i) { look_at(i, still_[i]); });
-        tests_ += moving_tree_.reach(box, [&](Handle i) { look_at(first + i, moving_[i]); });
+        std::ranges::sort(pairs);
     }
 
     [[nodiscard]] BroadPhaseFacts facts() const override {
@@ -205,9 +194,7 @@ class AdaptiveQuadtree final : public BroadPhase {
 
   private:
     std::vector<Proxy> still_;
-    std::span<const Proxy> moving_;
     Tree still_tree_, moving_tree_;
-    PairOrder order_;
 };
 
 }  // namespace

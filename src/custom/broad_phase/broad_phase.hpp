@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "custom/geometry/bounds.hpp"
-#include "custom/geometry/single_box.hpp"
 #include "world/inspector.hpp"
 #include "world/statistics.hpp"
 
@@ -17,9 +16,9 @@ namespace flipside::custom {
 /// find_pairs().
 using Handle = std::uint32_t;
 
-/// What the broad phase sees of a thing. Half a line of the cache, and never in two of them.
-struct alignas(32) Proxy {
-    SingleBox box;
+/// What the broad phase sees of a thing.
+struct Proxy {
+    Box box;
     std::uint32_t layer = 1;            ///< one bit
     std::uint32_t collides_with = ~0U;  ///< mask of layers
     bool ball = false;                  ///< a ball, or else part of the table
@@ -47,12 +46,6 @@ class BroadPhase {
     /// Replaces `pairs` by every overlapping pair that may meet, each once, in order. Pairs of still
     /// proxies are never looked at. Allocates only while it meets larger inputs than ever before.
     virtual void find_pairs(std::span<const Proxy> moving, std::vector<Pair>& pairs) = 0;
-    /// Adds to `found` every still proxy, and every moving one of the last find_pairs(), whose box overlaps
-    /// this one; each once, in no order. `moving` must still be there, and have had an active one. Whether
-    /// one that was moved since is found is left open.
-    virtual void find_overlapping(const SingleBox& box, std::vector<Handle>& found) = 0;
-    /// Says that find_overlapping() will soon be called for this box.
-    virtual void prepare(const SingleBox&) const {}
     /// Tests of one box against another since the start, those that insertion cost included.
     [[nodiscard]] std::uint64_t tests() const { return tests_; }
     [[nodiscard]] virtual BroadPhaseFacts facts() const = 0;
@@ -78,12 +71,7 @@ class BroadPhase {
 
 /// Uniform grid over `world` of square cells, `cell` m wide; 0 fits the cell to the moving boxes as they
 /// come. What is outside counts to the cells at the border. At most 2^22 cells: too small a cell is enlarged.
-[[nodiscard]] std::unique_ptr<BroadPhase> make_grid(const std::vector<Proxy>& still, const Box& world,
-                                                    double cell);
-
-/// For a few moving boxes among many still ones, most of them in `world`: an index of the still ones, and
-/// every pair of the moving ones.
-[[nodiscard]] std::unique_ptr<BroadPhase> make_few(const std::vector<Proxy>& still, const Box& world);
+[[nodiscard]] std::unique_ptr<BroadPhase> make_grid(std::vector<Proxy> still, const Box& world, double cell);
 
 /// Sweep and prune along x.
 [[nodiscard]] std::unique_ptr<BroadPhase> make_sweep(std::vector<Proxy> still);

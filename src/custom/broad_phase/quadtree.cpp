@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-#include "custom/broad_phase/pair_order.hpp"
+#include "custom/broad_phase/broad_phase.hpp"
 #include "custom/broad_phase/room.hpp"
 
 namespace flipside::custom {
@@ -51,27 +51,8 @@ class Quadtree final : public BroadPhase {
         if (std::ranges::none_of(moving, &Proxy::active)) return;
         for (const Proxy& proxy : moving) insert(proxy);
         most_in_leaf_ = most_still_in_leaf_;
-        order_.start(static_cast<Handle>(still_.size()), moving.size());
-        search(0);
-        order_.finish(pairs);
-    }
-
-    void find_overlapping(const SingleBox& box, std::vector<Handle>& found) override {
-        const Leaves under = leaves_under(box);
-        const auto look_at = [&](Handle handle, const Proxy& proxy, const Leaves& leaves, Node leaf) {
-            if (home(leaves, under) != leaf) return;
-            ++tests_;
-            if (overlap(box, proxy.box)) found.push_back(handle);
-        };
-        const auto first = static_cast<Handle>(still_.size());
-        each_leaf(under, [&](Node leaf) {
-            for (std::uint32_t k = still_begin_[leaf]; k < still_begin_[leaf + 1]; ++k)
-                look_at(still_listed_[k], still_[still_listed_[k]], still_leaves_[still_listed_[k]], leaf);
-            for (std::uint32_t i = first_moving_[leaf]; i != nobody; i = listings_[i].next) {
-                const Handle b = listings_[i].proxy;
-                look_at(first + b, moving_[b], moving_leaves_[b], leaf);
-            }
-        });
+        search(0, pairs);
+        std::ranges::sort(pairs);
     }
 
     [[nodiscard]] BroadPhaseFacts facts() const override {
@@ -169,13 +150,13 @@ class Quadtree final : public BroadPhase {
         });
     }
 
-    void search(Node node) {
+    void search(Node node, std::vector<Pair>& pairs) {
         if (!occupied_[node]) return;
-        if (node >= first_leaf_) return search_leaf(node - first_leaf_);
-        for (Node child = 4 * node + 1; child <= 4 * node + 4; ++child) search(child);
+        if (node >= first_leaf_) return search_leaf(node - first_leaf_, pairs);
+        for (Node child = 4 * node + 1; child <= 4 * node + 4; ++child) search(child, pairs);
     }
 
-    void search_leaf(Node leaf) {
+    void search_leaf(Node leaf, std::vector<Pair>& pairs) {
         most_in_leaf_ = std::max(most_in_leaf_, count(leaf));
         const auto first = static_cast<Handle>(still_.size());
         for (std::uint32_t i = first_moving_[leaf]; i != nobody; i = listings_[i].next) {
@@ -183,13 +164,13 @@ class Quadtree final : public BroadPhase {
             for (std::uint32_t k = still_begin_[leaf]; k < still_begin_[leaf + 1]; ++k) {
                 const Handle a = still_listed_[k];
                 if (test(still_[a], moving_[b], still_leaves_[a], moving_leaves_[b], leaf))
-                    order_.add(a, first + b);
+                    pairs.push_back({a, first + b});
             }
             // Lists grow at their front, so what follows has a lower handle.
             for (std::uint32_t j = listings_[i].next; j != nobody; j = listings_[j].next) {
                 const Handle a = listings_[j].proxy;
                 if (test(moving_[a], moving_[b], moving_leaves_[a], moving_leaves_[b], leaf))
-                    order_.add(first + a, first + b);
+                    pairs.push_back({first + a, first + b});
             }
         }
     }
@@ -225,7 +206,6 @@ class Quadtree final : public BroadPhase {
     std::vector<Leaves> moving_leaves_;
     std::vector<std::uint32_t> first_moving_;  ///< per leaf: into listings_, or nobody
     std::vector<Listing> listings_;
-    PairOrder order_;
     int most_in_leaf_ = 0;
 };
 

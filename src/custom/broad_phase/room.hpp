@@ -13,7 +13,7 @@ namespace flipside::custom {
 inline constexpr std::size_t pairs_per_ball = 16;    ///< listed as near, at rest
 inline constexpr std::size_t contacts_per_ball = 8;  ///< boxes that overlap during one flight
 inline constexpr std::size_t touches_per_ball = 4;
-inline constexpr std::size_t events_per_ball = 20;  ///< in a step in which a heap lands
+inline constexpr std::size_t events_per_ball = 32;  ///< in a step in which a heap lands
 inline constexpr std::size_t least_room = 1024;     ///< for a few balls, however fast
 
 inline constexpr std::size_t spare = 64;  ///< balls for which there is always room

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-#include "custom/broad_phase/pair_order.hpp"
+#include "custom/broad_phase/broad_phase.hpp"
 
 namespace flipside::custom {
 
@@ -26,7 +26,7 @@ struct Edge {
 class Sweep final : public BroadPhase {
   public:
     explicit Sweep(std::vector<Proxy> still) : still_(std::move(still)) {
-        for (Handle i = 0; i < still_.size(); ++i) still_order_.push_back({still_[i].box.left(), i});
+        for (Handle i = 0; i < still_.size(); ++i) still_order_.push_back({still_[i].box.min.x, i});
         std::ranges::sort(still_order_);
     }
 
@@ -36,21 +36,15 @@ class Sweep final : public BroadPhase {
         moving_ = moving;
         sort();
         const auto first = static_cast<Handle>(still_.size());
-        found_.start(first, moving.size());
         auto still = still_order_.begin();
         for (auto edge = order_.begin(); edge != order_.end(); ++edge) {
             const Proxy& b = moving[edge->proxy];
             for (; still != still_order_.end() && still->left <= edge->left; ++still)
-                sweep(still_[still->proxy], still->proxy, edge, order_.end(), moving, first);
-            sweep(b, first + edge->proxy, still, still_order_.end(), still_, 0);
-            sweep(b, first + edge->proxy, edge + 1, order_.end(), moving, first);
+                sweep(still_[still->proxy], still->proxy, edge, order_.end(), moving, first, pairs);
+            sweep(b, first + edge->proxy, still, still_order_.end(), still_, 0, pairs);
+            sweep(b, first + edge->proxy, edge + 1, order_.end(), moving, first, pairs);
         }
-        found_.finish(pairs);
-    }
-
-    void find_overlapping(const SingleBox& box, std::vector<Handle>& found) override {
-        find_overlapping(box, still_order_, still_, 0, found);
-        find_overlapping(box, order_, moving_, static_cast<Handle>(still_.size()), found);
+        std::ranges::sort(pairs);
     }
 
     [[nodiscard]] BroadPhaseFacts facts() const override { return {.name = "sweep and prune"}; }
@@ -61,25 +55,17 @@ class Sweep final : public BroadPhase {
 
     /// Tests a proxy against those of an order from `from` on that begin before it ends.
     void sweep(const Proxy& a, Handle handle, Place from, Place to, std::span<const Proxy> others,
-               Handle first) {
+               Handle first, std::vector<Pair>& pairs) {
         for (; from != to; ++from) {
-            if (from->left > a.box.right()) {
+            if (from->left > a.box.max.x) {
                 ++tests_;
                 return;
             }
             const Proxy& b = others[from->proxy];
             if (!may_meet(a, b)) continue;
             ++tests_;
-            if (overlap(a.box, b.box)) found_.add(handle, first + from->proxy);
-        }
-    }
-
-    void find_overlapping(const SingleBox& box, const std::vector<Edge>& order,
-                          std::span<const Proxy> proxies, Handle first, std::vector<Handle>& found) {
-        for (const Edge& edge : order) {
-            ++tests_;
-            if (edge.left > box.right()) return;
-            if (overlap(box, proxies[edge.proxy].box)) found.push_back(first + edge.proxy);
+            const Handle other = first + from->proxy;
+            if (overlap(a.box, b.box)) pairs.push_back({std::min(handle, other), std::max(handle, other)});
         }
     }
 
@@ -89,7 +75,7 @@ class Sweep final : public BroadPhase {
             order_.resize(moving_.size());
             for (Handle i = 0; i < order_.size(); ++i) order_[i].proxy = i;
         }
-        for (Edge& edge : order_) edge.left = moving_[edge.proxy].box.left();
+        for (Edge& edge : order_) edge.left = moving_[edge.proxy].box.min.x;
         const std::uint64_t enough = tests_ + 8 * order_.size();
         for (std::size_t i = 1; i < order_.size(); ++i) {
             if (tests_ > enough) return sort_by_halves();
@@ -114,7 +100,6 @@ class Sweep final : public BroadPhase {
     std::vector<Edge> still_order_;
     std::span<const Proxy> moving_;
     std::vector<Edge> order_;  ///< of the moving ones, by index into moving_
-    PairOrder found_;
 };
 
 }  // namespace

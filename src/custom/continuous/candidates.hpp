@@ -2,7 +2,7 @@
 /// Which features a ball can meet: a list per ball of those that its fat box touches, made again only
 /// when its path leaves that box, which is once in many steps.
 
-#include "custom/broad_phase/box_index.hpp"
+#include "custom/continuous/box_index.hpp"
 #include "custom/continuous/feature.hpp"
 #include "custom/continuous/path.hpp"
 #include "custom/geometry/bounds.hpp"

@@ -35,17 +35,14 @@ void Cells::reserve(std::size_t balls) {
     levels_.reserve(most_levels);
 }
 
-void Cells::reset(std::span<const Ball> balls, double area) {
+void Cells::reset(std::span<const Ball> balls) {
     links_.assign(balls.size(), {});
     cells_.assign(balls.size(), {});
     levels_.clear();
     heads_.assign(4 * std::bit_ceil(balls.size()), none);
     mask_ = heads_.size() - 1;
     if (balls.empty()) return;
-    // Where balls are few, wider cells are changed more seldom: a quarter of a ball in each.
-    const double spacing = std::sqrt(area / static_cast<double>(balls.size()));
-    const double least = std::ranges::min(balls, {}, &Ball::radius).radius;
-    double width = std::max(width_for(least), spacing / 2);
+    double width = width_for(std::ranges::min(balls, {}, &Ball::radius).radius);
     for (double& w : widths_) w = width, width *= 2;
 }
 
@@ -109,6 +106,21 @@ double Cells::stays(Place i, Vec2 center, Vec2 velocity, Vec2 top) const {
     };
     return std::min(along(center.x, cells_[i].column, velocity.x, top.x),
                     along(center.y, cells_[i].row, velocity.y, top.y));
+}
+
+void Cells::inspect(Inspector& inspector) const {
+    std::vector<Cell> used;
+    for (Place i = 0; i < cells_.size(); ++i)
+        if (links_[i].key != unlisted) used.push_back(cells_[i]);
+    std::ranges::sort(used);
+    for (auto first = used.begin(); first != used.end();) {
+        const auto last = std::find_if(first, used.end(), [&](const Cell& cell) { return cell != *first; });
+        const double width = widths_[first->level];
+        const Vec2 corner{width * static_cast<double>(first->column),
+                          width * static_cast<double>(first->row)};
+        inspector.cell({corner, corner + Vec2{width, width}}, static_cast<int>(last - first));
+        first = last;
+    }
 }
 
 }  // namespace flipside::custom

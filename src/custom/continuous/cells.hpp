@@ -20,6 +20,7 @@
 
 #include "custom/geometry/bounds.hpp"
 #include "world/ball.hpp"
+#include "world/inspector.hpp"
 
 namespace flipside::custom {
 
@@ -30,13 +31,13 @@ class Cells {
     struct Cell {
         std::uint32_t level = 0;
         std::int64_t column = 0, row = 0;
-        friend bool operator==(const Cell&, const Cell&) = default;
+        friend auto operator<=>(const Cell&, const Cell&) = default;
     };
 
     /// Makes room for so many balls.
     void reserve(std::size_t balls);
-    /// Begins anew with these balls, none of them listed, in a table with this area, m².
-    void reset(std::span<const Ball> balls, double area);
+    /// Begins anew with these balls, none of them listed.
+    void reset(std::span<const Ball> balls);
     /// On which level a ball will be listed: its cells are at least `width` wide, m. Takes it off its list
     /// if that changes.
     void choose_level(Place i, double width);
@@ -44,6 +45,8 @@ class Cells {
     void put(Place i, Vec2 center);
     void remove(Place i);
     [[nodiscard]] const Cell& operator[](Place i) const { return cells_[i]; }
+    /// Draws the cells in use, each with the number of its balls.
+    void inspect(Inspector& inspector) const;
     /// The least width for a ball of this radius.
     [[nodiscard]] static double width_for(double radius);
 

@@ -116,9 +116,9 @@ void ContinuousSolver::hit_feature(Place i, double time) {
         if (closing > 0) ball.velocity += closing * normal;
         return go_on(i, time);
     }
-    const Touch touch{point, normal, 0, 0, false};
+    const Touch touch{point, normal, 0, false};
     const Impact impact = respond(ball, touch, surface, layout_.mixed(ball.material, part.material),
-                                  {scene_.gravity, scene_.rest_speed, 0});
+                                  {scene_.gravity, scene_.rest_speed});
     if (impact.happened) {
         ++record_->statistics.impacts;
         if (leads_on(impact, ball)) movers_[i].idle = 0;
@@ -157,11 +157,16 @@ void ContinuousSolver::hit_ball(Place i, double time) {
     movers_[j].left = nullptr;
     // A sleeper holds against what merely comes to rest on it, and wakes when hit.
     const double approach = -dot(a.velocity - b.velocity, unit(a.position - b.position));
-    if (approach > settings_.sleep_speed) a.asleep = b.asleep = false;
-    const bool held = a.asleep || b.asleep;
-    const Impact impact =
-        respond(a.asleep ? b : a, a.asleep ? a : b, held, layout_.mixed(a.material, b.material),
-                {scene_.gravity, scene_.rest_speed, 0});
+    const bool wakes = approach > settings_.sleep_speed && (a.asleep || b.asleep);
+    if (wakes) a.asleep = b.asleep = false;
+    Ball &hitting = a.asleep ? b : a, &other = a.asleep ? a : b;
+    const double mass = other.mass;
+    if (other.asleep) other.mass = INFINITY;
+    const bool rattling = rattles(i, j, approach, time);
+    const Impact impact = respond(hitting, other, layout_.mixed(a.material, b.material),
+                                  {scene_.gravity, rattling ? slow_ : scene_.rest_speed});
+    movers_[i].last_hit = movers_[j].last_hit = time;
+    other.mass = mass;
     if (impact.happened) {
         ++record_->statistics.impacts;
         if (leads_on(impact, a)) movers_[i].idle = movers_[j].idle = 0;
@@ -170,7 +175,7 @@ void ContinuousSolver::hit_ball(Place i, double time) {
         if (!within_top_speed(b)) refuse_speed(engine_name, b, Other::ball(a.number), start_ + time, scene_);
     }
     // A slow touch of balls that are driven together lasts; a blow tears a ball out of its island.
-    bool lasts = !impact.happened && (flying_[i].pressed || flying_[j].pressed);
+    bool lasts = !impact.happened && (rattling || flying_[i].pressed || flying_[j].pressed);
     if (!impact.happened)
         for (Mover* mover : {&movers_[i], &movers_[j]}) {
             // One that touches others slowly again and again is between them.
@@ -184,6 +189,31 @@ void ContinuousSolver::hit_ball(Place i, double time) {
         join(i, time), join(j, time);
     predict(i, time);
     predict(j, time);
+    if (wakes) wake_carried(i, time), wake_carried(j, time);
+}
+
+/// Wakes the sleepers that lie on a ball, and those on them: what carries them has moved.
+void ContinuousSolver::wake_carried(Place i, double time) {
+    woken_.assign(1, i);
+    for (std::size_t next = 0; next < woken_.size(); ++next) {
+        const Ball& carrier = bodies_[woken_[next]];
+        const Vec2 at = movers_[woken_[next]].way.path.position(time);
+        cells_.each_near(woken_[next], [&](Place j) {
+            Ball& ball = bodies_[j];
+            const double reach = carrier.radius + ball.radius,
+                         near = touch_distance * std::min(carrier.radius, ball.radius);
+            if (!ball.asleep || movers_[j].lost || length(ball.position - at) > reach + near ||
+                !(dot(ball.position - at, scene_.gravity) < 0) || !layers_meet(carrier, ball))
+                return;
+            ball.asleep = false;
+            woken_.push_back(j);
+        });
+    }
+    for (const Place j : std::span(woken_).subspan(1)) {
+        set_out(j, time);
+        join(j, time);
+    }
+    for (const Place j : std::span(woken_).subspan(1)) predict(j, time);
 }
 
 void ContinuousSolver::lose(Place i, double time) {

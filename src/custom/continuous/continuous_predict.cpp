@@ -280,15 +280,32 @@ std::uint64_t ContinuousSolver::order_of(Place i, Next next, std::uint32_t met) 
 
 /// Finds the next event of a ball on its path and notes it.
 void ContinuousSolver::predict(Place i, double time) {
+    flying_[i].near_ball = false;
+    predict_with(i, time, [&] { cells_.each_near(i, [&](Place j) { predict_ball(i, j, time); }); });
+}
+
+/// The same for balls that all set out now. Of two of them only the first looks for the other.
+void ContinuousSolver::predict_together(std::span<const Place> balls, double time) {
+    ++batch_;
+    for (const Place i : balls) flying_[i].near_ball = false;
+    for (const Place i : balls)
+        predict_with(i, time, [&] {
+            flying_[i].batch = batch_;
+            cells_.each_near(i, [&](Place j) {
+                if (flying_[j].batch != batch_) predict_ball(i, j, time);
+            });
+        });
+}
+
+void ContinuousSolver::predict_with(Place i, double time, auto&& each_other) {
     Mover& mover = movers_[i];
     mover.next = Next::nothing;
     mover.next_time = after_end_;
-    flying_[i].near_ball = false;
     if (!flying_[i].meets || bodies_[i].asleep || mover.waits) return next_events_.set(i, INFINITY, 0);
     if (!mover.hops) offer(i, mover.way.until, Next::look_again);
     predict_loss(i, time);
     predict_features(i, time);
-    cells_.each_near(i, [&](Place j) { predict_ball(i, j, time); });
+    each_other();
     schedule(i);
 }
 

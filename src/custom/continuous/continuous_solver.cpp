@@ -5,7 +5,7 @@
 #include <functional>
 #include <numeric>
 
-#include "custom/sift.hpp"
+#include "custom/broad_phase/room.hpp"
 
 namespace flipside::custom {
 
@@ -36,6 +36,7 @@ ContinuousSolver::ContinuousSolver(const Table& table, const Layout& layout, con
         const Part& part = scene_.parts[layout.piece(i).part];
         if (part.sensor || gate_of(part) != nullptr) pieces_[layout.piece(i).part].push_back(i);
     }
+    for (State& start : starts_) table.copy(start);
 }
 
 void ContinuousSolver::reset(Table& table, std::vector<Ball>& balls) {
@@ -44,9 +45,7 @@ void ContinuousSolver::reset(Table& table, std::vector<Ball>& balls) {
     for (const Ball& ball : balls)
         for (PartIndex part = 0; part < pieces_.size(); ++part)
             for (const PieceIndex piece : pieces_[part]) {
-                if (!scene_.parts[part].sensor || !layers_meet(ball, scene_.parts[part]) ||
-                    !layout_.may_touch(piece, ball.position, ball.radius))
-                    continue;
+                if (!scene_.parts[part].sensor || !layers_meet(ball, scene_.parts[part])) continue;
                 const Touch found = touch(ball.position, ball.radius, layout_.piece(piece), table.pose(part));
                 if (found.separation <= 0) set_inside(ball.number, part, true);
             }
@@ -74,8 +73,8 @@ void ContinuousSolver::reserve(std::size_t balls) {
     contact_solver_.reserve(most);
     custom::make_room(members_, most);
     custom::make_room(pending_, most, events_per_ball);
-    make_writable(rank_, most);
-    make_writable(flying_, most);
+    custom::make_room(woken_, most);
+    if (flying_.size() < most) flying_.resize(most), rank_.resize(most);
     next_events_.reserve(most);
     cells_.reserve(most);
     custom::make_room(pairs_, most, pairs_per_ball);

@@ -54,8 +54,10 @@ class ContinuousSolver {
     /// The start of the window that is under way now is kept when others begin, until the next call.
     void keep_start() { kept_ = current_; }
     [[nodiscard]] const State& kept_start() const { return starts_[kept_]; }
-    /// Whether nothing happens in this window: all balls sleep on.
+    /// Whether nothing happens in this window: all balls sleep on, and no part moves.
     [[nodiscard]] bool quiet() const { return !any_awake_; }
+    /// Draws the cells.
+    void inspect_cells(Inspector& inspector) const { cells_.inspect(inspector); }
     /// Pairs of pieces and awake balls that are near each other, as a broad phase gives them; `balls` as they
     /// were read last.
     [[nodiscard]] std::span<const Pair> find_pairs(std::span<const Ball> balls);
@@ -77,6 +79,7 @@ class ContinuousSolver {
         double start = 0;         ///< s
         double radius = 0;
         std::uint32_t changes = 0;  ///< of its path
+        std::uint32_t batch = 0;    ///< in which it was predicted last
         bool freely = false;        ///< under gravity and drag alone
         bool pressed = false;       ///< of an island: presses on another ball, or is wedged
         bool meets = true;          ///< not lost
@@ -99,6 +102,7 @@ class ContinuousSolver {
         std::uint32_t met_changes = 0;  ///< the other ball's, when this was predicted
         double last_time = -1;          ///< of its last event
         double last_slow = -INFINITY;   ///< of its last slow touch of a ball
+        double last_hit = -INFINITY;    ///< of its last touch of a ball
         int stalled = 0;                ///< events at that very time
         int idle = 0;                   ///< events since its last impact that counts
         double horizon = 0;             ///< s: it is listed in its cell until then
@@ -146,6 +150,7 @@ class ContinuousSolver {
     [[nodiscard]] static std::pair<BallNumber, BallNumber> rank(const Pressing& p) { return {p.b, p.a}; }
     [[nodiscard]] double next_tick(double time) const;
     void follow(Ball& ball, const Mover& mover, double time) const;
+    [[nodiscard]] bool rattles(Place i, Place j, double approach, double time) const;
     [[nodiscard]] bool in_slow_touch(Place i, Place j, double time) const;
     [[nodiscard]] bool rests_on(Place i, const Feature& feature, const Pose& pose, double time) const;
 
@@ -160,6 +165,8 @@ class ContinuousSolver {
     // Predictions (continuous_predict.cpp).
     void set_out(Place i, double time);
     void predict(Place i, double time);
+    void predict_together(std::span<const Place> balls, double time);
+    void predict_with(Place i, double time, auto&& each_other);
     void predict_features(Place i, double time);
     [[nodiscard]] bool slides_to(const Mover& mover, const Ball& ball, const Feature& feature) const;
     [[nodiscard]] static bool glides_over(const Mover& mover, const Feature& feature, const Pose& pose);
@@ -202,6 +209,7 @@ class ContinuousSolver {
     [[nodiscard]] bool inside(BallNumber ball, PartIndex part) const;
     void set_inside(BallNumber ball, PartIndex part, bool inside);
     void report(double time, EventKind kind, const Ball& ball, Other other, const Impact& impact, Vec2 point);
+    void wake_carried(Place i, double time);
 
     const Scene& scene_;
     const Layout& layout_;
@@ -228,6 +236,7 @@ class ContinuousSolver {
     std::uint64_t events_ = 0, search_steps_ = 0;
     double next_tick_ = 0;
     bool any_pressed_ = false;
+    std::uint32_t batch_ = 0;
 
     // Scratch, kept to save allocations.
     std::vector<Turning> turnings_;  ///< by part
@@ -242,6 +251,7 @@ class ContinuousSolver {
     std::vector<Pressing> part_forces_;
     double deepest_ = 0;          ///< m, of the overlaps of balls in islands
     std::vector<Place> members_;  ///< of the islands at hand, in order
+    std::vector<Place> woken_;    ///< at the event at hand
     std::vector<Place> rank_;     ///< of a ball among those read
     std::vector<Pair> pairs_;
     std::array<State, 2> starts_;  ///< of the window, and of the one that is kept

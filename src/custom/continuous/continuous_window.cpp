@@ -43,7 +43,7 @@ void ContinuousSolver::take_places() {
         mover.lost = mover.crushed = mover.waits = mover.hops = false;
         mover.held = mover.left = nullptr;
         mover.last_time = -1;
-        mover.last_slow = -INFINITY;
+        mover.last_slow = mover.last_hit = -INFINITY;
         mover.stalled = mover.idle = 0;
         flying_[i] = {};
         flying_[i].radius = bodies_[i].radius;
@@ -60,17 +60,18 @@ void ContinuousSolver::run(double until, StepRecord& record) {
 
 void ContinuousSolver::set_out_all() {
     set_out_ = true;
-    const Vec2 size = scene_.bounds.max - scene_.bounds.min;
     next_events_.reset(bodies_.size());
-    cells_.reset(bodies_, size.x * size.y);
+    cells_.reset(bodies_);
     for (Place i = 0; i < bodies_.size(); ++i) {
         if (!bodies_[i].asleep) come_out(i);
         set_out(i, 0);
     }
     find_piles();
     tick(0);
+    members_.clear();
     for (Place i = 0; i < bodies_.size(); ++i)
-        if (!bodies_[i].asleep) predict(i, 0);
+        if (!bodies_[i].asleep) members_.push_back(i);
+    predict_together(members_, 0);
 }
 
 void ContinuousSolver::handle_until(double time) {

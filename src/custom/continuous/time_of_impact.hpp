@@ -1,6 +1,6 @@
 #pragma once
 /// Time of impact: the first instant at which a disc on its path touches a feature of the table or
-/// another disc. Pure geometry; the twin of the discrete solver's narrow phase, with time in it.
+/// another disc. Pure geometry; the narrow phase, with time in it.
 ///
 /// Two ways, tested against each other. Straight relative motion and parabolas against lines have closed
 /// quadratics; with drag a flight's distance from a line is still convex or concave throughout. Everything

@@ -36,28 +36,11 @@ struct Inside {
 };
 
 /// Half of a rectangle's extent along a unit vector, m.
-double reach(const Rectangle& rectangle, Vec2 axis) {
-    return rectangle.half.x * std::abs(dot(rectangle.along, axis)) +
-           rectangle.half.y * std::abs(dot(perp(rectangle.along), axis));
-}
 
 }  // namespace
 
 bool inside(Vec2 point, const Shape& shape) {
     return std::visit(Inside{point}, shape.is);
-}
-
-bool inside(Vec2 point, const Rectangle& rectangle) {
-    const Vec2 from_center = point - rectangle.center;
-    return std::abs(dot(from_center, rectangle.along)) <= rectangle.half.x &&
-           std::abs(dot(from_center, perp(rectangle.along))) <= rectangle.half.y;
-}
-
-bool overlap(const Rectangle& a, const Rectangle& b) {
-    const Vec2 axes[] = {a.along, perp(a.along), b.along, perp(b.along)};
-    return std::ranges::all_of(axes, [&](Vec2 axis) {
-        return std::abs(dot(b.center - a.center, axis)) <= reach(a, axis) + reach(b, axis);
-    });
 }
 
 }  // namespace flipside::custom

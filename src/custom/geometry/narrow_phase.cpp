@@ -12,7 +12,7 @@ Touch touch_circle(Vec2 center, double radius, Vec2 at, double core, Vec2 fallba
     const Vec2 away = center - at;
     const double distance = length(away);
     const Vec2 normal = distance > 0 ? away / distance : fallback;
-    return {at + core * normal, normal, distance - core - radius, distance > 0 ? 1 / distance : 0, false};
+    return {at + core * normal, normal, distance - core - radius, false};
 }
 
 /// Angle of a direction, anticlockwise from `from`, in [0, 2π).
@@ -45,7 +45,7 @@ Touch touch(Vec2 center, double radius, const piece::Segment& piece) {
     const Vec2 left = unit(perp(along));
     const double height = dot(from_a, left);
     const Vec2 normal = height < 0 ? -left : left;
-    return {center - height * left, normal, std::abs(height) - radius, 0, false};
+    return {center - height * left, normal, std::abs(height) - radius, false};
 }
 
 Touch touch(Vec2 center, double radius, const piece::Arc& piece) {
@@ -62,9 +62,8 @@ Touch touch(Vec2 center, double radius, const piece::Arc& piece) {
         return end;
     }
     const bool inside = distance < piece.radius;
-    const double bend = distance > 0 ? 1 / distance : 0;
     return {piece.center + piece.radius * direction, inside ? -direction : direction,
-            std::abs(distance - piece.radius) - radius, inside ? -bend : bend, false};
+            std::abs(distance - piece.radius) - radius, false};
 }
 
 // The edge with the greatest signed distance decides (separating axis): inside the polygon it is the
@@ -85,7 +84,7 @@ Touch touch(Vec2 center, double radius, const piece::Polygon& piece) {
         if (dot(center - a, b - a) < 0) return touch_circle(center, radius, a, 0);
         if (dot(center - b, a - b) < 0) return touch_circle(center, radius, b, 0);
     }
-    return {center - height * normal, normal, height - radius, 0, false};
+    return {center - height * normal, normal, height - radius, false};
 }
 
 // In the frame of the axis, mirrored so that the disc is on the left of it: the straight side runs from
@@ -106,7 +105,7 @@ Touch touch(Vec2 center, double radius, const piece::Taper& piece) {
     if (along > cosine * span) return touch_circle(center, radius, piece.b, piece.radius_b, forward);
     const double above = sine * x + cosine * y - piece.radius_a;
     const Vec2 normal = sine * forward + (side * cosine) * left;
-    return {center - above * normal, normal, above - radius, 0, false};
+    return {center - above * normal, normal, above - radius, false};
 }
 
 Touch touch(Vec2 center, double radius, const Piece& piece, const Pose& pose) {

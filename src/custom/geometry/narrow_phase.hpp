@@ -12,9 +12,6 @@ struct Touch {
     Vec2 point;             ///< m, closest point of the surface
     Vec2 normal;            ///< unit, from the surface towards the disc
     double separation = 0;  ///< m between the two surfaces, negative when they overlap
-    /// 1/m: the separation changes by ½·curvature·d² when the disc moves d along the tangent. 1/distance
-    /// from a corner or the centre of a circle outside it, −1/distance inside an arc, 0 off a straight face.
-    double curvature = 0;
     /// The closest point is an end of an open curve (segment, arc). Where that end can be hit, a point
     /// piece stands for it, so such a touch is not the curve's own.
     bool past_end = false;

@@ -28,64 +28,69 @@ void ContactSolver::reserve(std::size_t balls) {
     make_room(moved_from_, 2 * balls);
 }
 
+/// An impulse along the normal, and one along perp(normal).
 void ContactSolver::push(const Contact& contact, const ContactImpulse& impulse) {
     Body &upper = bodies_[contact.upper], &lower = bodies_[contact.lower];
-    const Vec2 p = impulse.normal * contact.normal + impulse.tangent * perp(contact.normal);
+    Vec2 p = impulse.normal * contact.normal;
+    if (contact.friction > 0) {
+        p += impulse.tangent * perp(contact.normal);
+        upper.spin -= upper.per_inertia * upper.radius * impulse.tangent;
+        lower.spin -= lower.per_inertia * lower.radius * impulse.tangent;
+    }
     upper.velocity += upper.per_mass * p;
     lower.velocity -= lower.per_mass * p;
-    upper.spin -= upper.per_inertia * upper.radius * impulse.tangent;
-    lower.spin -= lower.per_inertia * lower.radius * impulse.tangent;
 }
 
-/// Returns how much it changed a velocity, m/s.
-double ContactSolver::correct(Contact& contact) {
+/// Makes the contact close no faster than it may, and slip as little as friction allows.
+void ContactSolver::correct(Contact& contact) {
     const Body &upper = bodies_[contact.upper], &lower = bodies_[contact.lower];
     const Vec2 relative = upper.velocity - lower.velocity;
     const double apart = dot(relative, contact.normal);
-    const double normal = std::max(0.0, contact.impulse.normal - contact.mass * (apart + contact.closing));
-    ContactImpulse change{normal - contact.impulse.normal, 0};
+    ContactImpulse impulse;
+    impulse.normal = std::max(0.0, contact.impulse.normal - contact.mass * (apart + contact.closing));
     if (contact.friction > 0) {
         const double slip = dot(relative, perp(contact.normal)) - upper.radius * upper.spin -
                             (contact.with == With::ball ? lower.radius * lower.spin : 0);
-        const double most = contact.friction * normal;
-        const double tangent = std::clamp(contact.impulse.tangent - contact.rim_mass * slip, -most, most);
-        change.tangent = tangent - contact.impulse.tangent;
-        contact.impulse.tangent = tangent;
+        const double most = contact.friction * impulse.normal;
+        impulse.tangent = std::clamp(contact.impulse.tangent - contact.rim_mass * slip, -most, most);
     }
-    contact.impulse.normal = normal;
-    push(contact, change);
-    return std::abs(change.normal) / contact.mass + std::abs(change.tangent) / contact.rim_mass;
+    push(contact, impulse - contact.impulse);
+    contact.impulse = impulse;
 }
 
-/// Returns the greatest change of a velocity, m/s.
-double ContactSolver::sweep() {
-    double most = 0;
-    for (Contact& contact : contacts_) most = std::max(most, correct(contact));
-    return most;
+/// Corrects every contact once.
+ContactSolver::Progress ContactSolver::sweep() {
+    Progress progress;
+    for (Contact& contact : contacts_) {
+        const ContactImpulse before = contact.impulse;
+        correct(contact);
+        const ContactImpulse change = contact.impulse - before, step = contact.impulse - contact.before;
+        const double velocity =
+            std::abs(change.normal) * contact.per_mass + std::abs(change.tangent) * contact.per_rim_mass;
+        progress.most = std::max(progress.most, velocity);
+        progress.norm +=
+            step.normal * step.normal * contact.per_mass + step.tangent * step.tangent * contact.per_rim_mass;
+    }
+    return progress;
 }
 
 /// Goes on in the direction of the sweeps before, as far as the last one got on (Fletcher and Reeves). When
 /// that was farther than the one before, the direction led astray: it is given up.
-void ContactSolver::run_on(double& norm_before) {
-    double norm = 0;
-    for (const Contact& contact : contacts_) {
-        const ContactImpulse step = contact.impulse - contact.before;
-        norm += step.normal * step.normal / contact.mass + step.tangent * step.tangent / contact.rim_mass;
-    }
+void ContactSolver::run_on(double norm, double norm_before) {
     const bool first = norm_before == 0, astray = norm >= norm_before;
+    const double share = first || astray ? 0 : norm / norm_before;
     for (Contact& contact : contacts_) {
         const ContactImpulse step = contact.impulse - contact.before;
-        if (astray) {
-            contact.along = first ? step : ContactImpulse{};
-        } else {
-            const ContactImpulse further = norm / norm_before * contact.along;
+        if (share > 0) {
+            const ContactImpulse further = share * contact.along;
             contact.impulse = contact.impulse + further;
             push(contact, further);
             contact.along = step + further;
+        } else {
+            contact.along = first ? step : ContactImpulse{};
         }
         contact.before = contact.impulse;
     }
-    norm_before = norm;
 }
 
 /// Where a contact still closes too fast, stops the upper ball.
@@ -162,10 +167,11 @@ void ContactSolver::solve(double duration, Vec2 gravity) {
     for (Body& body : bodies_) body.velocity += body.driven;
     for (Contact& contact : contacts_) {
         const Body &upper = bodies_[contact.upper], &lower = bodies_[contact.lower];
-        contact.mass = 1 / (upper.per_mass + lower.per_mass);
-        contact.rim_mass =
-            1 / (upper.per_mass + lower.per_mass + upper.per_inertia * upper.radius * upper.radius +
-                 lower.per_inertia * lower.radius * lower.radius);
+        contact.per_mass = upper.per_mass + lower.per_mass;
+        contact.per_rim_mass = contact.per_mass + upper.per_inertia * upper.radius * upper.radius +
+                               lower.per_inertia * lower.radius * lower.radius;
+        contact.mass = 1 / contact.per_mass;
+        contact.rim_mass = 1 / contact.per_rim_mass;
         contact.closing = contact.bounces ? INFINITY : std::max(0.0, contact.gap) / duration;
         contact.before = contact.impulse;
         contact.along = {};
@@ -173,9 +179,14 @@ void ContactSolver::solve(double duration, Vec2 gravity) {
     }
     const double enough = good_enough * length(gravity) * duration;
     for (int extension = 0; extension <= most_extensions; ++extension) {
-        double norm = 0;
+        double norm_before = 0;
         int round = 0;
-        while (sweep() > enough && ++round < most_sweeps) run_on(norm);
+        for (;;) {
+            const Progress progress = sweep();
+            if (progress.most <= enough || ++round == most_sweeps) break;
+            run_on(progress.norm, norm_before);
+            norm_before = progress.norm;
+        }
         if (round < most_sweeps || energy(duration, gravity) <= energy_before) break;
     }
     // From below, so that one pass does it for a column.

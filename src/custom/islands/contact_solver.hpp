@@ -61,10 +61,11 @@ class ContactSolver {
         std::uint32_t a = 0, b = 0;
 
         // Found by solve().
-        Vec2 found_at;       ///< of the upper body
-        double gap = 0;      ///< m, when all that overlapped was moved apart
-        double closing = 0;  ///< m/s, at most allowed
-        double mass = 0, rim_mass = 0;
+        Vec2 found_at;                  ///< of the upper body
+        double gap = 0;                 ///< m, when all that overlapped was moved apart
+        double closing = 0;             ///< m/s, at most allowed
+        double mass = 0, rim_mass = 0;  ///< against an impulse along the normal, and across it
+        double per_mass = 0, per_rim_mass = 0;
         ContactImpulse before, along;  ///< before the last sweep; direction in which to run on
     };
 
@@ -85,14 +86,19 @@ class ContactSolver {
     [[nodiscard]] std::span<const Contact> contacts() const { return contacts_; }
 
   private:
+    /// Of a sweep.
+    struct Progress {
+        double most = 0;  ///< change of a velocity, m/s
+        double norm = 0;  ///< square of what it and the run before it got on
+    };
     void push(const Contact& contact, const ContactImpulse& impulse);
-    double correct(Contact& contact);
-    double sweep();
+    void correct(Contact& contact);
+    Progress sweep();
     [[nodiscard]] double energy(double ahead, Vec2 gravity) const;
     double move_apart(Contact& contact);
     void move_apart(Vec2 gravity);
     void each_still(auto&& visit);
-    void run_on(double& norm_before);
+    void run_on(double norm, double norm_before);
     void brace(const Contact& contact);
 
     std::vector<Body> bodies_;

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "custom/broad_phase/room.hpp"
-#include "custom/decide_gate.hpp"
 #include "custom/engine.hpp"
 #include "custom/flight.hpp"
+#include "custom/simple/decide_gate.hpp"
 #include "custom/stopwatch.hpp"
 #include "world/limits.hpp"
 
@@ -70,7 +70,7 @@ void SimpleSolver::decide_gates(double duration) {
 /// One collision iteration: narrow phase and response of every pair, in order. What one response moves, the
 /// next one sees. Returns whether any shapes overlapped.
 bool SimpleSolver::respond_to_pairs(double duration) {
-    const Surroundings around{scene_.gravity, scene_.rest_speed, 0, duration};
+    const Surroundings around{scene_.gravity, scene_.rest_speed, duration};
     bool any = false;
     for (const Pair pair : pairs_)
         any |= is_ball(pair.a) ? respond_to_ball(ball_of(pair.a), ball_of(pair.b), around)
@@ -101,8 +101,8 @@ bool SimpleSolver::respond_to_ball(Ball& lower, Ball& upper, const Surroundings&
     const Touch found = touch(lower.position, lower.radius, upper.position, upper.radius);
     if (found.separation >= -overlap_slop * std::min(lower.radius, upper.radius)) return false;
     ++record_->statistics.contacts;
-    const Impact impact = respond(lower, upper, false, layout_.mixed(lower.material, upper.material), around);
-    push_out(lower, upper, false);
+    const Impact impact = respond(lower, upper, layout_.mixed(lower.material, upper.material), around);
+    push_out(lower, upper);
     if (impact.happened) report(lower, Other::ball(upper.number), impact, found.point);
     return true;
 }

@@ -8,8 +8,6 @@ std::vector<Contender> contenders() {
     std::vector<Contender> all{
         {"custom, continuous", "custom-continuous", "custom", "solver=continuous",
          std::string(colour::custom), 1, 7},
-        {"custom, discrete", "custom-discrete", "custom", "solver=discrete", std::string(colour::custom), 2,
-         6},
         {"custom, simple", "custom-simple", "custom", "solver=simple", std::string(colour::custom), 3, 9},
         {"box2d", "box2d", "box2d", "", std::string(colour::box2d), 1, 5},
         {"reference", "reference", "reference", "", std::string(colour::reference), 4, 9}};

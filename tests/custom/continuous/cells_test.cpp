@@ -43,7 +43,7 @@ bool touch(const Ball& a, const Ball& b) {
 RC_GTEST_PROP(Cells, WhoTouchesIsFoundUntilEitherLeavesItsCell, ()) {
     std::vector<Ball> balls = some_balls();
     Cells cells;
-    cells.reset(balls, 4);
+    cells.reset(balls);
     for (Place i = 0; i < balls.size(); ++i) {
         cells.choose_level(i, Cells::width_for(balls[i].radius) * *rc::gen::element(1.0, 1.0, 5.0));
         cells.put(i, balls[i].position);
@@ -65,7 +65,7 @@ RC_GTEST_PROP(Cells, WhoTouchesIsFoundUntilEitherLeavesItsCell, ()) {
 RC_GTEST_PROP(Cells, WhatIsNewlyNearAndWhatWasNearIsAllThatIsNear, ()) {
     const std::vector<Ball> balls = some_balls();
     Cells cells;
-    cells.reset(balls, 4);
+    cells.reset(balls);
     for (Place i = 0; i < balls.size(); ++i) {
         cells.choose_level(i, Cells::width_for(balls[i].radius));
         cells.put(i, balls[i].position);
@@ -80,7 +80,7 @@ RC_GTEST_PROP(Cells, WhatIsNewlyNearAndWhatWasNearIsAllThatIsNear, ()) {
 TEST(Cells, OneThatIsTakenOffIsNotFound) {
     const std::vector<Ball> balls{ball_at({0, 0}, 0.1), ball_at({0.1, 0}, 0.1), ball_at({0, 0.1}, 1)};
     Cells cells;
-    cells.reset(balls, 1);
+    cells.reset(balls);
     for (Place i = 0; i < 3; ++i) {
         cells.choose_level(i, Cells::width_for(balls[i].radius));
         cells.put(i, balls[i].position);

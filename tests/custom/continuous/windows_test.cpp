@@ -143,7 +143,7 @@ TEST(Windows, AnOriginThatDoesNotLeadToTheStateIsLeftAlone) {
 
 TEST(Windows, EnginesWithoutThemSaveNoOrigin) {
     const Scene scene = table_of(3, 1.1);
-    const auto world = make_world(scene);
+    const auto world = make_world(scene, {{"solver", "simple"}});
     world->restore(in_a_window(scene));
     EXPECT_EQ(world->save().origin, nullptr);
     world->step(0.01);

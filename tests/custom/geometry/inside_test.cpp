@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "custom/geometry/bounds.hpp"
-#include "custom/geometry/polygon_contact.hpp"
 #include "rapidcheck/gtest.h"
 
 namespace flipside::custom {
@@ -13,10 +12,6 @@ namespace {
 
 double any(int limit) {
     return *rc::gen::inRange(-limit * 1000, limit * 1000) * 1e-3;
-}
-
-Rectangle any_rectangle() {
-    return {{any(3), any(3)}, from_angle(any(4)), {std::abs(any(2)), std::abs(any(2))}};
 }
 
 TEST(Inside, SolidsHoldTheirBordersAndNothingBeyond) {
@@ -53,34 +48,6 @@ TEST(Inside, CompoundsContainWhatAnyMemberDoes) {
     EXPECT_TRUE(inside({0.5, 0}, compound));
     EXPECT_TRUE(inside({5.5, 0}, compound));
     EXPECT_FALSE(inside({2.5, 0}, compound));
-}
-
-/// The tightest rectangle around a convex polygon's corners contains it, so it contains what that does.
-RC_GTEST_PROP(Inside, RectanglesContainTheirCornersMeans, ()) {
-    const Rectangle rectangle = any_rectangle();
-    Vec2 mean;
-    double rest = 1;
-    for (const Vec2 corner : rectangle.corners()) {
-        const double weight = rest * *rc::gen::inRange(0, 1000) * 1e-3;
-        mean += weight * corner;
-        rest -= weight;
-    }
-    mean += rest * rectangle.center;
-    const Rectangle wider{rectangle.center, rectangle.along, rectangle.half + Vec2{1e-12, 1e-12}};
-    RC_ASSERT(inside(mean, wider));
-    const Vec2 beyond = rectangle.center + (rectangle.half.x + 1e-9) * rectangle.along;
-    RC_ASSERT(!inside(beyond, rectangle));
-}
-
-/// The separating axis test of polygons, written apart from this one, says the same of their corners.
-RC_GTEST_PROP(Inside, RectanglesOverlapAsTheirPolygonsDo, ()) {
-    Rectangle a = any_rectangle(), b = any_rectangle();
-    a.half += {0.01, 0.01};
-    b.half += {0.01, 0.01};
-    const double separation = polygon_contact(a.corners(), b.corners()).separation;
-    RC_PRE(std::abs(separation) > 1e-9);
-    RC_ASSERT(overlap(a, b) == (separation < 0));
-    RC_ASSERT(overlap(b, a) == overlap(a, b));
 }
 
 /// A disc meets a box where the nearest point of the box, found by a search along its border, is in it.

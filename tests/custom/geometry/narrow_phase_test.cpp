@@ -23,7 +23,6 @@ void expect_touch(const Touch& found, Vec2 point, Vec2 normal, double separation
 TEST(NarrowPhase, Point) {
     const Touch found = touch({3, 4}, 2, piece::Point{{0, 0}});
     expect_touch(found, {0, 0}, {0.6, 0.8}, 3);
-    EXPECT_NEAR(found.curvature, 0.2, 1e-15);
     expect_touch(touch({1, 1}, 2, piece::Point{{1, 1}}), {1, 1}, {0, 1}, -2);
 }
 
@@ -49,10 +48,8 @@ TEST(NarrowPhase, ArcFromBothSidesAndBeyondItsEnds) {
     const double s = std::sqrt(0.5);
     const Touch outside = touch({1 + 3 * s, 1 + 3 * s}, 0.5, quarter);
     expect_touch(outside, {1 + 2 * s, 1 + 2 * s}, {s, s}, 0.5);
-    EXPECT_NEAR(outside.curvature, 1.0 / 3, 1e-15);
     const Touch inside = touch({1 + s, 1 + s}, 0.5, quarter);
     expect_touch(inside, {1 + 2 * s, 1 + 2 * s}, {-s, -s}, 0.5);
-    EXPECT_NEAR(inside.curvature, -1, 1e-15);
     const Touch beyond = touch({3, -1}, 0.5, quarter);
     EXPECT_TRUE(beyond.past_end);
     expect_touch(beyond, {3, 1}, {0, -1}, 1.5);
@@ -203,27 +200,6 @@ RC_GTEST_PROP(NarrowPhase, TaperAgreesWithSamples, ()) {
     const Vec2 at = place();
     const Vec2 along = (std::abs(a - b) + size()) * from_angle(coordinate());
     check_against_samples({piece::Taper{at, at + along, a, b}}, true);
-}
-
-/// Curvature is the second derivative of the separation along the tangent.
-TEST(NarrowPhase, CurvatureIsThatOfTheSeparation) {
-    const Piece pieces[] = {{piece::Point{{0, 0}}},
-                            {piece::Segment{{-9, 0}, {9, 0}}},
-                            {piece::Arc{{0, 0}, 5, 0, pi}},
-                            {piece::Arc{{0, 0}, 1, 0, pi}},
-                            {piece::Circle{{0, 0}, 1}},
-                            {piece::Polygon{{{-1, -1}, {1, -1}, {0, 0.5}}}},
-                            {piece::Taper{{-2, 0}, {2, 0}, 1, 0.5}}};
-    const Vec2 center{0.1, 2.2};
-    constexpr double h = 1e-4;
-    for (const Piece& piece : pieces) {
-        const Touch here = touch(center, 0.5, piece);
-        const Vec2 tangent = perp(here.normal);
-        const double second = (touch(center + h * tangent, 0.5, piece).separation - 2 * here.separation +
-                               touch(center - h * tangent, 0.5, piece).separation) /
-                              (h * h);
-        EXPECT_NEAR(here.curvature, second, 1e-6) << "piece of kind " << piece.is.index();
-    }
 }
 
 }  // namespace

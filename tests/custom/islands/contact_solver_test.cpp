@@ -9,7 +9,6 @@ namespace flipside::custom::test {
 namespace {
 
 using Body = ContactSolver::Body;
-using Contact = ContactSolver::Contact;
 
 constexpr Vec2 gravity{0, -9.81};
 constexpr double tick = 1.0 / 240, radius = 0.1;
@@ -20,8 +19,9 @@ Body disc(Vec2 position, Vec2 velocity = {}, double mass = 1) {
 Body ground(Vec2 point) {
     return {point, {}, {}, 0, 0, 0, 0};
 }
-Contact on_ground(ContactSolver& solver, ContactSolver::Index ball, Vec2 point, Vec2 normal, double gap = 0) {
-    Contact contact;
+ContactSolver::Contact on_ground(ContactSolver& solver, ContactSolver::Index ball, Vec2 point, Vec2 normal,
+                                 double gap = 0) {
+    ContactSolver::Contact contact;
     contact.upper = ball;
     contact.lower = solver.add(ground(point));
     contact.normal = normal;
@@ -29,9 +29,10 @@ Contact on_ground(ContactSolver& solver, ContactSolver::Index ball, Vec2 point, 
     contact.with = ContactSolver::With::still_part;
     return contact;
 }
-Contact between_balls(const ContactSolver& solver, ContactSolver::Index upper, ContactSolver::Index lower) {
+ContactSolver::Contact between_balls(const ContactSolver& solver, ContactSolver::Index upper,
+                                     ContactSolver::Index lower) {
     const Vec2 apart = solver.bodies()[upper].position - solver.bodies()[lower].position;
-    Contact contact;
+    ContactSolver::Contact contact;
     contact.upper = upper;
     contact.lower = lower;
     contact.normal = unit(apart);
@@ -67,7 +68,7 @@ TEST(ContactSolver, ABallInAWedgeIsHeldByBothSides) {
     solver.add(on_ground(solver, 0, -radius * right, right));
     solver.solve(tick, gravity);
     EXPECT_LT(length(solver.bodies()[0].velocity), 1e-5 * 9.81);
-    for (const Contact& contact : solver.contacts())
+    for (const ContactSolver::Contact& contact : solver.contacts())
         EXPECT_NEAR(contact.impulse.normal, 9.81 * tick / std::sqrt(2.0), 1e-5);
 }
 
@@ -87,7 +88,7 @@ TEST(ContactSolver, FrictionHoldsOnASlopeThatIsFlatEnough) {
         ContactSolver solver;
         solver.start();
         solver.add(disc({0, 0}));
-        Contact contact = on_ground(solver, 0, -radius * normal, normal);
+        ContactSolver::Contact contact = on_ground(solver, 0, -radius * normal, normal);
         contact.friction = 0.1;
         solver.add(contact);
         solver.solve(tick, gravity);
@@ -127,7 +128,7 @@ RC_GTEST_PROP(ContactSolver, HeapsGainNoEnergy, ()) {
     double deepest = 0;
     for (ContactSolver::Index i = 0; i < balls; ++i)
         for (ContactSolver::Index j = 0; j < i; ++j) {
-            Contact contact = between_balls(solver, i, j);
+            ContactSolver::Contact contact = between_balls(solver, i, j);
             contact.friction = friction;
             if (contact.gap_found > 1e-3) continue;
             deepest = std::max(deepest, -contact.gap_found);

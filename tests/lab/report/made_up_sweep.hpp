@@ -1,5 +1,5 @@
 #pragma once
-/// A folder as `flipside sweep` leaves it, with errors that are known: of order 1 for custom-discrete, of
+/// A folder as `flipside sweep` leaves it, with errors that are known: of order 1 for custom-simple, of
 /// order 2 for box2d, of none for custom-continuous, and all runs of box2d-no-bullets failed at 1/30 s.
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace flipside::lab::report {
 
 inline double made_up_error(const std::string& entrant, double dt) {
     if (entrant == "custom-continuous") return 1e-14;
-    if (entrant == "custom-discrete") return 3 * dt;
+    if (entrant == "custom-simple") return 3 * dt;
     if (entrant == "box2d-no-bullets" && dt > 1. / 50) return std::numeric_limits<double>::infinity();
     return 5 * dt * dt;
 }
@@ -29,7 +29,7 @@ inline void make_up_sweep(const std::filesystem::path& folder) {
     const std::string text = sweep::to_json(plan);
     sweep::write_plan(folder, text);
     std::vector<sweep::Run> runs;
-    for (const char* entrant : {"custom-continuous", "custom-discrete", "box2d", "box2d-no-bullets"}) {
+    for (const char* entrant : {"custom-continuous", "custom-simple", "box2d", "box2d-no-bullets"}) {
         for (const double dt : sweep::steps_of(sweep::entrant_named(entrant), plan)) {
             for (std::size_t window = 0; window < 3; ++window) {  // the median is the one in the middle
                 sweep::Run run;

@@ -146,7 +146,7 @@ TEST_F(Reports, WorkAndPrecisionAreThoseOfTheSweep) {
     const Content content = chapter.show({{}, "", unnoticed});
     ASSERT_EQ(content.figures.size(), 2U);
     const Figure &work = content.figures[0], &order = content.figures[1];
-    for (const char* entrant : {"custom-continuous", "custom-discrete", "box2d"}) {
+    for (const char* entrant : {"custom-continuous", "custom-simple", "box2d"}) {
         const Series& points = series_named(work, entrant);
         ASSERT_EQ(points.points.size(), 6U) << entrant;
         double dt = 1. / 30;
@@ -163,7 +163,7 @@ TEST_F(Reports, WorkAndPrecisionAreThoseOfTheSweep) {
         << failing.points[0].says;
     EXPECT_FALSE(std::isinf(failing.points[1].y));
     // The fitted orders are those that were made up; what lies at rounding has none.
-    EXPECT_EQ(series_named(order, "custom-discrete: order 1.00").points.size(), 2U);
+    EXPECT_EQ(series_named(order, "custom-simple: order 1.00").points.size(), 2U);
     EXPECT_EQ(series_named(order, "box2d: order 2.00").points.size(), 2U);
     EXPECT_TRUE(std::ranges::none_of(order.series, [](const Series& series) {
         return series.name.starts_with("custom-continuous: order");

@@ -160,9 +160,9 @@ TEST_F(SweepSummary, FiguresByNearestRankWithFailuresAsInfinite) {
 
 TEST_F(SweepSummary, FoldersTogetherAreAsOne) {
     const Plan plan{.variants = variants_of({"toy"}, 0), .block_size = 1};
-    const Runs a{run("custom-discrete", 1.0 / 60, 0, 0.3), run("box2d", 1.0 / 30, 0, 0.2),
+    const Runs a{run("custom-simple", 1.0 / 60, 0, 0.3), run("box2d", 1.0 / 30, 0, 0.2),
                  run("box2d", 1.0 / 60, 0, 0.1)};
-    const Runs b{run("custom-discrete", 1.0 / 60, 1, 0.5), run("box2d", 1.0 / 30, 1, 0.4),
+    const Runs b{run("custom-simple", 1.0 / 60, 1, 0.5), run("box2d", 1.0 / 30, 1, 0.4),
                  run("box2d", 1.0 / 60, 1, inf)};
     const fs::path apart[] = {folder("b", plan, {{}, b}), folder("a", plan, {a}), folder("again", plan, {a})};
     const fs::path whole[] = {folder("ab", plan, {a, b})};
@@ -178,7 +178,7 @@ TEST_F(SweepSummary, FoldersTogetherAreAsOne) {
     EXPECT_EQ(first.number(0, "median"), 0.2);
     EXPECT_EQ(first.number(1, "max"), inf);
     EXPECT_EQ(first.text(1, "failures"), "1 lost ball");
-    EXPECT_EQ(first.text(2, "entrant"), "custom-discrete");
+    EXPECT_EQ(first.text(2, "entrant"), "custom-simple");
 }
 
 TEST_F(SweepSummary, RefusesWhatDoesNotBelongTogether) {

@@ -1,4 +1,4 @@
-#include "custom/broad_phase/box_index.hpp"
+#include "custom/continuous/box_index.hpp"
 
 #include <gtest/gtest.h>
 

@@ -38,7 +38,7 @@ TEST(Drop, FirstThreeApexesAreExact) {
             const double exact = std::pow(0.64, static_cast<double>(i + 1));
             std::printf("radius %g apex %zu: %.9f m, error %.2e m\n", radius, i + 1, heights[i],
                         heights[i] - exact);
-            EXPECT_NEAR(heights[i], exact, 1e-6);
+            EXPECT_NEAR(heights[i], exact, 1e-13);
         }
     }
 }

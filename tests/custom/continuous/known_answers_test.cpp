@@ -1,6 +1,4 @@
-// The discrete solver against known answers.
-
-#include "custom/discrete/discrete_solver.hpp"
+// The continuous solver against known answers: what a single ball and a few do, and how heaps come to rest.
 
 #include <numbers>
 
@@ -19,7 +17,7 @@ double energy(const World& world, const Scene& scene) {
     return sum;
 }
 
-TEST(DiscreteSolver, ElasticBoxKeepsItsEnergy) {
+TEST(KnownAnswers, ElasticBoxKeepsItsEnergy) {
     Scene scene = empty_scene();
     for (int i = 0; i < 30; ++i)
         add_ball(scene, {0.25 * (i % 6), 0.25 * (i / 6)}, {std::sin(3.0 * i), std::cos(5.0 * i)}, 0.08,
@@ -30,10 +28,10 @@ TEST(DiscreteSolver, ElasticBoxKeepsItsEnergy) {
     std::uint64_t impacts = 0;
     for (int i = 0; i < 600; ++i) world->step(1.0 / 60), impacts += world->statistics().impacts;
     EXPECT_GT(impacts, 500U);
-    EXPECT_NEAR(energy(*world, scene), before, 1e-11 * before);
+    EXPECT_NEAR(energy(*world, scene), before, 1e-13 * before);
 }
 
-TEST(DiscreteSolver, ElasticDropKeepsItsEnergyForAThousandBounces) {
+TEST(KnownAnswers, ElasticDropKeepsItsEnergyForAThousandBounces) {
     Scene scene = empty_scene({0, -9.81});
     add_ball(scene, {0, 1.1});
     add_part(scene, segment({-1, 0}, {1, 0}));
@@ -43,7 +41,7 @@ TEST(DiscreteSolver, ElasticDropKeepsItsEnergyForAThousandBounces) {
     EXPECT_NEAR(energy(*world, scene) - 9.81 * 0.1, before, 1e-9 * before);
 }
 
-TEST(DiscreteSolver, CradlePassesTheVelocityOn) {
+TEST(KnownAnswers, CradlePassesTheVelocityOn) {
     for (const double e : {1.0, 0.8})
         for (const double gap : {1e-3, 1e-6}) {
             Scene scene = empty_scene();
@@ -59,7 +57,7 @@ TEST(DiscreteSolver, CradlePassesTheVelocityOn) {
         }
 }
 
-TEST(DiscreteSolver, ObliquePairIsExactWhateverTheStep) {
+TEST(KnownAnswers, ObliquePairIsExactWhateverTheStep) {
     // Impact parameter 0.12 of reach 0.2: the line of centres at the touch has sine 0.6.
     for (const double dt : {1.0 / 30, 1.0 / 60, 1.0 / 997}) {
         Scene scene = empty_scene({0, -9.81});
@@ -76,7 +74,7 @@ TEST(DiscreteSolver, ObliquePairIsExactWhateverTheStep) {
     }
 }
 
-TEST(DiscreteSolver, InclineSlidesOrRolls) {
+TEST(KnownAnswers, InclineSlidesOrRolls) {
     const double slope = 0.2;
     for (const double mu : {0.0, 0.5}) {
         Scene scene = empty_scene({0, -9.81});
@@ -89,12 +87,12 @@ TEST(DiscreteSolver, InclineSlidesOrRolls) {
         const double pull = 9.81 * std::sin(slope) * (mu > 0 ? 2.0 / 3 : 1);
         const Ball& ball = world->balls()[0];
         EXPECT_NEAR(dot(ball.velocity, down), pull, 1e-9);
-        EXPECT_NEAR(dot(ball.position, down), pull / 2, mu > 0 ? 0.01 : 1e-9);
+        EXPECT_NEAR(dot(ball.position, down), pull / 2, 1e-9);
         EXPECT_NEAR(ball.spin, mu > 0 ? -pull / 0.1 : 0, 1e-7);
     }
 }
 
-TEST(DiscreteSolver, SlidingTurnsToRollingAtTwoThirds) {
+TEST(KnownAnswers, SlidingTurnsToRollingAtTwoThirds) {
     Scene scene = empty_scene({0, -9.81});
     scene.materials[0].friction = 0.2;
     add_ball(scene, {0, 0.1}, {3, 0});
@@ -107,7 +105,7 @@ TEST(DiscreteSolver, SlidingTurnsToRollingAtTwoThirds) {
     EXPECT_NEAR(world->balls()[0].velocity.x, 2, 1e-9);
 }
 
-TEST(DiscreteSolver, CollinearSegmentsGiveNoBump) {
+TEST(KnownAnswers, CollinearSegmentsGiveNoBump) {
     Scene scene = empty_scene({0, -9.81});
     shape::Polyline floor;
     for (int i = 0; i <= 400; ++i) floor.points.push_back({0.05 * i - 1, 0});
@@ -124,7 +122,7 @@ TEST(DiscreteSolver, CollinearSegmentsGiveNoBump) {
     }
 }
 
-TEST(DiscreteSolver, BowlSwingsWithItsPeriod) {
+TEST(KnownAnswers, BowlSwingsWithItsPeriod) {
     // L = R − r = 1, from 60°: T = 2.152875 s without friction.
     Scene scene = empty_scene({0, -9.81});
     const double from = std::numbers::pi / 3;
@@ -144,11 +142,11 @@ TEST(DiscreteSolver, BowlSwingsWithItsPeriod) {
     const double period = (turns.back() - turns.front()) / 9;
     std::printf("bowl: period %.6f s, exact 2.152875 s; energy %.2e of its swing in 22 s\n", period,
                 (energy(*world, scene) - before) / (0.5 * 9.81));
-    EXPECT_NEAR(period, 2.152875, 1e-3);
-    EXPECT_NEAR(energy(*world, scene), before, 2e-3 * 9.81);
+    EXPECT_NEAR(period, 2.152875, 1e-4);
+    EXPECT_NEAR(energy(*world, scene), before, 1e-9 * 9.81);
 }
 
-TEST(DiscreteSolver, ThinWallStopsAnySpeedUnlessSweepingIsOff) {
+TEST(KnownAnswers, ThinWallStopsAnySpeed) {
     for (const double speed : {1.0, 10.0, 100.0, 1e4, 1e5}) {
         Scene scene = empty_scene();
         scene.bounds = {{-1e9, -1e9}, {1e9, 1e9}};
@@ -159,19 +157,11 @@ TEST(DiscreteSolver, ThinWallStopsAnySpeedUnlessSweepingIsOff) {
         EXPECT_NEAR(world->balls()[0].velocity.x, -speed, 1e-9 * speed) << speed;
         EXPECT_LT(world->balls()[0].position.x, 0) << speed;
     }
-    Scene scene = empty_scene();
-    scene.bounds = {{-1e9, -1e9}, {1e9, 1e9}};
-    add_ball(scene, {-0.53, 0}, {100, 0});
-    add_part(scene, segment({0, -1}, {0, 1}));
-    const auto plain = make_world(scene, {{"sweep_from", "1000000"}});
-    run(*plain, 1);
-    EXPECT_EQ(plain->balls()[0].velocity.x, 100);
 }
 
-TEST(DiscreteSolver, TurningPartHitsWithItsSurfaceVelocity) {
-    // A bar meets a ball at rest 1 m out: v' = (1+e)·u along the normal at the touch. A slow one is noticed
-    // only at the end of a flight, when it has turned by up to 2/240 rad; a fast one is swept.
-    for (const auto& [rate, tolerance] : {std::pair{2.0, 2.0 / 240}, {20.0, 1e-5}}) {
+TEST(KnownAnswers, TurningPartHitsWithItsSurfaceVelocity) {
+    // A bar meets a ball at rest 1 m out: v' = (1+e)·u along the normal at the touch.
+    for (const double rate : {2.0, 20.0}) {
         Scene scene = empty_scene();
         add_ball(scene, {1, 0.3});
         add_part(scene, segment({0, 0}, {1.2, 0}), {"", 0.5, 0, 0}).motion = motion::Turn{{0, 0}, rate, true};
@@ -182,11 +172,11 @@ TEST(DiscreteSolver, TurningPartHitsWithItsSurfaceVelocity) {
         const double angle = std::atan2(0.3, 1) - std::asin(0.1 / distance);
         const double reach = std::sqrt(distance * distance - 0.01);
         const Vec2 expected = 1.5 * rate * reach * perp(from_angle(angle));
-        EXPECT_LT(length(world->balls()[0].velocity - expected), tolerance * length(expected)) << rate;
+        EXPECT_LT(length(world->balls()[0].velocity - expected), 1e-12 * length(expected)) << rate;
     }
 }
 
-TEST(DiscreteSolver, FlipperThrowsAndNothingPassesIt) {
+TEST(KnownAnswers, FlipperThrowsAndNothingPassesIt) {
     // At every phase of an incoming ball; it must end above the flipper or have rolled off its tip.
     for (int phase = 0; phase < 200; ++phase) {
         Scene scene = empty_scene({0, -1.11});
@@ -205,8 +195,8 @@ TEST(DiscreteSolver, FlipperThrowsAndNothingPassesIt) {
     }
 }
 
-TEST(DiscreteSolver, KickedBallMeetsWallsBeyondItsFormerReach) {
-    // Comes in at 1 m/s and is kicked to 200 m/s, that is 0.8 m per flight, between two walls 2 m apart.
+TEST(KnownAnswers, KickedBallMeetsWallsBeyondItsFormerReach) {
+    // Comes in at 1 m/s and is kicked to 200 m/s between two walls 2 m apart.
     Scene scene = empty_scene();
     add_ball(scene, {0, -0.5}, {0, -1});
     add_part(scene, segment({-9, -1}, {9, -1}), {"", 1, 0, 200});
@@ -214,32 +204,10 @@ TEST(DiscreteSolver, KickedBallMeetsWallsBeyondItsFormerReach) {
     const auto world = make_world(scene);
     run(*world, 3);
     EXPECT_EQ(std::abs(world->balls()[0].velocity.y), 200);
-    EXPECT_LT(std::abs(world->balls()[0].position.y), 0.9 + 1e-6);
+    EXPECT_LT(std::abs(world->balls()[0].position.y), 0.9 + 1e-12);
 }
 
-TEST(DiscreteSolver, BoxTestsOfTheToysExperiment) {
-    // Balls of 42 px on 960 × 704 px, leaves of 60 × 44 px: about 92 tests per search with 32 balls in
-    // the toy, 496 by brute force, and the tree pays from 6 balls on. Here the four walls count too.
-    const auto tests = [](int balls, const char* broad) {
-        Scene scene = empty_scene();
-        scene.bounds = {{0, 0}, {960, 704}};
-        for (int i = 0; i < balls; ++i)
-            add_ball(scene, {60.0 + i % 8 * 115, 60.0 + i / 8 * 170}, 300 * from_angle(2.4 * i), 21);
-        const Vec2 corners[] = {{0, 0}, {960, 0}, {960, 704}, {0, 704}};
-        for (int i = 0; i < 4; ++i) add_part(scene, segment(corners[i], corners[(i + 1) % 4]));
-        const auto world = make_world(scene, {{"broad_phase", broad}, {"search_steps", "1"}});
-        std::uint64_t sum = 0;
-        for (int i = 0; i < 600; ++i) world->step(1.0 / 60), sum += world->statistics().pair_tests;
-        EXPECT_EQ(world->balls().size(), static_cast<std::size_t>(balls));
-        return static_cast<double>(sum) / 600;
-    };
-    EXPECT_LE(tests(32, "quadtree"), 92);
-    EXPECT_GE(tests(32, "brute"), 496);
-    EXPECT_LT(tests(6, "quadtree"), 6 * 5 / 2);
-    EXPECT_LT((tests(32, "quadtree") - tests(2, "quadtree")) / 30, 3);
-}
-
-TEST(DiscreteSolver, DeepOverlapGainsNoSpeed) {
+TEST(KnownAnswers, DeepOverlapGainsNoSpeed) {
     Scene scene = empty_scene();
     add_ball(scene, {0, 0.02});
     add_ball(scene, {0.05, 0.03});
@@ -251,7 +219,7 @@ TEST(DiscreteSolver, DeepOverlapGainsNoSpeed) {
     for (const Contact& contact : world->contacts()) EXPECT_GT(contact.separation, -1e-3);
 }
 
-TEST(DiscreteSolver, BallHeldInAVComesToRest) {
+TEST(KnownAnswers, BallHeldInAVComesToRest) {
     Scene scene = empty_scene({0, -9.81});
     const double s = std::sqrt(0.5);
     add_ball(scene, {0, 1.2});
@@ -264,7 +232,7 @@ TEST(DiscreteSolver, BallHeldInAVComesToRest) {
     EXPECT_TRUE(world->balls()[0].asleep);
 }
 
-TEST(DiscreteSolver, ColumnOfThreeComesToRest) {
+TEST(KnownAnswers, ColumnOfThreeComesToRest) {
     Scene scene = empty_scene({0, -9.81});
     scene.materials[0].restitution = 0.5;
     for (int i = 0; i < 3; ++i) add_ball(scene, {0, 0.1 + 0.2 * i});
@@ -286,26 +254,26 @@ double settle(World& world, double seconds) {
     return deepest;
 }
 
-TEST(DiscreteSolver, ColumnOfTenFallsAsleepWhereItStands) {
+TEST(KnownAnswers, ColumnOfTenFallsAsleepWhereItStands) {
     Scene scene = empty_scene({0, -9.8});
     scene.rest_speed = 0.1;
     for (int i = 0; i < 10; ++i) add_ball(scene, {0, 0.101 + 0.201 * i});
     add_part(scene, segment({-1, 0}, {1, 0}), {"", 0.5, 0, 0});
     scene.materials[0].restitution = std::sqrt(0.5);
-    const auto world = make_world(scene, {{"solver", "discrete"}});
+    const auto world = make_world(scene);
     const double overlap = settle(*world, 5);
     EXPECT_LT(overlap, 5e-3);
     for (std::size_t i = 0; i < 10; ++i)
         EXPECT_NEAR(world->balls()[i].position.y, 0.1 + 0.2 * static_cast<double>(i), 1.1 * overlap);
 }
 
-TEST(DiscreteSolver, HeapsComeToRestWithoutSinkingOrGainingEnergy) {
+TEST(KnownAnswers, HeapsComeToRestWithoutSinkingOrGainingEnergy) {
     const auto fall = [](Scene scene, int balls, double low) {
         scene.rest_speed = 0.1;
         scene.materials[0].restitution = std::sqrt(0.5);
         for (int i = 0; i < balls; ++i)
             add_ball(scene, {-1.38 + 0.21 * (i % 14) + 0.001 * (i % 7), low + 0.205 * (i / 14)});
-        const auto world = make_world(scene, {{"solver", "discrete"}});
+        const auto world = make_world(scene);
         const double before = energy(*world, scene);
         EXPECT_LT(settle(*world, 20), 0.01);
         EXPECT_LT(energy(*world, scene), before);
@@ -320,24 +288,22 @@ TEST(DiscreteSolver, HeapsComeToRestWithoutSinkingOrGainingEnergy) {
     fall(bin, 200, 0.3);
 }
 
-TEST(DiscreteSolver, OpposedFastBallsNeverPassThroughEachOther) {
-    // At these speeds they are apart at the end of every flight. Impact parameter 0.12 of reach 0.2.
-    for (const double speed : {5.0, 50.0, 5e3})
-        for (const char* iterations : {"1", "4"}) {
-            Scene scene = empty_scene();
-            scene.bounds = {{-1e6, -1e6}, {1e6, 1e6}};
-            add_ball(scene, {-0.31 * speed, 0.06}, {speed, 0});
-            add_ball(scene, {0.31 * speed, -0.06}, {-speed, 0});
-            const auto world = make_world(scene, {{"motion_iterations", iterations}, {"solver", "discrete"}});
-            run(*world, 1);
-            // The part of the relative speed along the line of centres, cosine 0.8, is turned round.
-            const Ball& ball = world->balls()[0];
-            EXPECT_NEAR(ball.velocity.x, speed - 2 * speed * 0.64, 1e-9 * speed)
-                << speed << " " << iterations;
-            EXPECT_NEAR(ball.velocity.y, 2 * speed * 0.8 * 0.6, 1e-9 * speed) << speed << " " << iterations;
-            const double touched = (0.31 * speed - 0.08) / speed;
-            EXPECT_NEAR(ball.position.x, -0.08 + (world->time() - touched) * ball.velocity.x, 1e-9 * speed);
-        }
+TEST(KnownAnswers, OpposedFastBallsNeverPassThroughEachOther) {
+    // Impact parameter 0.12 of reach 0.2.
+    for (const double speed : {5.0, 50.0, 5e3}) {
+        Scene scene = empty_scene();
+        scene.bounds = {{-1e6, -1e6}, {1e6, 1e6}};
+        add_ball(scene, {-0.31 * speed, 0.06}, {speed, 0});
+        add_ball(scene, {0.31 * speed, -0.06}, {-speed, 0});
+        const auto world = make_world(scene);
+        run(*world, 1);
+        // The part of the relative speed along the line of centres, cosine 0.8, is turned round.
+        const Ball& ball = world->balls()[0];
+        EXPECT_NEAR(ball.velocity.x, speed - 2 * speed * 0.64, 1e-9 * speed) << speed;
+        EXPECT_NEAR(ball.velocity.y, 2 * speed * 0.8 * 0.6, 1e-9 * speed) << speed;
+        const double touched = (0.31 * speed - 0.08) / speed;
+        EXPECT_NEAR(ball.position.x, -0.08 + (world->time() - touched) * ball.velocity.x, 1e-9 * speed);
+    }
 }
 
 }  // namespace
