@@ -30,14 +30,14 @@ inline double drag_phi(double x) {
     return x < 0.004 ? drag_series<6>(x) : drag_series<14>(x);
 }
 
-/// What a stretch of time does to every flight with the same drag. Made once, it serves many balls.
-struct Stretch {
+/// What a interval of time does to every flight with the same drag. Made once, it serves many balls.
+struct TimeInterval {
     double time;
     double kept = 1;  ///< e^(−ct): the part of a velocity that is left
     double shrunk;    ///< E, s
     double fallen;    ///< F, s²
 
-    Stretch(double drag, double t) : time(t), shrunk(t), fallen(0.5 * t * t) {
+    TimeInterval(double drag, double t) : time(t), shrunk(t), fallen(0.5 * t * t) {
         if (drag <= 0) return;
         const double x = drag * t;
         if (x > 0.5) {
@@ -55,7 +55,7 @@ struct Stretch {
 };
 
 /// Inverse of E: the t at which E(t) = e; infinite where drag stops the motion before.
-inline double drag_stretch(double c, double e) {
+inline double drag_time(double c, double e) {
     if (c <= 0) return e;
     return c * e < 1 ? -math::log1p(-c * e) / c : INFINITY;
 }
@@ -73,36 +73,36 @@ struct Flight {
     Vec2 acceleration;  ///< m/s², constant
     double drag = 0;    ///< c ≥ 0, 1/s
 
-    [[nodiscard]] Vec2 displacement(const Stretch& s) const {
+    [[nodiscard]] Vec2 displacement(const TimeInterval& s) const {
         return s.shrunk * velocity + s.fallen * acceleration;
     }
-    [[nodiscard]] Vec2 displacement(double t) const { return displacement(Stretch(drag, t)); }
-    [[nodiscard]] Vec2 velocity_after(const Stretch& s) const {
+    [[nodiscard]] Vec2 displacement(double t) const { return displacement(TimeInterval(drag, t)); }
+    [[nodiscard]] Vec2 velocity_after(const TimeInterval& s) const {
         return s.kept * velocity + s.shrunk * acceleration;
     }
-    [[nodiscard]] Vec2 velocity_at(double t) const { return velocity_after(Stretch(drag, t)); }
+    [[nodiscard]] Vec2 velocity_at(double t) const { return velocity_after(TimeInterval(drag, t)); }
     /// Bounds on speed and on the size of dv/dt over [0, t].
     [[nodiscard]] double max_speed(double t) const { return length(velocity) + length(acceleration) * t; }
     [[nodiscard]] double max_acceleration(double t) const {
         return length(acceleration) + (drag > 0 ? drag * max_speed(t) : 0);
     }
     /// A box around the path over [0, t]: it strays from the chord by at most k·t²/8 (k: acceleration).
-    [[nodiscard]] Box bounds(const Stretch& s) const;
-    [[nodiscard]] Box bounds(double t) const { return bounds(Stretch(drag, t)); }
+    [[nodiscard]] Box bounds(const TimeInterval& s) const;
+    [[nodiscard]] Box bounds(double t) const { return bounds(TimeInterval(drag, t)); }
 };
 
-/// Where a ball gets that flies freely under `gravity`; the stretch is one with the table's damping.
-inline Vec2 end_of_flight(const Ball& ball, Vec2 gravity, const Stretch& s) {
+/// Where a ball gets that flies freely under `gravity`; the interval is one with the table's damping.
+inline Vec2 end_of_flight(const Ball& ball, Vec2 gravity, const TimeInterval& s) {
     return ball.position + Flight{{}, ball.velocity, gravity}.displacement(s);
 }
 /// Moves it there.
-inline void fly_freely(Ball& ball, Vec2 gravity, const Stretch& s) {
+inline void fly_freely(Ball& ball, Vec2 gravity, const TimeInterval& s) {
     ball.position = end_of_flight(ball, gravity, s);
     ball.velocity = Flight{{}, ball.velocity, gravity}.velocity_after(s);
     ball.angle += ball.spin * s.time;
 }
 
-inline Box Flight::bounds(const Stretch& s) const {
+inline Box Flight::bounds(const TimeInterval& s) const {
     const Vec2 end = displacement(s);
     const double sag = max_acceleration(s.time) * s.time * s.time / 8;
     return {position + Vec2{std::min(0.0, end.x) - sag, std::min(0.0, end.y) - sag},

@@ -4,7 +4,7 @@
 #include <functional>
 #include <tuple>
 
-#include "custom/broad_phase/room.hpp"
+#include "custom/broad_phase/capacity.hpp"
 
 namespace flipside::custom {
 
@@ -47,10 +47,10 @@ void each_missing(const std::vector<T>& these, const std::vector<T>& those, auto
 }  // namespace
 
 void TouchList::reserve(std::size_t pieces, std::size_t balls) {
-    make_room(moving_, pieces + balls);
-    for (auto* list : {&before_, &now_}) make_room(*list, balls, touches_per_ball);
-    make_room(pairs_, balls, pairs_per_ball);
-    for (auto* list : {&sensed_before_, &sensed_}) make_room(*list, balls, touches_per_ball);
+    reserve_for(moving_, pieces + balls);
+    for (auto* list : {&before_, &now_}) reserve_for(*list, balls, touches_per_ball);
+    reserve_for(pairs_, balls, pairs_per_ball);
+    for (auto* list : {&sensed_before_, &sensed_}) reserve_for(*list, balls, touches_per_ball);
 }
 
 void TouchList::keep_sleepers(std::span<const Ball> balls) {
@@ -154,9 +154,9 @@ bool TouchList::wake_unsupported(std::span<Ball> balls, Vec2 gravity) const {
         any = true;
     };
     each_missing(before_, now_, key, [&](const Contact& ended) {
-        const double pull = dot(ended.normal, gravity);
-        if (pull < 0) wake(ended.ball);
-        if (pull > 0 && ended.other.is_ball) wake(ended.other.index);
+        const double along = dot(ended.normal, gravity);
+        if (along < 0) wake(ended.ball);
+        if (along > 0 && ended.other.is_ball) wake(ended.other.index);
     });
     return any;
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "custom/broad_phase/capacity.hpp"
 #include "custom/broad_phase/registry.hpp"
-#include "custom/broad_phase/room.hpp"
 #include "custom/engine.hpp"
 #include "custom/inspect_bounds.hpp"
 #include "custom/stopwatch.hpp"
@@ -30,23 +30,23 @@ CustomWorld::CustomWorld(std::shared_ptr<const Scene> scene, const Settings& set
         simple_ = std::make_unique<SimpleSolver>(*scene_, layout_, settings_);
     else
         windows_ = std::make_unique<Windows>(table_, layout_, *broad_, settings_);
-    make_room();
+    reserve_for();
     search_contacts();
     fill_statistics(0);
 }
 
 /// Lists grow here, when balls join, and hardly ever in a step.
-void CustomWorld::make_room() {
-    custom::make_room(balls_, balls_.size() + 1);
+void CustomWorld::reserve_for() {
+    custom::reserve_for(balls_, balls_.size() + 1);
     if (simple_) simple_->reserve(balls_.size());
     if (windows_) windows_->reserve(balls_.size());
     guard_.reserve(balls_.capacity(), std::max(least_room, balls_.capacity() * contacts_per_ball));
     contacts_.reserve(layout_.size(), balls_.size());
-    custom::make_room(table_.pressings(), balls_.size(), contacts_per_ball);
-    custom::make_room(table_.reported_lost(), balls_.size());
-    custom::make_room(table_.blocked(), balls_.size());
-    custom::make_room(record_.events, balls_.size(), events_per_ball);
-    custom::make_room(record_.crossed, balls_.size(), touches_per_ball);
+    custom::reserve_for(table_.pressings(), balls_.size(), contacts_per_ball);
+    custom::reserve_for(table_.reported_lost(), balls_.size());
+    custom::reserve_for(table_.blocked(), balls_.size());
+    custom::reserve_for(record_.events, balls_.size(), events_per_ball);
+    custom::reserve_for(record_.crossed, balls_.size(), touches_per_ball);
 }
 
 void CustomWorld::step(double dt) {
@@ -85,7 +85,7 @@ void CustomWorld::launch() {
         } else {
             balls_.push_back(launched->ball);
             balls_.back().number = table_.new_number();
-            make_room();
+            reserve_for();
         }
     }
 }
@@ -204,7 +204,7 @@ BallNumber CustomWorld::add(const Ball& ball) {
     interrupt();
     balls_.push_back(ball);
     balls_.back().number = table_.new_number();
-    make_room();
+    reserve_for();
     search_contacts();
     return balls_.back().number;
 }
@@ -239,7 +239,7 @@ void CustomWorld::load(const State& state) {
     table_.restore(state);
     balls_ = state.balls;
     if (windows_) windows_->begin_anew();
-    make_room();
+    reserve_for();
 }
 
 /// Goes through the window in which the state was saved, from its start. False where that does not lead to

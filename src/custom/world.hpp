@@ -32,7 +32,7 @@ class CustomWorld final : public World {
     void inspect(Inspector& inspector) const override;
 
   private:
-    void make_room();
+    void reserve_for();
     void make_step(double dt);
     void launch();
     void step_simply(double dt);

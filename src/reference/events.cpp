@@ -112,7 +112,7 @@ void Simulation<R>::hit_feature(Place i) {
     const Part& part = scene_->parts[index];
     advance(mover);
     Body<R>& body = mover.body;
-    const Sight<R> seen = sight(f, body.position, mover.radius);
+    const Closest<R> seen = closest(f, body.position, mover.radius);
     const Turning<R>* turns = turning(index);
     const V<R>& normal = seen.normal;
     if (gate_of(part) != nullptr && meet_gate(i, index)) return;

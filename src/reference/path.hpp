@@ -6,7 +6,7 @@
 ///     v(t) = v₀·e^(−ct) + a·E,    p(t) = p₀ + v₀·E + a·F,    E = (1 − e^(−ct))/c,    F = (t − E)/c,
 /// without drag E = t and F = ½t². It is written with φ(x) = (x − 1 + e^(−x))/x², which is ½ at 0, so that it
 /// is good to rounding for any c ≥ 0. Balls that ride on curved or turning surfaces follow a Taylor
-/// polynomial (grip.hpp).
+/// polynomial (resting_contact.hpp).
 
 #include <array>
 

@@ -69,7 +69,7 @@ void Simulation<R>::part_contacts(const Mover& mover, std::vector<Contact>& cont
     for (const FeatureIndex f : cells_.features(mover.cell)) {
         const PartIndex part = features_[f].part;
         if (ignores(part, mover)) continue;
-        const Sight<R> seen = sight(f, position, mover.radius);
+        const Closest<R> seen = closest(f, position, mover.radius);
         if (!seen.facing || seen.gap > touch_distance * mover.radius) continue;
         if (gate_of(scene_->parts[part]) != nullptr && passes(part, mover)) continue;
         const V<R> point = position - (seen.gap + mover.radius) * seen.normal;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "reference/grip.hpp"
+#include "reference/resting_contact.hpp"
 #include "world/scene.hpp"
 
 namespace flipside::reference {

@@ -21,18 +21,19 @@ R direction_scale(const Feature<R>& feature) {
 }
 /// Relative to its scale, what is no acceleration.
 template <class R>
-R no_pull() {
+R no_force() {
     return 16384 * epsilon<R>();
 }
 
 }  // namespace
 
 template <class R>
-Sight<R> Simulation<R>::sight(FeatureIndex f, const V<R>& position, const R& radius) const {
+Closest<R> Simulation<R>::closest(FeatureIndex f, const V<R>& position, const R& radius) const {
     const Turning<R>* turns = turning(features_[f].part);
-    if (turns == nullptr) return look(posed_[f], position, radius);
+    if (turns == nullptr) return closest_point(posed_[f], position, radius);
     const V<R> turn = from_angle(turns->angle_at(now_));
-    Sight<R> seen = look(features_[f], turns->pivot + unrotated(position - turns->pivot, turn), radius);
+    Closest<R> seen =
+        closest_point(features_[f], turns->pivot + unrotated(position - turns->pivot, turn), radius);
     seen.normal = rotated(seen.normal, turn);
     return seen;
 }
@@ -57,13 +58,13 @@ void Simulation<R>::come_out(Mover& mover) {
     constexpr double deep = 1e-3;  // radii; what is less is left to the flight
     constexpr int most_rounds = 8;
     for (int round = 0; round < most_rounds; ++round) {
-        Sight<R> deepest;
+        Closest<R> deepest;
         deepest.gap = -deep * mover.radius;
         bool found = false;
         for (const FeatureIndex f : cells_.features(mover.cell)) {
             const PartIndex part = features_[f].part;
             if (ignores(part, mover) || gate_of(scene_->parts[part]) != nullptr) continue;
-            const Sight<R> seen = sight(f, mover.body.position, mover.radius);
+            const Closest<R> seen = closest(f, mover.body.position, mover.radius);
             if (!seen.facing || !(seen.gap < deepest.gap)) continue;
             deepest = seen;
             found = true;
@@ -85,52 +86,53 @@ void Simulation<R>::find_touching(Mover& mover) {
     for (const FeatureIndex f : cells_.features(mover.cell)) {
         const PartIndex part = features_[f].part;
         if (f == mover.left || ignores(part, mover)) continue;
-        const Sight<R> seen = sight(f, mover.body.position, mover.radius);
+        const Closest<R> seen = closest(f, mover.body.position, mover.radius);
         if (!seen.facing || seen.gap > snap) continue;
         const bool is_gate = gate_of(scene_->parts[part]) != nullptr;
         if (is_gate && passes(part, mover)) continue;
         const R friction(
             mixed_[mover.ball.material * scene_->materials.size() + scene_->parts[part].material].friction);
-        const Grip<R> grip = grip_at(shape(f), turning(part), mover.body, now_, friction, drive_, snap);
-        const R hop = sqrt(2 * epsilon<R>() * mover.radius * std::max(R(0), grip.force));
-        const R speed = length(mover.body.velocity) + magnitude(grip.passing);
+        const RestingContact<R> contact =
+            resting_contact_at(shape(f), turning(part), mover.body, now_, friction, drive_, snap);
+        const R hop = sqrt(2 * epsilon<R>() * mover.radius * std::max(R(0), contact.force));
+        const R speed = length(mover.body.velocity) + magnitude(contact.passing);
         const R turned = (16 * epsilon<R>() + given) * direction_scale(shape(f));
-        if (magnitude(grip.parting) > (4096 * epsilon<R>() + turned) * speed + hop) continue;
+        if (magnitude(contact.parting) > (4096 * epsilon<R>() + turned) * speed + hop) continue;
         if (is_gate && std::ranges::find(mover.blocked, part) == mover.blocked.end())
             mover.blocked.push_back(part);
-        touching_.push_back({f, grip, friction});
+        touching_.push_back({f, contact, friction});
     }
 }
 
 /// The straight still faces among what a ball touches that nothing presses on any of it.
 template <class R>
 void Simulation<R>::note_glides(Mover& mover) {
-    for (const auto& [face, grip, friction] : touching_)
-        if (grip.straight && grip.turning == nullptr && mover.glide_count < mover.glides.size())
-            mover.glides[mover.glide_count++] = {grip.pivot, grip.normal};
+    for (const auto& [face, contact, friction] : touching_)
+        if (contact.straight && contact.turning == nullptr && mover.glide_count < mover.glides.size())
+            mover.glides[mover.glide_count++] = {contact.pivot, contact.normal};
 }
 
 /// Takes the path along one of the surfaces that it touches, if that keeps it off all others.
 template <class R>
 bool Simulation<R>::take_one(Mover& mover) {
     for (const Touching& one : touching_) {
-        const Grip<R>& grip = one.grip;
-        const R scale = length(drive_.gravity) + magnitude(grip.force) + magnitude(grip.driven);
-        const R none = no_pull<R>() * scale;
-        if (!(grip.force > none)) continue;
-        const Rubbing<R> rub = rubbing_of(grip, mover.body);
-        const V<R> added = grip.force * grip.normal + rub.force * grip.tangent;
+        const RestingContact<R>& contact = one.contact;
+        const R scale = length(drive_.gravity) + magnitude(contact.force) + magnitude(contact.driven);
+        const R none = no_force<R>() * scale;
+        if (!(contact.force > none)) continue;
+        const Rubbing<R> rub = rubbing_of(contact, mover.body);
+        const V<R> added = contact.force * contact.normal + rub.force * contact.tangent;
         const R slow = rounding_speed(length(mover.body.velocity));
         const bool keeps_off = std::ranges::all_of(touching_, [&](const Touching& other) {
             if (&other == &one) return true;
-            const R cosine = dot(grip.normal, other.grip.normal);
-            return dot(added, other.grip.normal) - other.grip.force >= -none &&
-                   other.grip.parting - grip.parting * cosine >= -slow;
+            const R cosine = dot(contact.normal, other.contact.normal);
+            return dot(added, other.contact.normal) - other.contact.force >= -none &&
+                   other.contact.parting - contact.parting * cosine >= -slow;
         });
         if (!keeps_off) continue;
         Ride<R> found;
         try {
-            found = ride(grip, rub, mover.body, now_, R(now_ + 1), drive_);
+            found = ride(contact, rub, mover.body, now_, R(now_ + 1), drive_);
         } catch (const EndlessSearch&) {
             refuse_search("reference", mover.ball.number, Other::part(features_[one.feature].part),
                           clock(now_), *scene_);
@@ -139,9 +141,9 @@ bool Simulation<R>::take_one(Mover& mover) {
         mover.until = found.until;
         mover.lets_go = found.lets_go;
         mover.held[0] = one.feature;
-        mover.held_normal = grip.normal;
-        if (grip.turning != nullptr)
-            mover.held_normal = unrotated(grip.normal, from_angle(grip.turning->angle_at(now_)));
+        mover.held_normal = contact.normal;
+        if (contact.turning != nullptr)
+            mover.held_normal = unrotated(contact.normal, from_angle(contact.turning->angle_at(now_)));
         return true;
     }
     return false;
@@ -151,19 +153,19 @@ bool Simulation<R>::take_one(Mover& mover) {
 /// borne by normal forces and friction together.
 template <class R>
 bool Simulation<R>::take_two(Mover& mover) {
-    const R scale = length(drive_.gravity), none = no_pull<R>() * scale;
+    const R scale = length(drive_.gravity), none = no_force<R>() * scale;
     for (const Touching& a : touching_)
         for (const Touching& b : touching_) {
-            if (&a == &b || a.grip.turning != nullptr || b.grip.turning != nullptr) continue;
-            if (!(a.grip.force > none)) continue;
+            if (&a == &b || a.contact.turning != nullptr || b.contact.turning != nullptr) continue;
+            if (!(a.contact.force > none)) continue;
             const R& spin = mover.body.spin;
             const auto push = [&](const Touching& one) {
                 const R sign(spin > 0 ? 1 : spin < 0 ? -1 : 0);
-                return one.grip.normal + sign * one.friction * perp(one.grip.normal);
+                return one.contact.normal + sign * one.friction * perp(one.contact.normal);
             };
             const V<R> u = push(a), v = push(b), weight = drive_.gravity;
             const R across = cross(u, v);
-            if (magnitude(across) < no_pull<R>()) continue;
+            if (magnitude(across) < no_force<R>()) continue;
             const R first = -cross(weight, v) / across, second = -cross(u, weight) / across;
             if (first < -none || second < -none) continue;
             mover.path = {};
@@ -210,8 +212,9 @@ void Simulation<R>::set_out(Place i) {
     const R scale = length(drive_.gravity);
     const auto is_pressed = [&] {
         return std::ranges::any_of(touching_, [&](const Touching& one) {
-            const Grip<R>& grip = one.grip;
-            return grip.force > no_pull<R>() * (scale + magnitude(grip.force) + magnitude(grip.driven));
+            const RestingContact<R>& contact = one.contact;
+            return contact.force >
+                   no_force<R>() * (scale + magnitude(contact.force) + magnitude(contact.driven));
         });
     };
     if (!is_pressed()) return note_glides(mover);
@@ -221,7 +224,7 @@ void Simulation<R>::set_out(Place i) {
     // Between two surfaces, hops lower than the rounding of its place (see find_touching) are rest.
     if (speed <= 4 * sqrt(2 * epsilon<R>() * mover.radius * scale) && take_two(mover)) return;
     // What it moves off by ever so little need not hold it.
-    const auto recedes = [&](const Touching& one) { return one.grip.parting > rounding_speed(speed); };
+    const auto recedes = [&](const Touching& one) { return one.contact.parting > rounding_speed(speed); };
     if (std::erase_if(touching_, recedes) > 0) {
         if (!is_pressed()) return note_glides(mover);
         if (take_one(mover)) return;
@@ -239,7 +242,7 @@ void Simulation<R>::set_out(Place i) {
     template void Simulation<R>::set_out(Place);                    \
     template void Simulation<R>::come_out(Mover&);                  \
     template void Simulation<R>::refuse_inside(const Mover&) const; \
-    template Sight<R> Simulation<R>::sight(FeatureIndex, const V<R>&, const R&) const;
+    template Closest<R> Simulation<R>::closest(FeatureIndex, const V<R>&, const R&) const;
 FLIPSIDE_SET_OUT(double)
 FLIPSIDE_SET_OUT(Real113)
 FLIPSIDE_SET_OUT(Real226)

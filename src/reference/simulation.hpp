@@ -18,9 +18,9 @@
 
 #include "reference/cells.hpp"
 #include "reference/exact.hpp"
-#include "reference/grip.hpp"
 #include "reference/region.hpp"
 #include "reference/response.hpp"
+#include "reference/resting_contact.hpp"
 #include "world/limits.hpp"
 #include "world/refusal.hpp"
 
@@ -107,7 +107,7 @@ class Simulation final : public Exact {
     };
     struct Touching {
         FeatureIndex feature;
-        Grip<R> grip;
+        RestingContact<R> contact;
         R friction;
     };
 
@@ -170,7 +170,7 @@ class Simulation final : public Exact {
     void note_glides(Mover& mover);
     bool take_one(Mover& mover);
     bool take_two(Mover& mover);
-    [[nodiscard]] Sight<R> sight(FeatureIndex f, const V<R>& position, const R& radius) const;
+    [[nodiscard]] Closest<R> closest(FeatureIndex f, const V<R>& position, const R& radius) const;
 
     // Events (events.cpp).
     void handle(Place i);

@@ -159,7 +159,7 @@ R polynomial_touch(const Feature<R>& feature, const Motion<R>& m, const V<R>& a,
 }  // namespace
 
 template <class R>
-Sight<R> look(const Feature<R>& feature, const V<R>& point, const R& radius) {
+Closest<R> closest_point(const Feature<R>& feature, const V<R>& point, const R& radius) {
     const Motion<R> m{point, {}};
     if (const auto* line = std::get_if<Line<R>>(&feature.is)) {
         const R d = cross(line->along, point - line->start);
@@ -183,7 +183,8 @@ R first_touch(const Feature<R>& feature, const View<R>& view, const R& radius, c
     if (still && path.rests) return infinity<R>();
     const Motion<R> begin = view.at(from);
     const Bounds<R> bounds = view.bounds(from, until);
-    if (look(feature, begin.position, radius).gap > bounds.speed * (until - from)) return infinity<R>();
+    if (closest_point(feature, begin.position, radius).gap > bounds.speed * (until - from))
+        return infinity<R>();
     if (still && !path.rides && !(path.drag > 0))
         return from + polynomial_touch(feature, begin, path.acceleration, radius, R(until - from), grazes);
 
@@ -381,7 +382,7 @@ R leaves_face(const Feature<R>& feature, const View<R>& view, const R& radius, c
 }
 
 #define FLIPSIDE_TOUCHES(R)                                                                                  \
-    template Sight<R> look(const Feature<R>&, const V<R>&, const R&);                                        \
+    template Closest<R> closest_point(const Feature<R>&, const V<R>&, const R&);                             \
     template R first_touch(const Feature<R>&, const View<R>&, const R&, const R&, const R&, std::uint64_t&); \
     template R first_touch(const Path<R>&, const Path<R>&, const R&, const R&, const R&, std::uint64_t&);    \
     template R leaves(const Path<R>&, const Box&, const R&, const R&, int&);                                 \

@@ -17,13 +17,13 @@ R rounding_speed(const R& speed) {
 
 /// How a point lies to a feature.
 template <class R>
-struct Sight {
+struct Closest {
     R gap{};             ///< of a ball of the given radius, m
     V<R> normal;         ///< unit, from the feature to the point
     bool facing = true;  ///< the nearest point of the (endless) line or circle is part of the feature
 };
 template <class R>
-[[nodiscard]] Sight<R> look(const Feature<R>& feature, const V<R>& point, const R& radius);
+[[nodiscard]] Closest<R> closest_point(const Feature<R>& feature, const V<R>& point, const R& radius);
 
 /// First time in [from, until] at which the ball touches the feature and moves into it; never otherwise. The
 /// feature is in the pose that the view sees it in. Counts in `grazes` what was decided in a wider type.

@@ -11,8 +11,8 @@ TEST(Flight, ManyShortOnesMakeOneLong) {
         Ball once, often;
         once.velocity = often.velocity = {1, 2};
         once.spin = often.spin = 3;
-        fly_freely(once, gravity, Stretch(damping, 1));
-        for (int i = 0; i < 100; ++i) fly_freely(often, gravity, Stretch(damping, 0.01));
+        fly_freely(once, gravity, TimeInterval(damping, 1));
+        for (int i = 0; i < 100; ++i) fly_freely(often, gravity, TimeInterval(damping, 0.01));
         EXPECT_LT(length(once.position - often.position), 1e-13) << damping;
         EXPECT_LT(length(once.velocity - often.velocity), 1e-13) << damping;
         EXPECT_NEAR(once.angle, 3, 1e-15);
@@ -22,7 +22,7 @@ TEST(Flight, ManyShortOnesMakeOneLong) {
 
 TEST(Flight, DampedFallApproachesItsLimit) {
     Ball ball;
-    fly_freely(ball, {0, -9.81}, Stretch(2, 50));
+    fly_freely(ball, {0, -9.81}, TimeInterval(2, 50));
     EXPECT_NEAR(ball.velocity.y, -9.81 / 2, 1e-14);
 }
 
@@ -33,11 +33,11 @@ TEST(Flight, FactorsAreGoodToRounding) {
         long double phi = 0.5L, term = 0.5L;
         for (int k = 3; k < 40 && x <= 1; ++k) phi += term *= -y / k;
         if (x > 1) phi = (y + e) / (y * y);
-        const Stretch s(x, 1);
+        const TimeInterval s(x, 1);
         EXPECT_NEAR(s.fallen, static_cast<double>(phi), 4e-16) << x;
         EXPECT_NEAR(s.shrunk, static_cast<double>(1 - y * phi), 4e-16) << x;
         EXPECT_NEAR(s.kept, static_cast<double>(1 + e), 4e-16) << x;
-        EXPECT_NEAR(drag_stretch(x, s.shrunk), 1, 1e-13) << x;
+        EXPECT_NEAR(drag_time(x, s.shrunk), 1, 1e-13) << x;
     }
 }
 

@@ -62,9 +62,9 @@ TEST(Response, FrictionIsCoulombCappedAtSticking) {
             ASSERT_TRUE(respond(ball, floor_touch, {}, {0.5, mu, 0}, weightless).happened);
             const double normal = 1.5 * 2 * 2;
             const double limit = std::min(mu * normal, ball.mass * std::abs(slip) / 3);
-            const double grip = slip > 0 ? -limit : limit;
-            EXPECT_NEAR(ball.velocity.x, 3 + grip / ball.mass, 1e-14);
-            EXPECT_NEAR(ball.spin, spin + ball.radius * grip / inertia(ball), 1e-13);
+            const double support = slip > 0 ? -limit : limit;
+            EXPECT_NEAR(ball.velocity.x, 3 + support / ball.mass, 1e-14);
+            EXPECT_NEAR(ball.spin, spin + ball.radius * support / inertia(ball), 1e-13);
         }
 }
 
@@ -81,7 +81,7 @@ TEST(Response, WhatGravityAddedSinceTheTouchIsNoImpact) {
 }
 
 TEST(Response, RestingBallRollsByFriction) {
-    // Sliding at 3 m/s while gravity presses it down for 0.1 s: the grip is µ·m·g·t.
+    // Sliding at 3 m/s while gravity presses it down for 0.1 s: the support is µ·m·g·t.
     Ball ball = ball_with({3, -1});
     const Touch deep{{0, 0}, {0, 1}, -0.05, false};
     (void)respond(ball, deep, {}, {0, 0.2, 0}, {{0, -10}, 0.01});

@@ -14,7 +14,7 @@
 #include <cmath>
 
 #include "custom/broad_phase/broad_phase.hpp"
-#include "custom/broad_phase/room.hpp"
+#include "custom/broad_phase/capacity.hpp"
 
 namespace flipside::custom {
 
@@ -42,10 +42,10 @@ class Grid final : public BroadPhase {
         if (std::ranges::none_of(moving, &Proxy::active)) return;
         fit_cells(moving);
         moving_ = moving;
-        make_room(moving_lists_.links, moving.size(), pairs_per_ball);
-        make_room(occupied_, moving.size(), pairs_per_ball);
-        make_room(moving_cells_, moving.size());
-        make_room(wide_, moving.size());
+        reserve_for(moving_lists_.links, moving.size(), pairs_per_ball);
+        reserve_for(occupied_, moving.size(), pairs_per_ball);
+        reserve_for(moving_cells_, moving.size());
+        reserve_for(wide_, moving.size());
         for (Handle i = 0; i < moving.size(); ++i) insert(i);
         most_in_cell_ = 0;
         for (const std::uint32_t cell : occupied_) search_cell(cell, pairs);
@@ -121,7 +121,7 @@ class Grid final : public BroadPhase {
         if (!fits_cells_ || fitted_for_ == moving.size()) return;
         fitted_for_ = moving.size();
         sizes_.clear();
-        make_room(sizes_, moving.size());
+        reserve_for(sizes_, moving.size());
         for (const Proxy& proxy : moving) {
             const Vec2 size = proxy.box.max - proxy.box.min;
             sizes_.push_back(std::max(size.x, size.y));

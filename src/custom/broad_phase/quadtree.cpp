@@ -12,7 +12,7 @@
 #include <algorithm>
 
 #include "custom/broad_phase/broad_phase.hpp"
-#include "custom/broad_phase/room.hpp"
+#include "custom/broad_phase/capacity.hpp"
 
 namespace flipside::custom {
 
@@ -44,8 +44,8 @@ class Quadtree final : public BroadPhase {
         pairs.clear();
         clear(0);
         listings_.clear();
-        make_room(listings_, moving.size(), pairs_per_ball);
-        make_room(moving_leaves_, moving.size());
+        reserve_for(listings_, moving.size(), pairs_per_ball);
+        reserve_for(moving_leaves_, moving.size());
         moving_leaves_.clear();
         moving_ = moving;
         if (std::ranges::none_of(moving, &Proxy::active)) return;

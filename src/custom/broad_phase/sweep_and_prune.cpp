@@ -51,10 +51,10 @@ class Sweep final : public BroadPhase {
     void inspect(Inspector&) const override {}
 
   private:
-    using Place = std::vector<Edge>::const_iterator;
+    using Position = std::vector<Edge>::const_iterator;
 
     /// Tests a proxy against those of an order from `from` on that begin before it ends.
-    void sweep(const Proxy& a, Handle handle, Place from, Place to, std::span<const Proxy> others,
+    void sweep(const Proxy& a, Handle handle, Position from, Position to, std::span<const Proxy> others,
                Handle first, std::vector<Pair>& pairs) {
         for (; from != to; ++from) {
             if (from->left > a.box.max.x) {

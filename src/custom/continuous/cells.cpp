@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "custom/broad_phase/room.hpp"
+#include "custom/broad_phase/capacity.hpp"
 
 namespace flipside::custom {
 
@@ -29,8 +29,8 @@ std::int64_t Cells::index_at(double place, double width) {
 }
 
 void Cells::reserve(std::size_t balls) {
-    make_room(links_, balls);
-    make_room(cells_, balls);
+    reserve_for(links_, balls);
+    reserve_for(cells_, balls);
     heads_.reserve(4 * std::bit_ceil(balls));
     levels_.reserve(most_levels);
 }
@@ -46,7 +46,7 @@ void Cells::reset(std::span<const Ball> balls) {
     for (double& w : widths_) w = width, width *= 2;
 }
 
-void Cells::choose_level(Place i, double width) {
+void Cells::choose_level(BallIndex i, double width) {
     int level = 0;
     std::frexp(width / widths_[0], &level);
     if (width <= widths_[0]) level = 0;
@@ -56,7 +56,7 @@ void Cells::choose_level(Place i, double width) {
     cells_[i].level = static_cast<std::uint32_t>(level);
 }
 
-void Cells::put(Place i, Vec2 center) {
+void Cells::put(BallIndex i, Vec2 center) {
     const std::uint32_t level = cells_[i].level;
     const Cell cell{level, index_at(center.x, widths_[level]), index_at(center.y, widths_[level])};
     Link& link = links_[i];
@@ -64,7 +64,7 @@ void Cells::put(Place i, Vec2 center) {
     remove(i);
     cells_[i] = cell;
     link.key = key_of(cell);
-    Place& head = heads_[bucket(cell)];
+    BallIndex& head = heads_[bucket(cell)];
     link.next = head;
     link.previous = none;
     if (head != none) links_[head].previous = i;
@@ -72,7 +72,7 @@ void Cells::put(Place i, Vec2 center) {
     count(level, 1);
 }
 
-void Cells::remove(Place i) {
+void Cells::remove(BallIndex i) {
     Link& link = links_[i];
     if (link.key == unlisted) return;
     link.key = unlisted;
@@ -91,7 +91,7 @@ void Cells::count(std::uint32_t number, int change) {
     if (level->balls == 0) levels_.erase(level);
 }
 
-double Cells::stays(Place i, Vec2 center, Vec2 velocity, Vec2 top) const {
+double Cells::stays(BallIndex i, Vec2 center, Vec2 velocity, Vec2 top) const {
     const double w = widths_[cells_[i].level], slack = loose * w;
     const auto along = [&](double at, std::int64_t index, double speed, double bend) {
         const double low = at - (static_cast<double>(index) * w - slack);
@@ -110,7 +110,7 @@ double Cells::stays(Place i, Vec2 center, Vec2 velocity, Vec2 top) const {
 
 void Cells::inspect(Inspector& inspector) const {
     std::vector<Cell> used;
-    for (Place i = 0; i < cells_.size(); ++i)
+    for (BallIndex i = 0; i < cells_.size(); ++i)
         if (links_[i].key != unlisted) used.push_back(cells_[i]);
     std::ranges::sort(used);
     for (auto first = used.begin(); first != used.end();) {

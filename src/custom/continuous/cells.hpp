@@ -26,7 +26,7 @@ namespace flipside::custom {
 
 class Cells {
   public:
-    using Place = std::uint32_t;
+    using BallIndex = std::uint32_t;
 
     struct Cell {
         std::uint32_t level = 0;
@@ -40,11 +40,11 @@ class Cells {
     void reset(std::span<const Ball> balls);
     /// On which level a ball will be listed: its cells are at least `width` wide, m. Takes it off its list
     /// if that changes.
-    void choose_level(Place i, double width);
+    void choose_level(BallIndex i, double width);
     /// Lists a ball in the cell of this place.
-    void put(Place i, Vec2 center);
-    void remove(Place i);
-    [[nodiscard]] const Cell& operator[](Place i) const { return cells_[i]; }
+    void put(BallIndex i, Vec2 center);
+    void remove(BallIndex i);
+    [[nodiscard]] const Cell& operator[](BallIndex i) const { return cells_[i]; }
     /// Draws the cells in use, each with the number of its balls.
     void inspect(Inspector& inspector) const;
     /// The least width for a ball of this radius.
@@ -53,11 +53,11 @@ class Cells {
     /// For how long a ball surely stays listed rightly, s: its centre is now at `center`, and neither
     /// component of its acceleration gets greater than `top` (m/s²). Above 0 right after put(), unless
     /// coordinates are so large that rounding is a cell wide.
-    [[nodiscard]] double stays(Place i, Vec2 center, Vec2 velocity, Vec2 top) const;
+    [[nodiscard]] double stays(BallIndex i, Vec2 center, Vec2 velocity, Vec2 top) const;
 
     /// Visits, in no order that means anything, all balls but i that i may touch as long as both are listed
     /// rightly; some others too.
-    void each_near(Place i, auto&& visit) const {
+    void each_near(BallIndex i, auto&& visit) const {
         for (const Level& level : levels_) {
             if (level.number == cells_[i].level)
                 each_around(cells_[i], i, visit);
@@ -66,7 +66,7 @@ class Cells {
         }
     }
     /// The same, of those only that were not to be visited when the ball was still listed in cell `before`.
-    void each_newly_near(Place i, const Cell& before, auto&& visit) const {
+    void each_newly_near(BallIndex i, const Cell& before, auto&& visit) const {
         for (const Level& level : levels_) {
             if (level.number == cells_[i].level)
                 each_newly_around(cells_[i], before, i, visit);
@@ -76,14 +76,14 @@ class Cells {
     }
 
   private:
-    static constexpr Place none = ~Place{0};
+    static constexpr BallIndex none = ~BallIndex{0};
     static constexpr int index_bits = 28;
     static constexpr std::uint32_t index_mask = (1U << index_bits) - 1;
     static constexpr std::uint32_t most_levels = 128;
 
     struct Link {
         std::uint64_t key = unlisted;  ///< of the cell: level, column, row
-        Place next = none, previous = none;
+        BallIndex next = none, previous = none;
     };
     static constexpr std::uint64_t unlisted = ~std::uint64_t{0};
     struct Level {
@@ -105,17 +105,17 @@ class Cells {
     }
     [[nodiscard]] static std::int64_t index_at(double place, double width);
 
-    void each_in(const Cell& cell, Place except, auto& visit) const {
+    void each_in(const Cell& cell, BallIndex except, auto& visit) const {
         const std::uint64_t key = key_of(cell);
-        for (Place j = heads_[bucket(cell)]; j != none; j = links_[j].next)
+        for (BallIndex j = heads_[bucket(cell)]; j != none; j = links_[j].next)
             if (links_[j].key == key && j != except) visit(j);
     }
-    void each_around(const Cell& at, Place except, auto& visit) const {
+    void each_around(const Cell& at, BallIndex except, auto& visit) const {
         for (std::int64_t row = at.row - 1; row <= at.row + 1; ++row)
             for (std::int64_t column = at.column - 1; column <= at.column + 1; ++column)
                 each_in({at.level, column, row}, except, visit);
     }
-    void each_newly_around(const Cell& at, const Cell& before, Place except, auto& visit) const {
+    void each_newly_around(const Cell& at, const Cell& before, BallIndex except, auto& visit) const {
         const auto was_near = [](std::int64_t index, std::int64_t other) {
             return index >= other - 1 && index <= other + 1;
         };
@@ -124,7 +124,7 @@ class Cells {
                 if (!was_near(row, before.row) || !was_near(column, before.column))
                     each_in({at.level, column, row}, except, visit);
     }
-    void each_on_other(const Level& level, Place i, auto& visit) const {
+    void each_on_other(const Level& level, BallIndex i, auto& visit) const {
         const Cell& at = cells_[i];
         const double own = widths_[at.level], other = widths_[level.number], reach = (own + other) / 2;
         const auto first = [&](std::int64_t index) {
@@ -137,7 +137,7 @@ class Cells {
         const std::int64_t low = first(at.row), high = last(at.row);
         const double cells = static_cast<double>(right - left + 1) * static_cast<double>(high - low + 1);
         if (cells > static_cast<double>(links_.size())) {
-            for (Place j = 0; j < links_.size(); ++j)
+            for (BallIndex j = 0; j < links_.size(); ++j)
                 if (links_[j].key != unlisted && cells_[j].level == level.number && j != i) visit(j);
             return;
         }
@@ -150,7 +150,7 @@ class Cells {
     std::array<double, most_levels> widths_{};  ///< m, by level
     std::vector<Link> links_;                   ///< by place
     std::vector<Cell> cells_;                   ///< by place
-    std::vector<Place> heads_;                  ///< by bucket, a power of two of them
+    std::vector<BallIndex> heads_;              ///< by bucket, a power of two of them
     std::uint64_t mask_ = 0;
     std::vector<Level> levels_;  ///< in use
 };

@@ -27,7 +27,7 @@ constexpr double instant = 1e-12;
 }  // namespace
 
 /// Moves a ball along its path.
-void ContinuousSolver::advance(Ball& ball, const HeldPath& way, double time) {
+void ContinuousSolver::advance(Ball& ball, const ConstrainedPath& way, double time) {
     const auto [position, velocity] = way.path.at(time);
     ball.position = position;
     ball.velocity = velocity;
@@ -37,7 +37,7 @@ void ContinuousSolver::advance(Ball& ball, const HeldPath& way, double time) {
 }
 
 /// Handles the next event of a ball.
-void ContinuousSolver::handle(Place i) {
+void ContinuousSolver::handle(BallIndex i) {
     Mover& mover = movers_[i];
     if (mover.horizon <= mover.next_time) return enter_cell(i);
     const double time = mover.next_time;
@@ -54,11 +54,11 @@ void ContinuousSolver::handle(Place i) {
     }
     if (++events_ > settings_.max_impacts ||
         search_steps_ > most_search_steps + search_steps_per_ball * movers_.size()) {
-        for (Place j = 0; j < movers_.size(); ++j)
+        for (BallIndex j = 0; j < movers_.size(); ++j)
             if (!movers_[j].lost && !bodies_[j].asleep) wait(j, time);
         return;
     }
-    mover.left = nullptr;
+    mover.released = nullptr;
     switch (mover.next) {
         case Next::feature:
             if (ignores(features_[mover.met], bodies_[i])) return predict(i, time);
@@ -68,7 +68,7 @@ void ContinuousSolver::handle(Place i) {
             return hit_ball(i, time);
         case Next::look_again:
             move_to(i, time);
-            if (mover.way.lets_go) mover.left = mover.held;
+            if (mover.way.separates) mover.released = mover.resting_on;
             return go_on(i, time);
         case Next::sense:
             return sense(i, time);
@@ -79,7 +79,7 @@ void ContinuousSolver::handle(Place i) {
     }
 }
 
-void ContinuousSolver::go_on(Place i, double time) {
+void ContinuousSolver::go_on(BallIndex i, double time) {
     set_out(i, time);
     predict(i, time);
 }
@@ -95,7 +95,7 @@ bool ContinuousSolver::leads_on(const Impact& impact, const Ball& ball) const {
     return impact.speed > idle_impact * std::sqrt(ball.radius * length(scene_.gravity));
 }
 
-void ContinuousSolver::hit_feature(Place i, double time) {
+void ContinuousSolver::hit_feature(BallIndex i, double time) {
     Ball& ball = bodies_[i];
     const Feature& feature = features_[movers_[i].met];
     const PartIndex index = feature.part;
@@ -103,10 +103,10 @@ void ContinuousSolver::hit_feature(Place i, double time) {
     const Turning& turning = turnings_[index];
     const Pose pose = turning.pose(time);
     advance(ball, movers_[i].way, time);
-    const Sight sight = look(feature, pose.undo(ball.position), ball.radius);
+    const Closest closest = closest_point(feature, pose.undo(ball.position), ball.radius);
     if (feature.gate && meet_gate(i, index, time)) return go_on(i, time);
-    const Vec2 normal = pose.angle == 0 ? sight.normal : rotated(sight.normal, pose.angle);
-    const Vec2 point = ball.position - sight.distance * normal;
+    const Vec2 normal = pose.angle == 0 ? closest.normal : rotated(closest.normal, pose.angle);
+    const Vec2 point = ball.position - closest.distance * normal;
     const Vec2 surface = cross(turning.rate_at(time), point - pose.pivot);
     if (const Vec2 v = true_velocity(i, time); - dot(v - surface, normal) > scene_.rest_speed)
         ball.velocity = v;
@@ -134,19 +134,20 @@ void ContinuousSolver::hit_feature(Place i, double time) {
 
 /// What lay on a part goes on without it.
 void ContinuousSolver::release(PartIndex part, double time) {
-    for (Place j = 0; j < movers_.size(); ++j) {
+    for (BallIndex j = 0; j < movers_.size(); ++j) {
         Ball& ball = bodies_[j];
         if (flying_[j].pressed || movers_[j].lost) continue;
-        if (!ball.asleep && (movers_[j].held == nullptr || movers_[j].held->part != part)) continue;
+        if (!ball.asleep && (movers_[j].resting_on == nullptr || movers_[j].resting_on->part != part))
+            continue;
         if (!ball.asleep) advance(bodies_[j], movers_[j].way, time);
         ball.asleep = false;
         go_on(j, time);
     }
 }
 
-void ContinuousSolver::hit_ball(Place i, double time) {
-    const Place j = movers_[i].met;
-    const Place low = std::min(i, j), high = std::max(i, j);
+void ContinuousSolver::hit_ball(BallIndex i, double time) {
+    const BallIndex j = movers_[i].met;
+    const BallIndex low = std::min(i, j), high = std::max(i, j);
     Ball &a = bodies_[low], &b = bodies_[high];
     advance(a, movers_[low].way, time);
     advance(b, movers_[high].way, time);
@@ -154,7 +155,7 @@ void ContinuousSolver::hit_ball(Place i, double time) {
     // of its hop, so that both go on together until the next tick.
     const Vec2 u = true_velocity(low, time), v = true_velocity(high, time);
     if (-dot(u - v, unit(a.position - b.position)) > scene_.rest_speed) a.velocity = u, b.velocity = v;
-    movers_[j].left = nullptr;
+    movers_[j].released = nullptr;
     // A sleeper holds against what merely comes to rest on it, and wakes when hit.
     const double approach = -dot(a.velocity - b.velocity, unit(a.position - b.position));
     const bool wakes = approach > settings_.sleep_speed && (a.asleep || b.asleep);
@@ -185,7 +186,7 @@ void ContinuousSolver::hit_ball(Place i, double time) {
     if (impact.happened) leave(i), leave(j);
     set_out(i, time);
     set_out(j, time);
-    if (lasts || (!impact.happened && pressing(low, high, time) > 1e-9 * length(scene_.gravity)))
+    if (lasts || (!impact.happened && closing_acceleration(low, high, time) > 1e-9 * length(scene_.gravity)))
         join(i, time), join(j, time);
     predict(i, time);
     predict(j, time);
@@ -193,12 +194,12 @@ void ContinuousSolver::hit_ball(Place i, double time) {
 }
 
 /// Wakes the sleepers that lie on a ball, and those on them: what carries them has moved.
-void ContinuousSolver::wake_carried(Place i, double time) {
+void ContinuousSolver::wake_carried(BallIndex i, double time) {
     woken_.assign(1, i);
     for (std::size_t next = 0; next < woken_.size(); ++next) {
         const Ball& carrier = bodies_[woken_[next]];
         const Vec2 at = movers_[woken_[next]].way.path.position(time);
-        cells_.each_near(woken_[next], [&](Place j) {
+        cells_.each_near(woken_[next], [&](BallIndex j) {
             Ball& ball = bodies_[j];
             const double reach = carrier.radius + ball.radius,
                          near = touch_distance * std::min(carrier.radius, ball.radius);
@@ -209,14 +210,14 @@ void ContinuousSolver::wake_carried(Place i, double time) {
             woken_.push_back(j);
         });
     }
-    for (const Place j : std::span(woken_).subspan(1)) {
+    for (const BallIndex j : std::span(woken_).subspan(1)) {
         set_out(j, time);
         join(j, time);
     }
-    for (const Place j : std::span(woken_).subspan(1)) predict(j, time);
+    for (const BallIndex j : std::span(woken_).subspan(1)) predict(j, time);
 }
 
-void ContinuousSolver::lose(Place i, double time) {
+void ContinuousSolver::lose(BallIndex i, double time) {
     Ball& ball = bodies_[i];
     const Vec2 p = movers_[i].way.path.position(time);
     report(time, EventKind::lost, ball, {}, {}, p);
@@ -254,7 +255,7 @@ void ContinuousSolver::set_inside(BallNumber ball, PartIndex part, bool is_insid
 }
 
 /// A ball enters or leaves a sensor, or leaves a gate.
-void ContinuousSolver::sense(Place i, double time) {
+void ContinuousSolver::sense(BallIndex i, double time) {
     const Ball& ball = bodies_[i];
     const PartIndex part = movers_[i].met;
     if (scene_.parts[part].sensor) {

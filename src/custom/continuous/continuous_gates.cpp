@@ -60,7 +60,7 @@ bool ContinuousSolver::lets_through(PartIndex part, const Ball& ball, double tim
 }
 
 /// A ball comes within a radius of a gate. Whether that lets it through: then the gate is open for all.
-bool ContinuousSolver::meet_gate(Place i, PartIndex part, double time) {
+bool ContinuousSolver::meet_gate(BallIndex i, PartIndex part, double time) {
     const Ball& ball = bodies_[i];
     if (!lets_through(part, ball, time)) {
         table_->set_blocked(part, ball.number, true);
@@ -85,7 +85,7 @@ void ContinuousSolver::leave_gate(BallNumber ball, PartIndex part, double time) 
     if (std::ranges::any_of(inside_, [&](const Sensed& s) { return s.sensor == part; })) return;
     table_->set_open(part, false);
     // What counted on an open gate looks again.
-    for (Place j = 0; j < movers_.size(); ++j)
+    for (BallIndex j = 0; j < movers_.size(); ++j)
         if (movers_[j].number != ball && !bodies_[j].asleep && !movers_[j].lost) predict(j, time);
 }
 

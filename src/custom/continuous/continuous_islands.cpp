@@ -15,7 +15,7 @@ constexpr int most_unloaded = 3;
 }  // namespace
 
 /// Takes a ball into an island. Until the next tick it goes on as it does, but meets no other of an island.
-void ContinuousSolver::join(Place i, double time) {
+void ContinuousSolver::join(BallIndex i, double time) {
     Mover& mover = movers_[i];
     if (bodies_[i].asleep || mover.lost || flying_[i].pressed) return;
     if (!any_pressed_) next_tick_ = next_tick(time);
@@ -24,16 +24,16 @@ void ContinuousSolver::join(Place i, double time) {
     mover.unloaded = 0;
 }
 
-void ContinuousSolver::leave(Place i) {
+void ContinuousSolver::leave(BallIndex i) {
     flying_[i].pressed = false;
 }
 
 /// Events of a ball at one instant without end, or impacts that come to nothing: it is squeezed. Then all
 /// that touches it, and what touches that, is solved at once, however fast it comes, as an impact without
 /// bounce.
-void ContinuousSolver::crush(Place first, double time) {
+void ContinuousSolver::crush(BallIndex first, double time) {
     members_.clear();
-    const auto squeeze = [&](Place i) {
+    const auto squeeze = [&](BallIndex i) {
         if (bodies_[i].asleep || movers_[i].lost || movers_[i].crushed) return;
         join(i, time);
         movers_[i].crushed = true;
@@ -41,9 +41,9 @@ void ContinuousSolver::crush(Place first, double time) {
     };
     squeeze(first);
     for (std::size_t seen = 0; seen < members_.size();) {
-        const Place i = members_[seen++];
+        const BallIndex i = members_[seen++];
         const Vec2 here = movers_[i].way.path.position(time);
-        cells_.each_near(i, [&](Place j) {
+        cells_.each_near(i, [&](BallIndex j) {
             const double reach = bodies_[i].radius + bodies_[j].radius;
             const double apart = length(movers_[j].way.path.position(time) - here);
             if (apart <= (1 + leaning) * reach && layers_meet(bodies_[i], bodies_[j])) squeeze(j);
@@ -53,17 +53,17 @@ void ContinuousSolver::crush(Place first, double time) {
 }
 
 /// Where that did not help, the ball stays where it is until the next tick.
-void ContinuousSolver::wait(Place i, double time) {
+void ContinuousSolver::wait(BallIndex i, double time) {
     move_to(i, time);
     join(i, time);
     Mover& mover = movers_[i];
     Ball& ball = bodies_[i];
     mover.hops = mover.waits = true;
-    mover.held = mover.left = nullptr;
+    mover.resting_on = mover.released = nullptr;
     mover.glides.clear();
     mover.set_out_with = mover.arrives_with = ball.velocity;
-    HeldPath& way = mover.way;
-    way = HeldPath{};
+    ConstrainedPath& way = mover.way;
+    way = ConstrainedPath{};
     way.until = next_tick(time);
     way.path.start = time;
     way.path.flight = {ball.position, {}, {}, 0};
@@ -91,7 +91,7 @@ void ContinuousSolver::tick(double time) {
     members_.clear();
     const bool regular = time == next_tick_;
     next_tick_ = next_tick(time);
-    for (Place i = 0; i < movers_.size(); ++i) {
+    for (BallIndex i = 0; i < movers_.size(); ++i) {
         if (!flying_[i].pressed || movers_[i].lost) continue;
         movers_[i].waits = false;
         if (regular) movers_[i].crushed = false;
@@ -106,7 +106,7 @@ void ContinuousSolver::tick(double time) {
     gather(time, duration);
     contact_solver_.solve(duration, scene_.gravity);
     note_loads(duration);
-    for (Place k = 0; k < members_.size(); ++k)
+    for (BallIndex k = 0; k < members_.size(); ++k)
         set_out_pressed(members_[k], time, contact_solver_.bodies()[k]);
     if (time > 0) predict_together(members_, time);
 }
@@ -114,20 +114,21 @@ void ContinuousSolver::tick(double time) {
 /// The bodies of all members, and the contacts that may press within the tick.
 void ContinuousSolver::gather(double time, double duration) {
     contact_solver_.start();
-    const Stretch stretch(drive_.drag, duration);
-    for (const Place i : members_) {
+    const TimeInterval interval(drive_.drag, duration);
+    for (const BallIndex i : members_) {
         const Ball& ball = bodies_[i];
-        const Vec2 driven = Flight{{}, ball.velocity, drive_.gravity}.velocity_after(stretch) - ball.velocity;
+        const Vec2 driven =
+            Flight{{}, ball.velocity, drive_.gravity}.velocity_after(interval) - ball.velocity;
         rank_[i] = contact_solver_.add(
             {ball.position, ball.velocity, driven, ball.spin, ball.radius, 1 / ball.mass, 1 / inertia(ball)});
     }
     deepest_ = 0;
-    for (const Place i : members_) cells_.each_near(i, [&](Place j) { press_balls(i, j, duration); });
-    for (const Place i : members_) press_parts(i, time, duration);
+    for (const BallIndex i : members_) cells_.each_near(i, [&](BallIndex j) { press_balls(i, j, duration); });
+    for (const BallIndex i : members_) press_parts(i, time, duration);
 }
 
 /// Adds two balls that are in touch or will be, slowly; a fast approach is an event.
-void ContinuousSolver::press_balls(Place i, Place j, double duration) {
+void ContinuousSolver::press_balls(BallIndex i, BallIndex j, double duration) {
     const Ball &a = bodies_[i], &b = bodies_[j];
     ++record_->statistics.pair_tests;
     if (b.asleep ? movers_[j].lost : !flying_[j].pressed || j > i) return;
@@ -170,7 +171,7 @@ void ContinuousSolver::press(ContactSolver::Contact& contact, const Pressing& ke
     contact_solver_.add(contact);
 }
 
-void ContinuousSolver::press_parts(Place i, double time, double duration) {
+void ContinuousSolver::press_parts(BallIndex i, double time, double duration) {
     const Ball& ball = bodies_[i];
     Mover& mover = movers_[i];
     // Where balls are to be moved apart, they are kept from being moved through a part.
@@ -208,13 +209,13 @@ void ContinuousSolver::press_parts(Place i, double time, double duration) {
 /// Remembers the forces between balls, and who is pressed: by a ball, or from two sides.
 void ContinuousSolver::note_loads(double duration) {
     std::vector<Pressing>& pressings = table_->pressings();
-    const auto members = static_cast<Place>(members_.size());
+    const auto members = static_cast<BallIndex>(members_.size());
     pressings.clear();
     part_forces_.clear();
-    for (const Place i : members_) ++movers_[i].unloaded, movers_[i].sides = 0;
+    for (const BallIndex i : members_) ++movers_[i].unloaded, movers_[i].sides = 0;
     for (const ContactSolver::Contact& contact : contact_solver_.contacts()) {
         if (contact.impulse.normal <= 0) continue;
-        const auto bear = [&](Place body, int sides) {
+        const auto bear = [&](BallIndex body, int sides) {
             if (body >= members) return;
             Mover& mover = movers_[members_[body]];
             if ((mover.sides += sides) >= 2) mover.unloaded = 0;
@@ -231,7 +232,7 @@ void ContinuousSolver::note_loads(double duration) {
 
 /// Of a ball that was moved along its path to this time. That of a member changes evenly between ticks,
 /// while it hops.
-Vec2 ContinuousSolver::true_velocity(Place i, double time) const {
+Vec2 ContinuousSolver::true_velocity(BallIndex i, double time) const {
     const Mover& mover = movers_[i];
     if (!mover.hops) return bodies_[i].velocity;
     const double start = mover.way.path.start, part = (time - start) / (mover.way.until - start);
@@ -247,7 +248,7 @@ void ContinuousSolver::follow(Ball& ball, const Mover& mover, double time) const
     ball.velocity = mover.set_out_with + part * (mover.arrives_with - mover.set_out_with);
 }
 
-void ContinuousSolver::move_to(Place i, double time) {
+void ContinuousSolver::move_to(BallIndex i, double time) {
     if (flying_[i].pressed)
         follow(bodies_[i], movers_[i], time);
     else
@@ -256,7 +257,7 @@ void ContinuousSolver::move_to(Place i, double time) {
 
 /// The path of a member: a hop to where the forces bring it. So all balls fly under one gravity, and any two
 /// meet as if they flew straight. One that nothing presses flies freely, and leaves after some ticks.
-void ContinuousSolver::set_out_pressed(Place i, double time, const ContactSolver::Body& body) {
+void ContinuousSolver::set_out_pressed(BallIndex i, double time, const ContactSolver::Body& body) {
     Mover& mover = movers_[i];
     Ball& ball = bodies_[i];
     if (mover.unloaded >= most_unloaded) {
@@ -267,22 +268,22 @@ void ContinuousSolver::set_out_pressed(Place i, double time, const ContactSolver
     any_pressed_ = true;
     const double duration = next_tick_ - time;
     mover.hops = true;
-    mover.held = mover.left = nullptr;
+    mover.resting_on = mover.released = nullptr;
     mover.glides.clear();
-    HeldPath& way = mover.way;
+    ConstrainedPath& way = mover.way;
     way.until = next_tick_;
     way.roll = {};
-    way.lets_go = false;
+    way.separates = false;
     way.spin_rate = (body.spin - ball.spin) / duration;
     way.path.start = time;
     way.path.swings = false;
     ball.position = body.position;
     mover.set_out_with = ball.velocity;
     mover.arrives_with = body.velocity;
-    const Stretch stretch(drive_.drag, duration);
+    const TimeInterval interval(drive_.drag, duration);
     const Vec2 thrown = mover.sides == 0
                             ? ball.velocity
-                            : (duration * body.velocity - stretch.fallen * drive_.gravity) / stretch.shrunk;
+                            : (duration * body.velocity - interval.fallen * drive_.gravity) / interval.shrunk;
     way.path.flight = {ball.position, thrown, drive_.gravity, drive_.drag};
     ball.velocity = thrown;
     Flying& flying = flying_[i];
@@ -297,24 +298,24 @@ void ContinuousSolver::set_out_pressed(Place i, double time, const ContactSolver
 /// Whether two balls come together slowly that have both met a ball since a tick ago: in a crowd that comes
 /// to rest impacts follow each other ever faster (McNamara and Young 1994, "Inelastic collapse in two
 /// dimensions"). They stay together.
-bool ContinuousSolver::rattles(Place i, Place j, double approach, double time) const {
+bool ContinuousSolver::rattles(BallIndex i, BallIndex j, double approach, double time) const {
     const double since = time - tick_length;
     return approach <= slow_ && movers_[i].last_hit > since && movers_[j].last_hit > since;
 }
 
 /// Whether two members touch and do not come together faster than at rest.
-bool ContinuousSolver::in_slow_touch(Place i, Place j, double time) const {
+bool ContinuousSolver::in_slow_touch(BallIndex i, BallIndex j, double time) const {
     const auto a = movers_[i].way.path.at(time), b = movers_[j].way.path.at(time);
     const Vec2 between = a.position - b.position, normal = unit(between);
     return -dot(a.velocity - b.velocity, normal) <= slow_;
 }
 
 /// The same for a member and a feature.
-bool ContinuousSolver::rests_on(Place i, const Feature& feature, const Pose& pose, double time) const {
+bool ContinuousSolver::rests_on(BallIndex i, const Feature& feature, const Pose& pose, double time) const {
     const auto here = movers_[i].way.path.at(time);
-    const Sight sight = look(feature, pose.undo(here.position), bodies_[i].radius);
-    const Vec2 normal = pose.angle == 0 ? sight.normal : rotated(sight.normal, pose.angle);
-    const Vec2 point = here.position - sight.distance * normal;
+    const Closest closest = closest_point(feature, pose.undo(here.position), bodies_[i].radius);
+    const Vec2 normal = pose.angle == 0 ? closest.normal : rotated(closest.normal, pose.angle);
+    const Vec2 point = here.position - closest.distance * normal;
     const Vec2 surface = cross(turnings_[feature.part].rate_at(time), point - pose.pivot);
     return -dot(here.velocity - surface, normal) <= slow_;
 }

@@ -5,7 +5,7 @@
 #include <functional>
 #include <numeric>
 
-#include "custom/broad_phase/room.hpp"
+#include "custom/broad_phase/capacity.hpp"
 
 namespace flipside::custom {
 
@@ -62,28 +62,28 @@ void ContinuousSolver::reserve(std::size_t balls) {
         movers_ = std::span(pool_).first(movers);
         for (Mover& mover : pool_) mover.near.reserve(std::min(features_.size(), most_near));
     }
-    custom::make_room(bodies_, most);
-    custom::make_room(inside_, most, touches_per_ball);
+    custom::reserve_for(bodies_, most);
+    custom::reserve_for(inside_, most, touches_per_ball);
     for (State& start : starts_) {
-        custom::make_room(start.balls, most);
-        custom::make_room(start.pressings, most, contacts_per_ball);
+        custom::reserve_for(start.balls, most);
+        custom::reserve_for(start.pressings, most, contacts_per_ball);
         start.blocked.reserve(std::min(most, layout_.gates().empty() ? 0 : most_near));
     }
-    custom::make_room(part_forces_, most, contacts_per_ball);
+    custom::reserve_for(part_forces_, most, contacts_per_ball);
     contact_solver_.reserve(most);
-    custom::make_room(members_, most);
-    custom::make_room(pending_, most, events_per_ball);
-    custom::make_room(woken_, most);
+    custom::reserve_for(members_, most);
+    custom::reserve_for(pending_, most, events_per_ball);
+    custom::reserve_for(woken_, most);
     if (flying_.size() < most) flying_.resize(most), rank_.resize(most);
     next_events_.reserve(most);
     cells_.reserve(most);
-    custom::make_room(pairs_, most, pairs_per_ball);
-    grips_.reserve(std::min(features_.size(), most_near));
+    custom::reserve_for(pairs_, most, pairs_per_ball);
+    supports_.reserve(std::min(features_.size(), most_near));
 }
 
 /// Pushes a ball that begins deep in a solid or on a curve out of it, by position only; one that begins in a
 /// gate is on its way through. The deepest comes first; what then still overlaps is left for later steps.
-void ContinuousSolver::come_out(Place i) {
+void ContinuousSolver::come_out(BallIndex i) {
     Ball& ball = bodies_[i];
     for (int round = 0; round < 4; ++round) {
         const Box here = bounds_of(ball.position, ball.radius);
@@ -97,8 +97,8 @@ void ContinuousSolver::come_out(Place i) {
             if (features_[f].piece == seen) continue;
             const Piece& piece = layout_.piece(features_[f].piece);
             const Pose pose = table_->pose(piece.part);
-            if (std::holds_alternative<Bow>(features_[f].is) &&
-                look(features_[f], pose.undo(ball.position), ball.radius).distance > ball.radius)
+            if (std::holds_alternative<Arc>(features_[f].is) &&
+                closest_point(features_[f], pose.undo(ball.position), ball.radius).distance > ball.radius)
                 continue;
             seen = features_[f].piece;
             if (!stops(*table_, piece, pose, ball)) continue;
@@ -115,9 +115,9 @@ void ContinuousSolver::come_out(Place i) {
 /// Balls that pressed on each other when the window before ended; balls that touch, are pressed together, and
 /// neither bounce nor hop out of touch, with all whom they touch; and those that lie deep in one another,
 /// which flying freely would never come apart.
-void ContinuousSolver::find_piles() {
+void ContinuousSolver::find_islands() {
     members_.clear();
-    const auto join_once = [&](Place i) {
+    const auto join_once = [&](BallIndex i) {
         if (bodies_[i].asleep || flying_[i].pressed) return;
         join(i, 0);
         members_.push_back(i);
@@ -126,25 +126,25 @@ void ContinuousSolver::find_piles() {
         for (const BallNumber number : {pressing.a, pressing.b}) {
             const auto at = std::ranges::lower_bound(bodies_, number, {}, &Ball::number);
             if (at != bodies_.end() && at->number == number)
-                join_once(static_cast<Place>(at - bodies_.begin()));
+                join_once(static_cast<BallIndex>(at - bodies_.begin()));
         }
-    for (Place i = 0; i < movers_.size(); ++i) {
+    for (BallIndex i = 0; i < movers_.size(); ++i) {
         if (bodies_[i].asleep) continue;
-        cells_.each_near(i, [&](Place j) {
+        cells_.each_near(i, [&](BallIndex j) {
             ++record_->statistics.pair_tests;
-            if ((j > i || bodies_[j].asleep) && piled(i, j, false)) join_once(i), join_once(j);
+            if ((j > i || bodies_[j].asleep) && presses(i, j, false)) join_once(i), join_once(j);
         });
     }
     for (std::size_t seen = 0; seen < members_.size();) {
-        const Place i = members_[seen++];
-        cells_.each_near(i, [&](Place j) {
-            if (!flying_[j].pressed && piled(i, j, true)) join_once(j);
+        const BallIndex i = members_[seen++];
+        cells_.each_near(i, [&](BallIndex j) {
+            if (!flying_[j].pressed && presses(i, j, true)) join_once(j);
         });
     }
 }
 
 /// `leaning`: one of the two is in an island.
-bool ContinuousSolver::piled(Place i, Place j, bool leaning) const {
+bool ContinuousSolver::presses(BallIndex i, BallIndex j, bool leaning) const {
     const Ball &a = bodies_[i], &b = bodies_[j];
     const Vec2 between = a.position - b.position;
     const double near = touch_distance * std::min(a.radius, b.radius);
@@ -154,13 +154,13 @@ bool ContinuousSolver::piled(Place i, Place j, bool leaning) const {
     if (length_squared(between) < out * out) return true;
     const double apart = dot(a.velocity - b.velocity, unit(between));
     if (leaning) return std::abs(apart) <= scene_.rest_speed;
-    const double pressed = pressing(i, j, 0);
+    const double pressed = closing_acceleration(i, j, 0);
     if (pressed <= 1e-9 * length(scene_.gravity) || apart < -scene_.rest_speed) return false;
     return apart <= 0 || apart * apart <= 2 * pressed * near;
 }
 
 /// With what acceleration two balls that touch would come closer, were there no contact, m/s².
-double ContinuousSolver::pressing(Place i, Place j, double time) const {
+double ContinuousSolver::closing_acceleration(BallIndex i, BallIndex j, double time) const {
     const Path &a = movers_[i].way.path, &b = movers_[j].way.path;
     const Vec2 between = a.position(time) - b.position(time), n = unit(between);
     const double across = cross(n, a.velocity(time) - b.velocity(time));
@@ -170,7 +170,7 @@ double ContinuousSolver::pressing(Place i, Place j, double time) const {
 std::span<const Pair> ContinuousSolver::find_pairs(std::span<const Ball> balls) {
     pairs_.clear();
     if (!set_out_) return pairs_;
-    for (Place i = 0; i < movers_.size(); ++i) {
+    for (BallIndex i = 0; i < movers_.size(); ++i) {
         if (movers_[i].lost || bodies_[i].asleep) continue;
         if (movers_[i].near_part) pair_with_parts(balls, i);
         if (flying_[i].near_ball) pair_with_balls(balls, i);
@@ -178,7 +178,7 @@ std::span<const Pair> ContinuousSolver::find_pairs(std::span<const Ball> balls) 
     return pairs_;
 }
 
-void ContinuousSolver::pair_with_parts(std::span<const Ball> balls, Place i) {
+void ContinuousSolver::pair_with_parts(std::span<const Ball> balls, BallIndex i) {
     const Ball& ball = balls[rank_[i]];
     const Handle handle = layout_.size() + rank_[i];
     const Box box = touching_box(ball);
@@ -187,8 +187,9 @@ void ContinuousSolver::pair_with_parts(std::span<const Ball> balls, Place i) {
     for (const FeatureIndex f : movers_[i].near.list()) {
         if (!overlap(box, ranges_[f]) || !layers_meet(ball, features_[f])) continue;
         // The box of an arc is mostly empty.
-        if (std::holds_alternative<Bow>(features_[f].is) &&
-            look(features_[f], turnings_[features_[f].part].pose(read_at_).undo(ball.position), ball.radius)
+        if (std::holds_alternative<Arc>(features_[f].is) &&
+            closest_point(features_[f], turnings_[features_[f].part].pose(read_at_).undo(ball.position),
+                          ball.radius)
                     .distance > ball.radius * (1 + touch_distance))
             continue;
         const Pair pair{features_[f].piece, handle};
@@ -197,10 +198,10 @@ void ContinuousSolver::pair_with_parts(std::span<const Ball> balls, Place i) {
 }
 
 /// With sleepers, and those before it.
-void ContinuousSolver::pair_with_balls(std::span<const Ball> balls, Place i) {
+void ContinuousSolver::pair_with_balls(std::span<const Ball> balls, BallIndex i) {
     const Ball& ball = balls[rank_[i]];
     const Box box = touching_box(ball);
-    cells_.each_near(i, [&](Place j) {
+    cells_.each_near(i, [&](BallIndex j) {
         if ((j > i && !bodies_[j].asleep) || movers_[j].lost) return;
         ++record_->statistics.pair_tests;
         const Ball& other = balls[rank_[j]];

@@ -13,8 +13,8 @@
 /// meanwhile, then the ball is predicted again.
 ///
 /// A slow contact with a part (approach below rest_speed, or a hop too short to matter) holds: see
-/// holding.hpp. Balls that press on each other have no first impact. They are members of islands: at ticks,
-/// which lie on a grid of the world's time, one solve finds how all members move until the next
+/// resting_contact.hpp. Balls that press on each other have no first impact. They are members of islands: at
+/// ticks, which lie on a grid of the world's time, one solve finds how all members move until the next
 /// (contact_solver.hpp), and each then flies a hop that ends where the solve puts it. A slow touch of a
 /// member makes a ball a member until nothing has pressed on it for some ticks; a blow tears one out, so it
 /// runs through a heap by exact impacts. In islands the result is not exact, but it depends on no step
@@ -23,8 +23,8 @@
 #include "custom/continuous/candidates.hpp"
 #include "custom/continuous/cells.hpp"
 #include "custom/continuous/glides.hpp"
-#include "custom/continuous/holding.hpp"
 #include "custom/continuous/next_events.hpp"
+#include "custom/continuous/resting_contact.hpp"
 #include "custom/islands/contact_solver.hpp"
 #include "custom/layout.hpp"
 #include "custom/response.hpp"
@@ -68,7 +68,7 @@ class ContinuousSolver {
 
   private:
     enum class Next : std::uint8_t { nothing, feature, ball, look_again, sense, leave_bounds };
-    using Place = std::uint32_t;  ///< of a ball in the list
+    using BallIndex = std::uint32_t;  ///< of a ball in the list
 
     /// s: so long the forces between balls that press on each other are held constant.
     static constexpr double tick_length = 1.0 / 240;
@@ -98,118 +98,118 @@ class ContinuousSolver {
         Vec2 set_out_with, arrives_with;  ///< m/s, at the ends of a tick; in between its path hops
         Next next = Next::nothing;
         double next_time = 0;
-        std::uint32_t met = 0;          ///< FeatureIndex, Place or PartIndex by `next`
-        std::uint32_t met_changes = 0;  ///< the other ball's, when this was predicted
-        double last_time = -1;          ///< of its last event
-        double last_slow = -INFINITY;   ///< of its last slow touch of a ball
-        double last_hit = -INFINITY;    ///< of its last touch of a ball
-        int stalled = 0;                ///< events at that very time
-        int idle = 0;                   ///< events since its last impact that counts
-        double horizon = 0;             ///< s: it is listed in its cell until then
-        Box bounds;                     ///< of its way until then
-        const Feature* held = nullptr;  ///< what it rests on
-        const Feature* left = nullptr;  ///< what it just let go
-        Glides glides;                  ///< faces that it flies along
+        std::uint32_t met = 0;                ///< FeatureIndex, BallIndex or PartIndex by `next`
+        std::uint32_t met_changes = 0;        ///< the other ball's, when this was predicted
+        double last_time = -1;                ///< of its last event
+        double last_slow = -INFINITY;         ///< of its last slow touch of a ball
+        double last_hit = -INFINITY;          ///< of its last touch of a ball
+        int stalled = 0;                      ///< events at that very time
+        int idle = 0;                         ///< events since its last impact that counts
+        double horizon = 0;                   ///< s: it is listed in its cell until then
+        Box bounds;                           ///< of its way until then
+        const Feature* resting_on = nullptr;  ///< what it rests on
+        const Feature* released = nullptr;    ///< what it just let go
+        Glides glides;                        ///< faces that it flies along
         Candidates near;
-        HeldPath way;  ///< from its last event on
+        ConstrainedPath way;  ///< from its last event on
     };
     /// What happens at the same time is taken in an order that does not depend on who predicted it: first
     /// what meets no ball; then by the first ball, then by the second.
-    [[nodiscard]] static std::uint64_t order_of(Place i, Next next, std::uint32_t met);
+    [[nodiscard]] static std::uint64_t order_of(BallIndex i, Next next, std::uint32_t met);
 
     // The window as a whole (continuous_window.cpp).
     void take_places();
     void set_out_all();
     void handle_until(double time);
-    [[nodiscard]] Ball ball_at(Place i, double time) const;
+    [[nodiscard]] Ball ball_at(BallIndex i, double time) const;
     void report_until(double time, double now);
     void drop_lost();
 
     // What happens at its start, and which pairs are near when it is read (continuous_solver.cpp).
-    void come_out(Place i);
-    void find_piles();
-    [[nodiscard]] bool piled(Place i, Place j, bool leaning) const;
-    void pair_with_parts(std::span<const Ball> balls, Place i);
-    void pair_with_balls(std::span<const Ball> balls, Place i);
-    [[nodiscard]] double pressing(Place i, Place j, double time) const;
+    void come_out(BallIndex i);
+    void find_islands();
+    [[nodiscard]] bool presses(BallIndex i, BallIndex j, bool leaning) const;
+    void pair_with_parts(std::span<const Ball> balls, BallIndex i);
+    void pair_with_balls(std::span<const Ball> balls, BallIndex i);
+    [[nodiscard]] double closing_acceleration(BallIndex i, BallIndex j, double time) const;
 
     // Islands (continuous_islands.cpp).
-    void join(Place i, double time);
-    void leave(Place i);
-    void crush(Place first, double time);
-    void wait(Place i, double time);
+    void join(BallIndex i, double time);
+    void leave(BallIndex i);
+    void crush(BallIndex first, double time);
+    void wait(BallIndex i, double time);
     void tick(double time);
     void gather(double time, double duration);
-    void press_balls(Place i, Place j, double duration);
-    void press_parts(Place i, double time, double duration);
+    void press_balls(BallIndex i, BallIndex j, double duration);
+    void press_parts(BallIndex i, double time, double duration);
     void note_loads(double duration);
     void press(ContactSolver::Contact& contact, const Pressing& key, double duration);
-    void set_out_pressed(Place i, double time, const ContactSolver::Body& body);
-    void move_to(Place i, double time);
-    [[nodiscard]] Vec2 true_velocity(Place i, double time) const;
+    void set_out_pressed(BallIndex i, double time, const ContactSolver::Body& body);
+    void move_to(BallIndex i, double time);
+    [[nodiscard]] Vec2 true_velocity(BallIndex i, double time) const;
     [[nodiscard]] static std::pair<BallNumber, BallNumber> rank(const Pressing& p) { return {p.b, p.a}; }
     [[nodiscard]] double next_tick(double time) const;
     void follow(Ball& ball, const Mover& mover, double time) const;
-    [[nodiscard]] bool rattles(Place i, Place j, double approach, double time) const;
-    [[nodiscard]] bool in_slow_touch(Place i, Place j, double time) const;
-    [[nodiscard]] bool rests_on(Place i, const Feature& feature, const Pose& pose, double time) const;
+    [[nodiscard]] bool rattles(BallIndex i, BallIndex j, double approach, double time) const;
+    [[nodiscard]] bool in_slow_touch(BallIndex i, BallIndex j, double time) const;
+    [[nodiscard]] bool rests_on(BallIndex i, const Feature& feature, const Pose& pose, double time) const;
 
     // Gates (continuous_gates.cpp).
     void settle_gates(Table& table, std::vector<Ball>& balls);
     void settle_gate(Table& table, std::vector<Ball>& balls, PartIndex part);
     [[nodiscard]] bool lets_through(PartIndex part, const Ball& ball, double time) const;
-    [[nodiscard]] bool meet_gate(Place i, PartIndex part, double time);
+    [[nodiscard]] bool meet_gate(BallIndex i, PartIndex part, double time);
     void leave_gate(BallNumber ball, PartIndex part, double time);
     [[nodiscard]] double distance_to(PartIndex part, Vec2 center, double radius, const Pose& pose) const;
 
     // Predictions (continuous_predict.cpp).
-    void set_out(Place i, double time);
-    void predict(Place i, double time);
-    void predict_together(std::span<const Place> balls, double time);
-    void predict_with(Place i, double time, auto&& each_other);
-    void predict_features(Place i, double time);
+    void predict(BallIndex i, double time);
+    void predict_together(std::span<const BallIndex> balls, double time);
+    void predict_with(BallIndex i, double time, auto&& each_other);
+    void predict_features(BallIndex i, double time);
     [[nodiscard]] bool slides_to(const Mover& mover, const Ball& ball, const Feature& feature) const;
     [[nodiscard]] static bool glides_over(const Mover& mover, const Feature& feature, const Pose& pose);
-    void predict_ball(Place i, Place j, double time);
-    void predict_flying(Place i, Place j, double time);
-    void predict_loss(Place i, double time);
-    void list_in_cell(Place i, double time);
-    void cover_way(Place i, double time);
-    void enter_cell(Place i);
-    void schedule(Place i);
-    void offer(Place i, double time, Next next, std::uint32_t met = 0, std::uint32_t met_changes = 0);
+    void predict_ball(BallIndex i, BallIndex j, double time);
+    void predict_flying(BallIndex i, BallIndex j, double time);
+    void predict_loss(BallIndex i, double time);
+    void enter_cell(BallIndex i);
+    void schedule(BallIndex i);
+    void offer(BallIndex i, double time, Next next, std::uint32_t met = 0, std::uint32_t met_changes = 0);
     [[nodiscard]] double sense_time(PartIndex part, const Ball& ball, const Path& path, double time,
                                     bool inside) const;
-    [[nodiscard]] bool beside_moving_part(Place i);
     [[nodiscard]] bool ignores(const Feature& feature, const Ball& ball) const;
 
-    // Resting contacts (continuous_predict.cpp).
-    struct Grip {
-        Hold hold;
+    // Paths, and what a ball rests on (continuous_paths.cpp).
+    struct Support {
+        RestingContact contact;
         bool pressed = false;
         Vec2 way{};        ///< in which it leads the ball, unit
         double ahead = 0;  ///< how far, m
     };
+    void set_out(BallIndex i, double time);
+    void list_in_cell(BallIndex i, double time);
+    void cover_way(BallIndex i, double time);
+    [[nodiscard]] bool beside_moving_part(BallIndex i);
     void find_ways(const Ball& ball, double time);
-    [[nodiscard]] static bool goes_before(const Grip& grip, const Grip& other);
-    void find_grips(Place i, double time);
+    [[nodiscard]] static bool goes_before(const Support& support, const Support& other);
+    void find_supports(BallIndex i, double time);
     void note_glides(Mover& mover) const;
-    void take_hold(Place i, double time);
+    void choose_support(BallIndex i, double time);
 
     // Events (continuous_events.cpp).
-    void handle(Place i);
-    static void advance(Ball& ball, const HeldPath& way, double time);
+    void handle(BallIndex i);
+    static void advance(Ball& ball, const ConstrainedPath& way, double time);
     [[nodiscard]] bool leads_on(const Impact& impact, const Ball& ball) const;
-    void hit_feature(Place i, double time);
-    void hit_ball(Place i, double time);
-    void lose(Place i, double time);
-    void sense(Place i, double time);
+    void hit_feature(BallIndex i, double time);
+    void hit_ball(BallIndex i, double time);
+    void lose(BallIndex i, double time);
+    void sense(BallIndex i, double time);
     void release(PartIndex part, double time);
-    void go_on(Place i, double time);
+    void go_on(BallIndex i, double time);
     [[nodiscard]] bool inside(BallNumber ball, PartIndex part) const;
     void set_inside(BallNumber ball, PartIndex part, bool inside);
     void report(double time, EventKind kind, const Ball& ball, Other other, const Impact& impact, Vec2 point);
-    void wake_carried(Place i, double time);
+    void wake_carried(BallIndex i, double time);
 
     const Scene& scene_;
     const Layout& layout_;
@@ -245,14 +245,14 @@ class ContinuousSolver {
     std::vector<Flying> flying_;     ///< by place
     NextEvents next_events_;
     Cells cells_;
-    std::vector<Grip> grips_;
+    std::vector<Support> supports_;
     ContactSolver contact_solver_;
     /// Of the last tick in this window: on ball a by piece b; by b, then a.
     std::vector<Pressing> part_forces_;
-    double deepest_ = 0;          ///< m, of the overlaps of balls in islands
-    std::vector<Place> members_;  ///< of the islands at hand, in order
-    std::vector<Place> woken_;    ///< at the event at hand
-    std::vector<Place> rank_;     ///< of a ball among those read
+    double deepest_ = 0;              ///< m, of the overlaps of balls in islands
+    std::vector<BallIndex> members_;  ///< of the islands at hand, in order
+    std::vector<BallIndex> woken_;    ///< at the event at hand
+    std::vector<BallIndex> rank_;     ///< of a ball among those read
     std::vector<Pair> pairs_;
     std::array<State, 2> starts_;  ///< of the window, and of the one that is kept
     std::size_t current_ = 0, kept_ = 0;

@@ -33,7 +33,7 @@ void ContinuousSolver::take_places() {
     drop_lost();
     if (pool_.size() < bodies_.size()) reserve(bodies_.size());
     movers_ = std::span(pool_).first(bodies_.size());
-    for (Place i = 0; i < bodies_.size(); ++i) {
+    for (BallIndex i = 0; i < bodies_.size(); ++i) {
         Mover& mover = movers_[i];
         if (mover.number != bodies_[i].number) {
             mover.near.forget();
@@ -41,7 +41,7 @@ void ContinuousSolver::take_places() {
         }
         mover.number = bodies_[i].number;
         mover.lost = mover.crushed = mover.waits = mover.hops = false;
-        mover.held = mover.left = nullptr;
+        mover.resting_on = mover.released = nullptr;
         mover.last_time = -1;
         mover.last_slow = mover.last_hit = -INFINITY;
         mover.stalled = mover.idle = 0;
@@ -62,14 +62,14 @@ void ContinuousSolver::set_out_all() {
     set_out_ = true;
     next_events_.reset(bodies_.size());
     cells_.reset(bodies_);
-    for (Place i = 0; i < bodies_.size(); ++i) {
+    for (BallIndex i = 0; i < bodies_.size(); ++i) {
         if (!bodies_[i].asleep) come_out(i);
         set_out(i, 0);
     }
-    find_piles();
+    find_islands();
     tick(0);
     members_.clear();
-    for (Place i = 0; i < bodies_.size(); ++i)
+    for (BallIndex i = 0; i < bodies_.size(); ++i)
         if (!bodies_[i].asleep) members_.push_back(i);
     predict_together(members_, 0);
 }
@@ -87,7 +87,7 @@ void ContinuousSolver::handle_until(double time) {
 }
 
 /// The ball `time` seconds after the window's start.
-Ball ContinuousSolver::ball_at(Place i, double time) const {
+Ball ContinuousSolver::ball_at(BallIndex i, double time) const {
     const Mover& mover = movers_[i];
     Ball ball = bodies_[i];
     if (ball.asleep) return ball;
@@ -114,8 +114,8 @@ void ContinuousSolver::report_until(double time, double now) {
 void ContinuousSolver::read(double time, double now, std::vector<Ball>& balls) {
     balls.clear();
     read_at_ = time;
-    for (Place i = 0; i < movers_.size(); ++i) {
-        rank_[i] = static_cast<Place>(balls.size());
+    for (BallIndex i = 0; i < movers_.size(); ++i) {
+        rank_[i] = static_cast<BallIndex>(balls.size());
         if (!movers_[i].lost) balls.push_back(ball_at(i, time));
     }
     report_until(time, now);
@@ -128,8 +128,8 @@ void ContinuousSolver::end(double now, std::vector<Ball>& balls) {
 
 /// Forgets the movers of balls that were lost; their lists stay in the pool.
 void ContinuousSolver::drop_lost() {
-    Place kept = 0;
-    for (Place i = 0; i < movers_.size(); ++i) {
+    BallIndex kept = 0;
+    for (BallIndex i = 0; i < movers_.size(); ++i) {
         if (movers_[i].lost) continue;
         if (kept != i) std::swap(movers_[kept], movers_[i]);
         ++kept;

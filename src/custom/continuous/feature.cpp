@@ -56,8 +56,8 @@ class Taker {
         return std::move(features_);
     }
 
-    void operator()(const piece::Point& p) { add(Round{p.at, 0}); }
-    void operator()(const piece::Circle& c) { add(Round{c.center, c.radius}); }
+    void operator()(const piece::Point& p) { add(Circle{p.at, 0}); }
+    void operator()(const piece::Circle& c) { add(Circle{c.center, c.radius}); }
     void operator()(const piece::Segment& s) {
         Line line = face(s.a, s.b);
         if (gate_of(scene_.parts[part_]) == nullptr) {
@@ -67,20 +67,20 @@ class Taker {
         add(line);
     }
     void operator()(const piece::Arc& a) {
-        Bow bow = bow_of(a);
-        bow.before = reach({a.center + a.radius * bow.from, -perp(bow.from)});
-        bow.past = reach({a.center + a.radius * bow.to, perp(bow.to)});
-        add(bow);
+        Arc arc = arc_of(a);
+        arc.before = reach({a.center + a.radius * arc.from, -perp(arc.from)});
+        arc.past = reach({a.center + a.radius * arc.to, perp(arc.to)});
+        add(arc);
     }
     void operator()(const piece::Polygon& p) {
         for (std::size_t i = 0; i < p.points.size(); ++i) {
             add(face(p.points[i], p.points[(i + 1) % p.points.size()]));
-            add(Round{p.points[i], 0});
+            add(Circle{p.points[i], 0});
         }
     }
     void operator()(const piece::Taper& t) {
-        add(Round{t.a, t.radius_a});
-        add(Round{t.b, t.radius_b});
+        add(Circle{t.a, t.radius_a});
+        add(Circle{t.b, t.radius_b});
         // The outer tangents: their normals make the angle acos((r_a − r_b)/l) with the axis.
         const Vec2 axis = t.b - t.a;
         const double l = length(axis), c = (t.radius_a - t.radius_b) / l, s = std::sqrt(1 - c * c);
@@ -131,25 +131,25 @@ struct Looker {
     Vec2 point;
     double radius = 0;
 
-    Sight operator()(const Line& line) const {
+    Closest operator()(const Line& line) const {
         const Vec2 from_start = point - line.start;
         const double s = dot(from_start, line.along), d = cross(line.along, from_start);
         const bool facing = s >= -line.before.of(radius) && s <= line.length + line.past.of(radius);
         return {std::abs(d), d >= 0 ? perp(line.along) : -perp(line.along), facing};
     }
-    Sight operator()(const Bow& bow) const {
-        const Vec2 out = point - bow.center;
-        const double d = length(out), off = d - bow.radius;
-        const double past_from = cross(bow.from, out) + bow.before.of(radius);
-        const double before_to = cross(out, bow.to) + bow.past.of(radius);
+    Closest operator()(const Arc& arc) const {
+        const Vec2 out = point - arc.center;
+        const double d = length(out), off = d - arc.radius;
+        const double past_from = cross(arc.from, out) + arc.before.of(radius);
+        const double before_to = cross(out, arc.to) + arc.past.of(radius);
         const bool facing =
-            bow.full || (bow.wide ? past_from >= 0 || before_to >= 0 : past_from >= 0 && before_to >= 0);
+            arc.full || (arc.wide ? past_from >= 0 || before_to >= 0 : past_from >= 0 && before_to >= 0);
         const Vec2 n = unit(out);
         return {std::abs(off), off >= 0 ? n : -n, facing};
     }
-    Sight operator()(const Round& round) const {
-        const Vec2 out = point - round.center;
-        return {length(out) - round.radius, unit(out), true};
+    Closest operator()(const Circle& circle) const {
+        const Vec2 out = point - circle.center;
+        return {length(out) - circle.radius, unit(out), true};
     }
 };
 
@@ -165,17 +165,19 @@ struct ClearOf {
         return std::max(s_a, s_b) < -line.before.of(radius) - sag ||
                std::min(s_a, s_b) > line.length + line.past.of(radius) + sag;
     }
-    bool operator()(const Bow& bow) const {
-        if (beyond(bow.center, bow.radius + radius + sag)) return true;
+    bool operator()(const Arc& arc) const {
+        if (beyond(arc.center, arc.radius + radius + sag)) return true;
         // The arc lies beyond the chord of its ends, but for what it reaches past them.
-        const double past = std::max(bow.before.of(radius), bow.past.of(radius)) + radius + sag;
-        const double high = std::max(dot(bow.middle, a - bow.center), dot(bow.middle, b - bow.center));
-        if (high < bow.radius * bow.half_cosine - past) return true;
-        const double inner = bow.radius - radius - sag;
+        const double past = std::max(arc.before.of(radius), arc.past.of(radius)) + radius + sag;
+        const double high = std::max(dot(arc.middle, a - arc.center), dot(arc.middle, b - arc.center));
+        if (high < arc.radius * arc.half_cosine - past) return true;
+        const double inner = arc.radius - radius - sag;
         return inner > 0 &&
-               std::max(length_squared(a - bow.center), length_squared(b - bow.center)) < inner * inner;
+               std::max(length_squared(a - arc.center), length_squared(b - arc.center)) < inner * inner;
     }
-    bool operator()(const Round& round) const { return beyond(round.center, round.radius + radius + sag); }
+    bool operator()(const Circle& circle) const {
+        return beyond(circle.center, circle.radius + radius + sag);
+    }
 
   private:
     [[nodiscard]] bool beyond(Vec2 center, double reach) const {
@@ -185,7 +187,7 @@ struct ClearOf {
 
 }  // namespace
 
-Bow bow_of(const piece::Arc& arc) {
+Arc arc_of(const piece::Arc& arc) {
     const double half = std::min((arc.to - arc.from) / 2, std::numbers::pi);
     return {.center = arc.center,
             .radius = arc.radius,
@@ -203,7 +205,7 @@ std::vector<Feature> features_of(std::span<const Piece> pieces, const Scene& sce
     return Taker(pieces, scene).take(pieces);
 }
 
-Sight look(const Feature& feature, Vec2 point, double radius) {
+Closest closest_point(const Feature& feature, Vec2 point, double radius) {
     return std::visit(Looker{point, radius}, feature.is);
 }
 
@@ -211,10 +213,10 @@ bool clear_of(const Feature& feature, Vec2 a, Vec2 b, double radius, double sag)
     return std::visit(ClearOf{a, b, radius, sag}, feature.is);
 }
 
-bool ends_in(const Feature& face, Vec2 normal, const Feature& round) {
-    const auto* there = std::get_if<Round>(&round.is);
+bool ends_in(const Feature& face, Vec2 normal, const Feature& circle) {
+    const auto* there = std::get_if<Circle>(&circle.is);
     if (there == nullptr) return false;
-    // Where a ball on this side of the end would touch the round.
+    // Where a ball on this side of the end would touch the circle.
     const auto goes_on = [&](Vec2 end, Vec2 n) {
         constexpr double rounding = 64 * 0x1p-53;
         const double size = std::abs(end.x) + std::abs(end.y) + there->radius;
@@ -224,10 +226,10 @@ bool ends_in(const Feature& face, Vec2 normal, const Feature& round) {
         const Vec2 n = cross(line->along, normal) >= 0 ? perp(line->along) : -perp(line->along);
         return goes_on(line->start, n) || goes_on(line->start + line->length * line->along, n);
     }
-    const auto* bow = std::get_if<Bow>(&face.is);
-    if (bow == nullptr || bow->full) return false;
-    return std::ranges::any_of(std::array{bow->from, bow->to}, [&](Vec2 end) {
-        const Vec2 at = bow->center + bow->radius * end;
+    const auto* arc = std::get_if<Arc>(&face.is);
+    if (arc == nullptr || arc->full) return false;
+    return std::ranges::any_of(std::array{arc->from, arc->to}, [&](Vec2 end) {
+        const Vec2 at = arc->center + arc->radius * end;
         return goes_on(at, end) || goes_on(at, -end);
     });
 }
@@ -237,14 +239,14 @@ double ahead(const Feature& feature, Vec2 point, Vec2 direction, double radius) 
         const double s = dot(point - line->start, line->along);
         return dot(direction, line->along) > 0 ? line->length - s : s;
     }
-    const auto* bow = std::get_if<Bow>(&feature.is);
-    if (bow == nullptr) return 1e-9 * radius;
-    if (bow->full) return INFINITY;
-    const Vec2 out = point - bow->center;
+    const auto* arc = std::get_if<Arc>(&feature.is);
+    if (arc == nullptr) return 1e-9 * radius;
+    if (arc->full) return INFINITY;
+    const Vec2 out = point - arc->center;
     const bool anticlockwise = cross(out, direction) > 0;
-    const Vec2 a = anticlockwise ? out : bow->from, b = anticlockwise ? bow->to : out;
+    const Vec2 a = anticlockwise ? out : arc->from, b = anticlockwise ? arc->to : out;
     const double angle = math::atan2(cross(a, b), dot(a, b));
-    return bow->radius * (angle < -joint_angle ? angle + 2 * std::numbers::pi : angle);
+    return arc->radius * (angle < -joint_angle ? angle + 2 * std::numbers::pi : angle);
 }
 
 Feature posed(const Feature& feature, const Pose& pose) {
@@ -252,13 +254,13 @@ Feature posed(const Feature& feature, const Pose& pose) {
     if (auto* line = std::get_if<Line>(&turned.is)) {
         line->start = pose.apply(line->start);
         line->along = rotated(line->along, pose.angle);
-    } else if (auto* bow = std::get_if<Bow>(&turned.is)) {
-        bow->center = pose.apply(bow->center);
-        bow->from = rotated(bow->from, pose.angle);
-        bow->to = rotated(bow->to, pose.angle);
-        bow->middle = rotated(bow->middle, pose.angle);
-    } else if (auto* round = std::get_if<Round>(&turned.is)) {
-        round->center = pose.apply(round->center);
+    } else if (auto* arc = std::get_if<Arc>(&turned.is)) {
+        arc->center = pose.apply(arc->center);
+        arc->from = rotated(arc->from, pose.angle);
+        arc->to = rotated(arc->to, pose.angle);
+        arc->middle = rotated(arc->middle, pose.angle);
+    } else if (auto* circle = std::get_if<Circle>(&turned.is)) {
+        circle->center = pose.apply(circle->center);
     }
     return turned;
 }
@@ -268,7 +270,8 @@ Box bounds_of(const Feature& feature, const Piece& piece) {
         const Vec2 a = line->start, b = a + line->length * line->along;
         return united(bounds_of(a, 0), bounds_of(b, 0));
     }
-    if (const auto* round = std::get_if<Round>(&feature.is)) return bounds_of(round->center, round->radius);
+    if (const auto* circle = std::get_if<Circle>(&feature.is))
+        return bounds_of(circle->center, circle->radius);
     return bounds_of(piece);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 /// The surface of the table as the continuous solver sees it: every piece taken apart into lines, arcs
-/// and rounds (points, corners, caps, circles), each with a distance whose second derivative is bounded
+/// and circles (points, corners and caps too), each with a distance whose second derivative is bounded
 /// along any smooth path. A disc of radius r touches a feature where its centre's distance is r.
 ///
 /// Solid shapes are their outlines here: a centre outside can only come in through the outline.
@@ -15,7 +15,7 @@
 
 namespace flipside::custom {
 
-/// How far a curve reaches past its end. Nothing past an end where a round stands; at a smooth joint or
+/// How far a curve reaches past its end. Nothing past an end where a circle stands; at a smooth joint or
 /// a tangent point past the joint's own gap and kink, and the rounding of positions there, so that nothing
 /// slips through. What it holds it keeps a little further, so that it does not touch again what it let go of
 /// there. (No further than that: on a curve the ball turns meanwhile.)
@@ -40,7 +40,7 @@ struct Line {
 };
 
 /// Two-sided arc, anticlockwise between two unit directions.
-struct Bow {
+struct Arc {
     Vec2 center;
     double radius = 0;
     Vec2 from, to;
@@ -52,13 +52,13 @@ struct Bow {
 };
 
 /// The outside of a circle; radius 0 is a point.
-struct Round {
+struct Circle {
     Vec2 center;
     double radius = 0;
 };
 
 struct Feature {
-    std::variant<Line, Bow, Round> is;
+    std::variant<Line, Arc, Circle> is;
     std::uint32_t piece = 0;  ///< index into the pieces given
     PartIndex part = 0;
     // Of the part, kept at hand.
@@ -68,30 +68,30 @@ struct Feature {
 };
 
 /// Of an arc, reaching past neither end.
-[[nodiscard]] Bow bow_of(const piece::Arc& arc);
+[[nodiscard]] Arc arc_of(const piece::Arc& arc);
 
 /// In the order of the pieces, so by part. Cost: linear (joints: n log n).
 [[nodiscard]] std::vector<Feature> features_of(std::span<const Piece> pieces, const Scene& scene);
 
 /// A point as seen from a feature, both in the pose of the scene file.
-struct Sight {
+struct Closest {
     double distance = 0;  ///< m, of the point from the (endless) curve, ≥ 0
     Vec2 normal;          ///< unit, from the curve to the point: the gradient of the distance
     bool facing = true;   ///< the nearest point of the curve lies between its ends
 };
-[[nodiscard]] Sight look(const Feature& feature, Vec2 point, double radius);
+[[nodiscard]] Closest closest_point(const Feature& feature, Vec2 point, double radius);
 
 /// Whether a disc whose centre stays within `sag` of the chord from a to b surely does not touch the feature
 /// (in the pose of the scene file). Cheap, and true only where that is easy to see.
 [[nodiscard]] bool clear_of(const Feature& feature, Vec2 a, Vec2 b, double radius, double sag);
 
-/// Whether a ball that slides along the face to one of its ends there meets the round without any approach,
-/// since the round is the end itself or goes on smoothly; `normal` is the face's towards the ball. Both in
+/// Whether a ball that slides along the face to one of its ends there meets the circle without any approach,
+/// since the circle is the end itself or goes on smoothly; `normal` is the face's towards the ball. Both in
 /// the same pose.
-[[nodiscard]] bool ends_in(const Feature& face, Vec2 normal, const Feature& round);
+[[nodiscard]] bool ends_in(const Feature& face, Vec2 normal, const Feature& circle);
 
 /// How far a ball of this radius that lies on the feature at `point` can move along `direction` (unit) until
-/// its end, m. A round, which goes on from where a face ends, counts as one that is about to end.
+/// its end, m. A circle, which goes on from where a face ends, counts as one that is about to end.
 [[nodiscard]] double ahead(const Feature& feature, Vec2 point, Vec2 direction, double radius);
 
 /// The feature turned into a pose.

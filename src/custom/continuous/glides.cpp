@@ -11,8 +11,8 @@ bool Glides::above(const Feature& feature) const {
         }
         return false;
     };
-    if (const auto* round = std::get_if<Round>(&feature.is)) return below(round->center, round->radius);
-    if (const auto* bow = std::get_if<Bow>(&feature.is)) return below(bow->center, bow->radius);
+    if (const auto* circle = std::get_if<Circle>(&feature.is)) return below(circle->center, circle->radius);
+    if (const auto* arc = std::get_if<Arc>(&feature.is)) return below(arc->center, arc->radius);
     return false;
 }
 

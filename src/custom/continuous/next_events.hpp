@@ -13,7 +13,7 @@ namespace flipside::custom {
 
 class NextEvents {
   public:
-    using Place = std::uint32_t;
+    using BallIndex = std::uint32_t;
 
     void reserve(std::size_t balls) {
         const std::size_t players = std::bit_ceil(balls + 1);
@@ -28,16 +28,16 @@ class NextEvents {
         for (std::size_t match = players; --match > 0;) winners_[match] = winner_of(2 * match);
     }
     /// The next event of a ball is at this time; INFINITY if it has none.
-    void set(Place i, double time, std::uint64_t order) {
+    void set(BallIndex i, double time, std::uint64_t order) {
         events_[i] = {time, order};
         for (std::size_t match = (events_.size() + i) / 2; match > 0; match /= 2) {
-            const Place winner = winner_of(2 * match);
+            const BallIndex winner = winner_of(2 * match);
             if (winner != i && winner == winners_[match]) return;  // won, and wins on, against i
             winners_[match] = winner;
         }
     }
     /// Whose event comes first; its time is time().
-    [[nodiscard]] Place first() const { return winners_[1]; }
+    [[nodiscard]] BallIndex first() const { return winners_[1]; }
     [[nodiscard]] double time() const { return events_[winners_[1]].time; }
 
   private:
@@ -45,19 +45,19 @@ class NextEvents {
         double time = INFINITY;
         std::uint64_t order = ~std::uint64_t{0};
     };
-    [[nodiscard]] Place player(std::size_t node) const {
-        return node >= events_.size() ? static_cast<Place>(node - events_.size()) : winners_[node];
+    [[nodiscard]] BallIndex player(std::size_t node) const {
+        return node >= events_.size() ? static_cast<BallIndex>(node - events_.size()) : winners_[node];
     }
     /// Of the match between a node and the one beside it.
-    [[nodiscard]] Place winner_of(std::size_t node) const {
-        const Place a = player(node), b = player(node + 1);
+    [[nodiscard]] BallIndex winner_of(std::size_t node) const {
+        const BallIndex a = player(node), b = player(node + 1);
         const Event &x = events_[a], &y = events_[b];
         if (x.time != y.time) return x.time < y.time ? a : b;
         return x.order <= y.order ? a : b;
     }
 
-    std::vector<Event> events_;   ///< by place, a power of two of them
-    std::vector<Place> winners_;  ///< of each match; node k plays under node k/2
+    std::vector<Event> events_;       ///< by place, a power of two of them
+    std::vector<BallIndex> winners_;  ///< of each match; node k plays under node k/2
 };
 
 }  // namespace flipside::custom

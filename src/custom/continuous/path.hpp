@@ -1,6 +1,6 @@
 #pragma once
 /// The path of a ball from one event to the next: a flight in closed form, or, for a ball that swings
-/// on a curved or turning surface (holding.hpp), the Taylor polynomial of its position.
+/// on a curved or turning surface (resting_contact.hpp), the Taylor polynomial of its position.
 
 #include <array>
 
@@ -37,8 +37,8 @@ struct Path {
     [[nodiscard]] Motion at(double time) const {
         const double t = time - start;
         if (swings) return {flight.position + horner(t), slope(t)};
-        const Stretch stretch(flight.drag, t);
-        return {flight.position + flight.displacement(stretch), flight.velocity_after(stretch)};
+        const TimeInterval interval(flight.drag, t);
+        return {flight.position + flight.displacement(interval), flight.velocity_after(interval)};
     }
     /// Bounds on speed and acceleration from the start to `time`.
     [[nodiscard]] double max_speed(double time) const {

@@ -18,25 +18,25 @@ double first_fall(double gap, double rate, double bend, double drag) {
     if (drag <= 0) return first_fall(gap, rate, bend);
     if (gap <= 0 && rate < 0) return 0;
     if (rate >= 0 && bend >= 0) return never_touch;
-    const auto gap_at = [&](const Stretch& s) { return gap + s.shrunk * rate + s.fallen * bend; };
+    const auto gap_at = [&](const TimeInterval& s) { return gap + s.shrunk * rate + s.fallen * bend; };
     // The second derivative keeps its sign and fades; the slope changes its own once at most, at `turn`.
     const double curve = bend - drag * rate;
     const double turn = rate * bend < 0 ? drag_turn(rate, bend, drag) : never_touch;
     double t = 0;
     if (rate >= 0) {
         if (rate > 0) t = turn;
-        const double top = gap_at(Stretch(drag, t));
+        const double top = gap_at(TimeInterval(drag, t));
         if (top <= 0) return t;
         t += std::sqrt(2 * top / -bend);
     } else {
-        const double deepest = turn < never_touch ? gap_at(Stretch(drag, turn)) : gap + rate / drag;
+        const double deepest = turn < never_touch ? gap_at(TimeInterval(drag, turn)) : gap + rate / drag;
         if (bend >= 0 && deepest > 0) return never_touch;
         if (const double without = first_fall(gap, rate, curve); without < turn) t = without;
     }
     // Newton's steps. After the first they come from the side from which they cannot jump the root.
     constexpr int most_steps = 100;  // grazes take about 50
     for (int step = 0; step < most_steps; ++step) {
-        const Stretch s(drag, t);
+        const TimeInterval s(drag, t);
         const double slope = s.kept * rate + s.shrunk * bend;
         if (slope >= 0) return t;
         const double next = std::max(0.0, t - gap_at(s) / slope);
@@ -107,30 +107,32 @@ struct GapTo {
         return {side * d - radius, side * cross(line.along, q.velocity), q.top_acceleration, INFINITY,
                 std::max(until_inside(before, -along), until_inside(past, along))};
     }
-    Gap operator()(const Bow& bow) const {
-        const Vec2 out = q.at - bow.center;
-        const double d = length(out), off = d - bow.radius, side = off >= 0 ? 1 : -1;
+    Gap operator()(const Arc& arc) const {
+        const Vec2 out = q.at - arc.center;
+        const double d = length(out), off = d - arc.radius, side = off >= 0 ? 1 : -1;
         const double slope = d > 0 ? side * dot(out, q.velocity) / d : -q.top_speed;
         // Inside, the distance from the centre shrinks; half of it bounds the curvature for a while.
-        const double nearest = side > 0 ? bow.radius : 0.5 * std::max(d, 1e-300);
+        const double nearest = side > 0 ? arc.radius : 0.5 * std::max(d, 1e-300);
         Gap gap{side * off - radius, slope, q.top_acceleration + q.top_speed * q.top_speed / nearest,
-                side > 0 ? INFINITY : nearest / q.top_speed, bow.full ? 0 : until_facing(bow, out)};
+                side > 0 ? INFINITY : nearest / q.top_speed, arc.full ? 0 : until_facing(arc, out)};
         if (slope > 0) gap.lifting = surely_lifts(q, out, d, side, nearest);
         return gap;
     }
-    Gap operator()(const Round& round) const { return gap_to_disc(q, round.center, radius + round.radius); }
+    Gap operator()(const Circle& circle) const {
+        return gap_to_disc(q, circle.center, radius + circle.radius);
+    }
 
   private:
     /// `out` is how far outside.
     [[nodiscard]] double until_inside(double out, double slope) const {
         return out > 0 ? surely_free(out, slope, q.top_acceleration) : 0;
     }
-    [[nodiscard]] double until_facing(const Bow& bow, Vec2 out) const {
-        const double before = -cross(bow.from, out) - bow.before.of(radius);
-        const double past = -cross(out, bow.to) - bow.past.of(radius);
-        const double a = until_inside(before, -cross(bow.from, q.velocity));
-        const double b = until_inside(past, -cross(q.velocity, bow.to));
-        return bow.wide ? std::min(a, b) : std::max(a, b);
+    [[nodiscard]] double until_facing(const Arc& arc, Vec2 out) const {
+        const double before = -cross(arc.from, out) - arc.before.of(radius);
+        const double past = -cross(out, arc.to) - arc.past.of(radius);
+        const double a = until_inside(before, -cross(arc.from, q.velocity));
+        const double b = until_inside(past, -cross(q.velocity, arc.to));
+        return arc.wide ? std::min(a, b) : std::max(a, b);
     }
 };
 
@@ -205,9 +207,9 @@ double search_turning(const Feature& feature, Pose begin, double rate, double be
         const auto [p, u] = path.at(t);
         const Pose pose{begin.pivot, begin.angle + rate * (t - begin_time)};
         if (w == 0) {
-            const Vec2 pull = path.flight.acceleration - drag * u;
-            if (pose.angle == 0) return Moving{pose.undo(p), u, v, a, pull, jerk};
-            return Moving{pose.undo(p), rotated(u, -pose.angle), v, a, rotated(pull, -pose.angle), jerk};
+            const Vec2 driving = path.flight.acceleration - drag * u;
+            if (pose.angle == 0) return Moving{pose.undo(p), u, v, a, driving, jerk};
+            return Moving{pose.undo(p), rotated(u, -pose.angle), v, a, rotated(driving, -pose.angle), jerk};
         }
         const Vec2 relative = u - cross(rate, p - begin.pivot);
         const double far = length(p - begin.pivot) + v * (t1 - t), top = v + w * far;
@@ -221,7 +223,7 @@ double search_turning(const Feature& feature, Pose begin, double rate, double be
 bool comes_out(double gap, double rate, double bend, double drag) {
     if (rate <= 0 || bend >= 0 || rate * rate + 2 * gap * bend <= 0) return false;
     if (drag <= 0) return true;
-    const Stretch top(drag, drag_turn(rate, bend, drag));
+    const TimeInterval top(drag, drag_turn(rate, bend, drag));
     return gap + top.shrunk * rate + top.fallen * bend > 0;
 }
 
@@ -241,7 +243,8 @@ double touch_line(const Line& line, const Path& path, double radius, double t0, 
         if (side * d < 0 && !comes_out(gap, side * slope, side * bend, drag)) continue;
         if (gap == 0 && slope == 0) continue;  // slides along, or is held
         const double t = first_fall(gap, side * slope, side * bend, drag);
-        if (t <= t1 - t0 && t < first && look({line, 0, 0}, path.position(t0 + t), radius).facing) first = t;
+        if (t <= t1 - t0 && t < first && closest_point({line, 0, 0}, path.position(t0 + t), radius).facing)
+            first = t;
     }
     return t0 + first;
 }
@@ -291,10 +294,10 @@ double time_of_impact(const Feature& feature, const Turning& turning, const Path
     const Flight& flight = path.flight;
     if (path.swings) return search_impact(feature, turning, path, radius, t0, t1, steps);
     if (const auto* line = std::get_if<Line>(&feature.is)) return touch_line(*line, path, radius, t0, t1);
-    if (const auto* round = std::get_if<Round>(&feature.is);
-        round && flight.acceleration == Vec2{} && flight.drag <= 0) {
+    if (const auto* circle = std::get_if<Circle>(&feature.is);
+        circle && flight.acceleration == Vec2{} && flight.drag <= 0) {
         const Vec2 p = path.position(t0);
-        const double t = t0 + straight_touch(p - round->center, flight.velocity, radius + round->radius,
+        const double t = t0 + straight_touch(p - circle->center, flight.velocity, radius + circle->radius,
                                              gap_rounding(p, radius));
         return t <= t1 ? t : never_touch;
     }
@@ -315,7 +318,7 @@ double time_of_impact(const Path& a, const Path& b, double radii, double t0, dou
     // Equal accelerations cancel, and drag shrinks time for both alike: straight motion.
     const Vec2 p = a.position(t0), q = b.position(t0);
     const double e = straight_touch(p - q, a.velocity(t0) - b.velocity(t0), radii, gap_rounding(p, q, radii));
-    const double t = t0 + drag_stretch(a.flight.drag, e);
+    const double t = t0 + drag_time(a.flight.drag, e);
     return t <= t1 ? t : never_touch;
 }
 

@@ -40,7 +40,7 @@ namespace flipside::custom {
     return {{box.min.x - margin, box.min.y - margin}, {box.max.x + margin, box.max.y + margin}};
 }
 
-/// Of the stretch between a and b the point nearest to p, and the squared distance from there.
+/// Of the interval between a and b the point nearest to p, and the squared distance from there.
 [[nodiscard]] inline Vec2 nearest_on(Vec2 p, Vec2 a, Vec2 b) {
     const Vec2 along = b - a;
     const double ahead = dot(p - a, along), l = length_squared(along);

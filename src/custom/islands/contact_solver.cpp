@@ -4,7 +4,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "custom/broad_phase/room.hpp"
+#include "custom/broad_phase/capacity.hpp"
 
 namespace flipside::custom {
 
@@ -23,9 +23,9 @@ constexpr double overlap_left = 1e-4;
 }  // namespace
 
 void ContactSolver::reserve(std::size_t balls) {
-    make_room(bodies_, 2 * balls);
-    make_room(contacts_, balls, contacts_per_ball);
-    make_room(moved_from_, 2 * balls);
+    reserve_for(bodies_, 2 * balls);
+    reserve_for(contacts_, balls, contacts_per_ball);
+    reserve_for(moved_from_, 2 * balls);
 }
 
 /// An impulse along the normal, and one along perp(normal).
@@ -76,7 +76,7 @@ ContactSolver::Progress ContactSolver::sweep() {
 
 /// Goes on in the direction of the sweeps before, as far as the last one got on (Fletcher and Reeves). When
 /// that was farther than the one before, the direction led astray: it is given up.
-void ContactSolver::run_on(double norm, double norm_before) {
+void ContactSolver::extrapolate(double norm, double norm_before) {
     const bool first = norm_before == 0, astray = norm >= norm_before;
     const double share = first || astray ? 0 : norm / norm_before;
     for (Contact& contact : contacts_) {
@@ -94,7 +94,7 @@ void ContactSolver::run_on(double norm, double norm_before) {
 }
 
 /// Where a contact still closes too fast, stops the upper ball.
-void ContactSolver::brace(const Contact& contact) {
+void ContactSolver::propagate_shock(const Contact& contact) {
     Body &upper = bodies_[contact.upper], &lower = bodies_[contact.lower];
     const double closing = -dot(upper.velocity - lower.velocity, contact.normal) - contact.closing;
     if (closing <= 0) return;
@@ -184,14 +184,14 @@ void ContactSolver::solve(double duration, Vec2 gravity) {
         for (;;) {
             const Progress progress = sweep();
             if (progress.most <= enough || ++round == most_sweeps) break;
-            run_on(progress.norm, norm_before);
+            extrapolate(progress.norm, norm_before);
             norm_before = progress.norm;
         }
         if (round < most_sweeps || energy(duration, gravity) <= energy_before) break;
     }
     // From below, so that one pass does it for a column.
-    for (const Contact& contact : contacts_) brace(contact);
-    each_still([&](const Contact& contact) { brace(contact); });
+    for (const Contact& contact : contacts_) propagate_shock(contact);
+    each_still([&](const Contact& contact) { propagate_shock(contact); });
 }
 
 }  // namespace flipside::custom

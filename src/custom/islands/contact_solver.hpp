@@ -98,8 +98,8 @@ class ContactSolver {
     double move_apart(Contact& contact);
     void move_apart(Vec2 gravity);
     void each_still(auto&& visit);
-    void run_on(double norm, double norm_before);
-    void brace(const Contact& contact);
+    void extrapolate(double norm, double norm_before);
+    void propagate_shock(const Contact& contact);
 
     std::vector<Body> bodies_;
     std::vector<Contact> contacts_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "custom/broad_phase/room.hpp"
+#include "custom/broad_phase/capacity.hpp"
 
 namespace flipside::custom {
 
@@ -25,9 +25,9 @@ std::size_t index_of(std::span<const Ball> balls, BallNumber number) {
 }  // namespace
 
 void Sleep::reserve(std::size_t balls) {
-    make_room(before_, balls);
-    make_room(findings_, balls);
-    make_room(carried_, balls, contacts_per_ball);
+    reserve_for(before_, balls);
+    reserve_for(findings_, balls);
+    reserve_for(carried_, balls, contacts_per_ball);
 }
 
 /// Below this a ball may be at rest, m/s.
@@ -112,14 +112,14 @@ void Sleep::find_rest(std::span<const Ball> balls) {
 
 /// Whether a ball did over the moment only what rest allows.
 bool Sleep::rested(const Before& before, const Ball& ball, bool in_company) const {
-    const double pull = length(gravity_) * moment_;
-    if (pull == 0) return ball.velocity == Vec2{} && before.velocity == Vec2{} && ball.spin == 0;
+    const double fall = length(gravity_) * moment_;
+    if (fall == 0) return ball.velocity == Vec2{} && before.velocity == Vec2{} && ball.spin == 0;
     const double slowest = slow(in_company);
-    const double steady = in_company ? company_gain * pull : 1e-3 * pull + 1e-2 * speed_;
+    const double steady = in_company ? company_gain * fall : 1e-3 * fall + 1e-2 * speed_;
     return length(ball.velocity) < slowest && length(before.velocity) < slowest &&
            std::abs(ball.spin) * ball.radius < slowest &&
            length(ball.position - before.position) < slowest * moment_ &&
-           length(ball.velocity - before.velocity) <= std::min(steady, falling * pull);
+           length(ball.velocity - before.velocity) <= std::min(steady, falling * fall);
 }
 
 }  // namespace flipside::custom

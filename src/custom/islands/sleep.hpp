@@ -1,7 +1,7 @@
 #pragma once
 /// Falling asleep. A ball sleeps when it has been at rest for a moment, so have all awake balls that it
 /// touches, and all balls that carry it sleep. What they did in that one moment decides, so there is no timer
-/// that a saved state would have to hold. A heap falls asleep ball by ball, from below.
+/// that a saved state would have to contact. A heap falls asleep ball by ball, from below.
 ///
 /// Its approximation, *early rest*: a ball alone is stopped when slower than sleep_speed, balls in touch when
 /// slower than a twentieth of what gravity gives in the moment: so much motion the contact solver leaves

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "custom/broad_phase/room.hpp"
+#include "custom/broad_phase/capacity.hpp"
 #include "custom/engine.hpp"
 #include "custom/flight.hpp"
 #include "custom/simple/decide_gate.hpp"
@@ -15,16 +15,16 @@ SimpleSolver::SimpleSolver(const Scene& scene, const Layout& layout, const Solve
     : scene_(scene), layout_(layout), settings_(settings) {}
 
 void SimpleSolver::reserve(std::size_t balls) {
-    make_room(started_, balls);
-    make_room(moving_, layout_.size() + balls);
-    make_room(pairs_, balls, pairs_per_ball);
+    reserve_for(started_, balls);
+    reserve_for(moving_, layout_.size() + balls);
+    reserve_for(pairs_, balls, pairs_per_ball);
 }
 
 void SimpleSolver::step(Table& table, std::vector<Ball>& balls, double dt, BroadPhase& broad,
                         StepRecord& record) {
     table_ = &table, balls_ = &balls, record_ = &record;
     const double duration = dt / settings_.motion_iterations;
-    const Stretch interval(scene_.damping, duration);
+    const TimeInterval interval(scene_.damping, duration);
     Stopwatch watch;
     for (int motion = 1; motion <= settings_.motion_iterations; ++motion) {
         ahead_ = motion * duration;
@@ -41,7 +41,7 @@ void SimpleSolver::step(Table& table, std::vector<Ball>& balls, double dt, Broad
     }
 }
 
-void SimpleSolver::move_balls(const Stretch& interval) {
+void SimpleSolver::move_balls(const TimeInterval& interval) {
     started_.clear();
     for (Ball& ball : *balls_) {
         started_.push_back(ball.position);

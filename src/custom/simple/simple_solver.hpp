@@ -38,7 +38,7 @@ class SimpleSolver {
     void reserve(std::size_t balls);
 
   private:
-    void move_balls(const Stretch& interval);
+    void move_balls(const TimeInterval& interval);
     void find_pairs(BroadPhase& broad);
     void decide_gates(double duration);
     bool respond_to_pairs(double duration);

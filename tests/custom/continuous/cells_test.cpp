@@ -11,7 +11,7 @@
 namespace flipside::custom::test {
 namespace {
 
-using Place = Cells::Place;
+using BallIndex = Cells::BallIndex;
 
 Ball ball_at(Vec2 position, double radius) {
     Ball ball;
@@ -29,9 +29,9 @@ std::vector<Ball> some_balls() {
     return balls;
 }
 
-std::set<Place> near(const Cells& cells, Place i) {
-    std::set<Place> found;
-    cells.each_near(i, [&](Place j) { found.insert(j); });
+std::set<BallIndex> near(const Cells& cells, BallIndex i) {
+    std::set<BallIndex> found;
+    cells.each_near(i, [&](BallIndex j) { found.insert(j); });
     return found;
 }
 
@@ -44,11 +44,11 @@ RC_GTEST_PROP(Cells, WhoTouchesIsFoundUntilEitherLeavesItsCell, ()) {
     std::vector<Ball> balls = some_balls();
     Cells cells;
     cells.reset(balls);
-    for (Place i = 0; i < balls.size(); ++i) {
+    for (BallIndex i = 0; i < balls.size(); ++i) {
         cells.choose_level(i, Cells::width_for(balls[i].radius) * *rc::gen::element(1.0, 1.0, 5.0));
         cells.put(i, balls[i].position);
     }
-    for (Place i = 0; i < balls.size(); ++i) {
+    for (BallIndex i = 0; i < balls.size(); ++i) {
         const Vec2 velocity{between(-3, 3), between(-3, 3)}, top{between(0, 9), between(0, 9)};
         const double stays = cells.stays(i, balls[i].position, velocity, top);
         RC_ASSERT(stays > 0);
@@ -56,8 +56,8 @@ RC_GTEST_PROP(Cells, WhoTouchesIsFoundUntilEitherLeavesItsCell, ()) {
         const Vec2 bend{between(-1, 1) * top.x, between(-1, 1) * top.y};
         balls[i].position += t * velocity + 0.5 * t * t * bend;
     }
-    for (Place i = 0; i < balls.size(); ++i)
-        for (Place j = 0; j < balls.size(); ++j)
+    for (BallIndex i = 0; i < balls.size(); ++i)
+        for (BallIndex j = 0; j < balls.size(); ++j)
             if (i != j && touch(balls[i], balls[j])) RC_ASSERT(near(cells, i).contains(j));
 }
 
@@ -66,14 +66,14 @@ RC_GTEST_PROP(Cells, WhatIsNewlyNearAndWhatWasNearIsAllThatIsNear, ()) {
     const std::vector<Ball> balls = some_balls();
     Cells cells;
     cells.reset(balls);
-    for (Place i = 0; i < balls.size(); ++i) {
+    for (BallIndex i = 0; i < balls.size(); ++i) {
         cells.choose_level(i, Cells::width_for(balls[i].radius));
         cells.put(i, balls[i].position);
     }
-    std::set<Place> seen = near(cells, 0);
+    std::set<BallIndex> seen = near(cells, 0);
     const Cells::Cell before = cells[0];
     cells.put(0, {between(-1, 1), between(-1, 1)});
-    cells.each_newly_near(0, before, [&](Place j) { seen.insert(j); });
+    cells.each_newly_near(0, before, [&](BallIndex j) { seen.insert(j); });
     RC_ASSERT(std::ranges::includes(seen, near(cells, 0)));
 }
 
@@ -81,16 +81,16 @@ TEST(Cells, OneThatIsTakenOffIsNotFound) {
     const std::vector<Ball> balls{ball_at({0, 0}, 0.1), ball_at({0.1, 0}, 0.1), ball_at({0, 0.1}, 1)};
     Cells cells;
     cells.reset(balls);
-    for (Place i = 0; i < 3; ++i) {
+    for (BallIndex i = 0; i < 3; ++i) {
         cells.choose_level(i, Cells::width_for(balls[i].radius));
         cells.put(i, balls[i].position);
     }
-    EXPECT_EQ(near(cells, 0), (std::set<Place>{1, 2}));
+    EXPECT_EQ(near(cells, 0), (std::set<BallIndex>{1, 2}));
     cells.remove(1);
-    EXPECT_EQ(near(cells, 0), (std::set<Place>{2}));
+    EXPECT_EQ(near(cells, 0), (std::set<BallIndex>{2}));
     cells.remove(1);
     cells.put(1, {0.1, 0});
-    EXPECT_EQ(near(cells, 2), (std::set<Place>{0, 1}));
+    EXPECT_EQ(near(cells, 2), (std::set<BallIndex>{0, 1}));
 }
 
 }  // namespace

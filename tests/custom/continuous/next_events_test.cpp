@@ -18,7 +18,7 @@ RC_GTEST_PROP(NextEvents, TheFirstIsTheLeastHoweverTheyChange, ()) {
         // Few times, so that many are equal; no two events have the same number.
         const double time = *rc::gen::element(0.0, 1.0, 2.0, static_cast<double>(INFINITY));
         const auto order = std::uint64_t{i} + 100 * *rc::gen::inRange<std::uint64_t>(0, 3);
-        events.set(static_cast<NextEvents::Place>(i), time, order);
+        events.set(static_cast<NextEvents::BallIndex>(i), time, order);
         known[i] = {time, order};
         const auto least = std::ranges::min_element(known);
         RC_ASSERT(events.time() == least->first);

@@ -33,18 +33,18 @@ RC_GTEST_PROP(TimeOfImpact, LineByClosedFormIsTheSearchs, ()) {
     Path path = random_path(anywhere(10));
     path.flight.drag = *rc::gen::element(0.0, 1e-9, 0.05, 1.0, 20.0);
     const double r = between(0.01, 0.3), end = 1;
-    RC_PRE(look(line, path.flight.position, r).distance > r + 1e-6);
+    RC_PRE(closest_point(line, path.flight.position, r).distance > r + 1e-6);
     const double closed = time_of_impact(line, {}, path, r, 0, end);
     const double searched = search_impact(line, {}, path, r, 0, end);
     const double first = std::min(closed, searched);
     if (first == never_touch) return;
-    const Sight sight = look(line, path.position(first), r);
+    const Closest closest = closest_point(line, path.position(first), r);
     // At an end of the face rounding decides; the point there is another feature.
     const double s = dot(path.position(first) - a, unit(b - a));
     if (std::min(std::abs(s), std::abs(s - length(b - a))) < 1e-6) return;
     // What enters under the face from beyond its end is met by that point too.
-    if (std::abs(sight.distance - r) > 1e-6) return;
-    same(closed, searched, dot(path.velocity(first), sight.normal));
+    if (std::abs(closest.distance - r) > 1e-6) return;
+    same(closed, searched, dot(path.velocity(first), closest.normal));
 }
 
 // Against steps of a fine walk: what falls below zero first.
@@ -52,7 +52,7 @@ RC_GTEST_PROP(TimeOfImpact, FirstFallWithDragIsTheFirst, ()) {
     const double gap = between(-1, 1), rate = between(-3, 3), bend = between(-10, 10);
     const double drag = *rc::gen::element(1e-9, 0.05, 1.0, 20.0);
     const auto gap_at = [&](double t) {
-        const Stretch s(drag, t);
+        const TimeInterval s(drag, t);
         return gap + s.shrunk * rate + s.fallen * bend;
     };
     const double found = first_fall(gap, rate, bend, drag);
@@ -67,15 +67,15 @@ RC_GTEST_PROP(TimeOfImpact, FirstFallWithDragIsTheFirst, ()) {
 }
 
 RC_GTEST_PROP(TimeOfImpact, RoundInStraightMotionIsTheSearchs, ()) {
-    const Feature round{Round{anywhere(2), between(0, 0.5)}, 0, 0};
+    const Feature circle{Circle{anywhere(2), between(0, 0.5)}, 0, 0};
     const Path path = random_path({});
     const double r = between(0.01, 0.3);
-    RC_PRE(look(round, path.flight.position, r).distance > r + 1e-6);
-    const double closed = time_of_impact(round, {}, path, r, 0, 1);
-    const double searched = search_impact(round, {}, path, r, 0, 1);
+    RC_PRE(closest_point(circle, path.flight.position, r).distance > r + 1e-6);
+    const double closed = time_of_impact(circle, {}, path, r, 0, 1);
+    const double searched = search_impact(circle, {}, path, r, 0, 1);
     const double first = std::min(closed, searched);
     if (first == never_touch) return;
-    same(closed, searched, dot(path.velocity(first), look(round, path.position(first), r).normal));
+    same(closed, searched, dot(path.velocity(first), closest_point(circle, path.position(first), r).normal));
 }
 
 RC_GTEST_PROP(TimeOfImpact, BallsWithDragAreTheSearchs, ()) {
@@ -94,17 +94,17 @@ RC_GTEST_PROP(TimeOfImpact, BallsWithDragAreTheSearchs, ()) {
 // The search against a walk in small steps, on turning arcs and lines.
 RC_GTEST_PROP(TimeOfImpact, SearchSkipsNothing, ()) {
     const double from = between(0, 6), to = from + between(0.2, 6);
-    const Bow bow = bow_of({anywhere(0.5), between(0.4, 1), from, to});
+    const Arc arc = arc_of({anywhere(0.5), between(0.4, 1), from, to});
     const Feature feature =
-        *rc::gen::arbitrary<bool>() ? Feature{bow, 0, 0} : Feature{Line{{-1, 0.2}, {1, 0}, 2, {}, {}}, 0, 0};
+        *rc::gen::arbitrary<bool>() ? Feature{arc, 0, 0} : Feature{Line{{-1, 0.2}, {1, 0}, 2, {}, {}}, 0, 0};
     const double rate = *rc::gen::arbitrary<bool>() ? between(-30, 30) : 0;
     const Turning turning{{{0, 0}, between(0, 6)}, rate, INFINITY, 0};
     Path path = random_path(anywhere(10));
     path.flight.drag = *rc::gen::arbitrary<bool>() ? between(0, 5) : 0;
     const double r = between(0.02, 0.2), found = time_of_impact(feature, turning, path, r, 0, 0.5);
     const auto gap_at = [&](double t) {
-        const Sight sight = look(feature, turning.pose(t).undo(path.position(t)), r);
-        return sight.facing ? sight.distance - r : 1.0;
+        const Closest closest = closest_point(feature, turning.pose(t).undo(path.position(t)), r);
+        return closest.facing ? closest.distance - r : 1.0;
     };
     RC_PRE(gap_at(0) > 1e-3);
     double before = gap_at(0);
@@ -120,7 +120,7 @@ RC_GTEST_PROP(TimeOfImpact, SearchSkipsNothing, ()) {
 // with t³: |p|² − R² = −g·v·cos θ·t³ + g²·t⁴/4, so it is back after t = 4·v·cos θ/g.
 TEST(TimeOfImpact, WhatLetsGoOfALoopComesBack) {
     constexpr double g = 9.81, loop = 0.3, radius = 0.05, reach = loop - radius;
-    const Feature feature{bow_of({{0.2, -0.1}, loop, 0, 7}), 0, 0};
+    const Feature feature{arc_of({{0.2, -0.1}, loop, 0, 7}), 0, 0};
     for (const double angle : {0.1, 0.5, 1.0, 1.5}) {
         const double speed = std::sqrt(g * reach * std::sin(angle));
         Path path;
@@ -156,16 +156,16 @@ RC_GTEST_PROP(TimeOfImpact, WhatIsClearIsNotTouched, ()) {
     const double from = between(0, 6), to = from + between(0.2, 6);
     const Vec2 a = anywhere(0.5), b = anywhere(0.5);
     RC_PRE(length(b - a) > 0.01);
-    const Feature feature = *rc::gen::element(Feature{bow_of({a, between(0.2, 1), from, to}), 0, 0},
+    const Feature feature = *rc::gen::element(Feature{arc_of({a, between(0.2, 1), from, to}), 0, 0},
                                               Feature{Line{a, unit(b - a), length(b - a), {}, {}}, 0, 0},
-                                              Feature{Round{a, between(0, 0.5)}, 0, 0});
+                                              Feature{Circle{a, between(0, 0.5)}, 0, 0});
     const Path path = random_path(anywhere(10));
     const double r = between(0.02, 0.2), end = between(0.01, 0.3);
     const double sag = path.max_acceleration(end) * end * end / 8;
     if (!clear_of(feature, path.position(0), path.position(end), r, sag)) return;
     for (double t = 0; t < end; t += 1e-3) {
-        const Sight sight = look(feature, path.position(t), r);
-        RC_ASSERT(!sight.facing || sight.distance > r);
+        const Closest closest = closest_point(feature, path.position(t), r);
+        RC_ASSERT(!closest.facing || closest.distance > r);
     }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// A resting contact: the path of a ball that stays on a surface, and when it lets go.
+/// A resting contact: the path of a ball that stays on a surface, and when it separates.
 ///
 /// On a straight still face the path is a flight along the face with what gravity leaves of itself there.
 /// On a curved face the ball is a pendulum; on a turning one the same in the turning frame. Those have no
@@ -12,8 +12,8 @@
 /// thirds of the acceleration, for a disc) as long as a third of what drives it stays below µ times the
 /// normal force. The switch is an event like any other.
 ///
-/// The contact lets go when the force that keeps the ball on the surface changes sign, and ends where the
-/// face ends.
+/// Ball and surface separate when the force that keeps the ball on the surface changes sign, and where the face
+/// ends.
 
 #include "custom/continuous/feature.hpp"
 #include "custom/continuous/path.hpp"
@@ -29,7 +29,7 @@ struct Drive {
 };
 
 /// A ball on a surface at an instant.
-struct Hold {
+struct RestingContact {
     const Feature* feature = nullptr;
     const Turning* turning = nullptr;
     Vec2 normal;            ///< unit, from the surface to the ball
@@ -39,11 +39,12 @@ struct Hold {
     double friction = 0;    ///< µ between the two
 };
 
-/// The hold of a ball that touches the feature at `time`; `normal` as look() and the pose give it.
-[[nodiscard]] Hold hold_at(const Feature& feature, const Turning& turning, const Ball& ball, Vec2 normal,
-                           double time, const Drive& drive);
+/// The contact of a ball that touches the feature at `time`; `normal` as closest_point() and the pose give it.
+[[nodiscard]] RestingContact resting_contact_at(const Feature& feature, const Turning& turning,
+                                                const Ball& ball, Vec2 normal, double time,
+                                                const Drive& drive);
 
-struct HeldPath {
+struct ConstrainedPath {
     Path path;
     double until = never_touch;  ///< must be looked at again then; never_touch if not before t1
     double spin_rate = 0;        ///< rad/s², of a ball that slides along a still line
@@ -52,12 +53,12 @@ struct HeldPath {
 
     /// The spin at `time` of a ball that began the path with `spin`.
     [[nodiscard]] double spin_at(double spin, double time) const;
-    bool lets_go = false;  ///< because the contact ends there
+    bool separates = false;  ///< because the contact ends there
 };
 
-/// The path of a held ball from `time`; its normal speed against the surface is taken out. False when the
+/// The path of a resting ball from `time`; its normal speed against the surface is taken out. False when the
 /// search for its end took too many steps; then the path is good for nothing.
-[[nodiscard]] bool hold(const Hold& hold, const Ball& ball, double time, double t1, const Drive& drive,
-                        HeldPath& held);
+[[nodiscard]] bool constrain(const RestingContact& contact, const Ball& ball, double time, double t1,
+                             const Drive& drive, ConstrainedPath& held);
 
 }  // namespace flipside::custom

@@ -27,7 +27,7 @@ struct Drive {
 };
 
 template <class R>
-struct Grip {
+struct RestingContact {
     const Feature<R>* feature = nullptr;  ///< in the pose that `turning` sees it in
     const Turning<R>* turning = nullptr;  ///< null: stands still
     bool straight = false;
@@ -43,13 +43,14 @@ struct Grip {
     R force{}, driven{};   ///< N needed to stay; tangential acceleration but for friction, m/s²
 };
 
-/// The grip at a feature that the ball touches; `normal` as look() gives it. Distances within `snap` of
-/// touching become exactly that.
+/// The contact at a feature that the ball touches; `normal` as closest_point() gives it. Distances within
+/// `snap` of touching become exactly that.
 template <class R>
-[[nodiscard]] Grip<R> grip_at(const Feature<R>& feature, const Turning<R>* turning, const Body<R>& ball,
-                              const R& time, const R& friction, const Drive<R>& drive, const R& snap);
+[[nodiscard]] RestingContact<R> resting_contact_at(const Feature<R>& feature, const Turning<R>* turning,
+                                                   const Body<R>& ball, const R& time, const R& friction,
+                                                   const Drive<R>& drive, const R& snap);
 
-/// How friction acts at a grip.
+/// How friction acts at a contact.
 enum class Rub { none, slides, rolls };
 template <class R>
 struct Rubbing {
@@ -58,7 +59,7 @@ struct Rubbing {
     R sign{};   ///< of the slip, while it slides
 };
 template <class R>
-[[nodiscard]] Rubbing<R> rubbing_of(const Grip<R>& grip, const Body<R>& ball);
+[[nodiscard]] Rubbing<R> rubbing_of(const RestingContact<R>& contact, const Body<R>& ball);
 
 /// The path along one surface.
 template <class R>
@@ -69,7 +70,7 @@ struct Ride {
 };
 /// From `time` to `last` at most.
 template <class R>
-[[nodiscard]] Ride<R> ride(const Grip<R>& grip, const Rubbing<R>& rubbing, const Body<R>& ball, const R& time,
-                           const R& last, const Drive<R>& drive);
+[[nodiscard]] Ride<R> ride(const RestingContact<R>& contact, const Rubbing<R>& rubbing, const Body<R>& ball,
+                           const R& time, const R& last, const Drive<R>& drive);
 
 }  // namespace flipside::reference

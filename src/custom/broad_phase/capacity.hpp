@@ -20,12 +20,12 @@ inline constexpr std::size_t spare = 64;  ///< balls for which there is always r
 
 /// Makes room for at least `count` items. It grows by doubling, so seldom.
 template <class T>
-void make_room(std::vector<T>& list, std::size_t count) {
+void reserve_for(std::vector<T>& list, std::size_t count) {
     if (list.capacity() < count) list.reserve(std::bit_ceil(count + spare));
 }
 template <class T>
-void make_room(std::vector<T>& list, std::size_t balls, std::size_t per_ball) {
-    make_room(list, std::max(least_room, balls * per_ball));
+void reserve_for(std::vector<T>& list, std::size_t balls, std::size_t per_ball) {
+    reserve_for(list, std::max(least_room, balls * per_ball));
 }
 
 }  // namespace flipside::custom

@@ -1,4 +1,4 @@
-#include "custom/continuous/holding.hpp"
+#include "custom/continuous/resting_contact.hpp"
 
 #include <algorithm>
 
@@ -48,29 +48,29 @@ struct Guide {
     double radius;
 };
 
-Guide guide_of(const Hold& hold, const Ball& ball, double time) {
-    const Pose pose = hold.turning->pose(time);
+Guide guide_of(const RestingContact& contact, const Ball& ball, double time) {
+    const Pose pose = contact.turning->pose(time);
     Guide guide{};
-    guide.rate = hold.turning->rate_at(time);
-    guide.straight = std::holds_alternative<Line>(hold.feature->is);
-    if (const auto* line = std::get_if<Line>(&hold.feature->is)) {
+    guide.rate = contact.turning->rate_at(time);
+    guide.straight = std::holds_alternative<Line>(contact.feature->is);
+    if (const auto* line = std::get_if<Line>(&contact.feature->is)) {
         // Without turning the pivot is free: the start of the line keeps digits far from the origin.
         const Vec2 start = pose.apply(line->start);
         guide.pivot = guide.rate == 0 ? start : pose.pivot;
-        guide.s = dot(ball.position - guide.pivot, -perp(hold.normal));
-        guide.offset = dot(start - guide.pivot, hold.normal) + ball.radius;
+        guide.s = dot(ball.position - guide.pivot, -perp(contact.normal));
+        guide.offset = dot(start - guide.pivot, contact.normal) + ball.radius;
         return guide;
     }
     Vec2 center;
-    if (const auto* bow = std::get_if<Bow>(&hold.feature->is)) {
-        center = pose.apply(bow->center);
+    if (const auto* arc = std::get_if<Arc>(&contact.feature->is)) {
+        center = pose.apply(arc->center);
         guide.out = unit(ball.position - center);
-        guide.radius = bow->radius + (dot(guide.out, hold.normal) > 0 ? ball.radius : -ball.radius);
+        guide.radius = arc->radius + (dot(guide.out, contact.normal) > 0 ? ball.radius : -ball.radius);
     } else {
-        const auto& round = std::get<Round>(hold.feature->is);
-        center = pose.apply(round.center);
+        const auto& circle = std::get<Circle>(contact.feature->is);
+        center = pose.apply(circle.center);
         guide.out = unit(ball.position - center);
-        guide.radius = round.radius + ball.radius;
+        guide.radius = circle.radius + ball.radius;
     }
     guide.pivot = guide.rate == 0 ? center : pose.pivot;
     guide.arm = center - guide.pivot;
@@ -118,10 +118,10 @@ Swing swing_curved(const Guide& guide, Vec2 normal, Vec2 velocity, const Drive& 
                    Path& path) {
     const double c = drive.drag, radius = guide.radius, side = dot(guide.out, normal) > 0 ? 1 : -1;
     const Series<Vec2> center = turning_vector(guide.arm, guide.rate);
-    Series<Vec2> pull{};  // gravity as felt by one who moves with the centre
+    Series<Vec2> driving{};  // gravity as felt by one who moves with the centre
     for (int k = 0; k + 2 <= order; ++k)
-        pull[at(k)] = (k == 0 ? drive.gravity : Vec2{}) - (k + 1) * (k + 2) * center[at(k + 2)] -
-                      c * (k + 1) * center[at(k + 1)];
+        driving[at(k)] = (k == 0 ? drive.gravity : Vec2{}) - (k + 1) * (k + 2) * center[at(k + 2)] -
+                         c * (k + 1) * center[at(k + 1)];
     Series<Vec2> out{}, tangent{};  // out' = turn·tangent, tangent' = −turn·out
     Series<double> turn{};
     Swing swing;
@@ -129,8 +129,8 @@ Swing swing_curved(const Guide& guide, Vec2 normal, Vec2 velocity, const Drive& 
     tangent[0] = perp(guide.out);
     turn[0] = dot(velocity - cross(guide.rate, guide.arm), tangent[0]) / radius;
     for (int k = 0; k < order; ++k) {
-        const double force = -side * (dot_product(out, pull, k) + radius * product(turn, turn, k));
-        const double driven = dot_product(tangent, pull, k) - c * radius * turn[at(k)];
+        const double force = -side * (dot_product(out, driving, k) + radius * product(turn, turn, k));
+        const double driven = dot_product(tangent, driving, k) - c * radius * turn[at(k)];
         const double bend = rub.share() * driven - side * rub.slide * force;
         turn[at(k + 1)] = bend / (radius * (k + 1));
         const Vec2 turned = product(turn, tangent, k) / (k + 1);
@@ -153,7 +153,7 @@ double good_for(const Series<Vec2>& series, double error) {
     return h;
 }
 
-/// Counts the steps of the searches for the end of a hold, which take about ten each.
+/// Counts the steps of the searches for the end of a contact, which take about ten each.
 class Patience {
   public:
     /// False when it is at its end.
@@ -207,11 +207,11 @@ double end_of_face(const Feature& feature, const Turning& turning, const Path& p
             const double s = dot(q - line->start, line->along), along = dot(u, line->along);
             h = std::min(free(s + line->before.holds(radius), along),
                          free(line->length + line->past.holds(radius) - s, -along));
-        } else if (const auto* bow = std::get_if<Bow>(&feature.is); bow && !bow->full) {
-            const Vec2 out = q - bow->center;
-            const double from = free(cross(bow->from, out) + bow->before.holds(radius), cross(bow->from, u));
-            const double to = free(cross(out, bow->to) + bow->past.holds(radius), cross(u, bow->to));
-            h = bow->wide ? std::max(from, to) : std::min(from, to);
+        } else if (const auto* arc = std::get_if<Arc>(&feature.is); arc && !arc->full) {
+            const Vec2 out = q - arc->center;
+            const double from = free(cross(arc->from, out) + arc->before.holds(radius), cross(arc->from, u));
+            const double to = free(cross(out, arc->to) + arc->past.holds(radius), cross(u, arc->to));
+            h = arc->wide ? std::max(from, to) : std::min(from, to);
         }
         if (h <= 0) return t;
         t += h;
@@ -221,30 +221,30 @@ double end_of_face(const Feature& feature, const Turning& turning, const Path& p
 
 }  // namespace
 
-Hold hold_at(const Feature& feature, const Turning& turning, const Ball& ball, Vec2 normal, double time,
-             const Drive& drive) {
-    Hold hold{&feature, &turning, normal, {}, 0, 0, 0};
-    const Guide guide = guide_of(hold, ball, time);
+RestingContact resting_contact_at(const Feature& feature, const Turning& turning, const Ball& ball,
+                                  Vec2 normal, double time, const Drive& drive) {
+    RestingContact contact{&feature, &turning, normal, {}, 0, 0, 0};
+    const Guide guide = guide_of(contact, ball, time);
     const Vec2 point = ball.position - ball.radius * normal;
-    hold.surface_velocity = cross(guide.rate, point - turning.begin.pivot);
-    const Vec2 pull = drive.gravity - drive.drag * ball.velocity;
-    const double driven = dot(pull, normal);
-    hold.driven = dot(pull, perp(normal));
+    contact.surface_velocity = cross(guide.rate, point - turning.begin.pivot);
+    const Vec2 driving = drive.gravity - drive.drag * ball.velocity;
+    const double driven = dot(driving, normal);
+    contact.driven = dot(driving, perp(normal));
     if (guide.straight) {
         const double slide = dot(ball.velocity, -perp(normal)) + guide.offset * guide.rate;
-        hold.force = 2 * slide * guide.rate - guide.offset * guide.rate * guide.rate - driven;
-        hold.driven -= guide.rate * guide.rate * guide.s;
+        contact.force = 2 * slide * guide.rate - guide.offset * guide.rate * guide.rate - driven;
+        contact.driven -= guide.rate * guide.rate * guide.s;
     } else {
         const double side = dot(guide.out, normal) > 0 ? 1 : -1;
         const double turn = dot(ball.velocity - cross(guide.rate, guide.arm), perp(guide.out)) / guide.radius;
-        hold.force =
+        contact.force =
             -driven - side * guide.radius * turn * turn - guide.rate * guide.rate * dot(guide.arm, normal);
-        hold.driven += guide.rate * guide.rate * dot(guide.arm, perp(normal));
+        contact.driven += guide.rate * guide.rate * dot(guide.arm, perp(normal));
     }
-    return hold;
+    return contact;
 }
 
-double HeldPath::spin_at(double spin, double time) const {
+double ConstrainedPath::spin_at(double spin, double time) const {
     const double t = time - path.start;
     if (roll != Vec2{}) return dot(roll, path.velocity(time));
     if (!path.swings) return spin + spin_rate * t;
@@ -256,22 +256,22 @@ double HeldPath::spin_at(double spin, double time) const {
 namespace {
 
 /// Whether a ball rolls or slides. `driven` is what acts along perp(normal) without friction.
-Rub rub_of(const Hold& hold, const Ball& ball, double along, double driven) {
-    if (hold.friction <= 0) return {};
-    const double slip = along - ball.radius * ball.spin, grip = hold.friction * hold.force;
+Rub rub_of(const RestingContact& contact, const Ball& ball, double along, double driven) {
+    if (contact.friction <= 0) return {};
+    const double slip = along - ball.radius * ball.spin, support = contact.friction * contact.force;
     const double none = 1e-9 * (std::abs(along) + ball.radius * std::abs(ball.spin)) +
-                        1e-12 * std::sqrt(ball.radius * std::max(0.0, hold.force));
-    if (std::abs(slip) > none) return {slip > 0 ? hold.friction : -hold.friction, false};
-    if (std::abs(driven) / 3 < grip * (1 - 1e-12)) return {0, true};
-    return {driven > 0 ? hold.friction : -hold.friction, false};
+                        1e-12 * std::sqrt(ball.radius * std::max(0.0, contact.force));
+    if (std::abs(slip) > none) return {slip > 0 ? contact.friction : -contact.friction, false};
+    if (std::abs(driven) / 3 < support * (1 - 1e-12)) return {0, true};
+    return {driven > 0 ? contact.friction : -contact.friction, false};
 }
 
 /// The path on a still line; what ends it is the end of the slip.
-void slide(const Hold& hold, const Ball& ball, const Rub& rub, double along, const Drive& drive,
-           HeldPath& held, Patience& patience) {
+void slide(const RestingContact& contact, const Ball& ball, const Rub& rub, double along, const Drive& drive,
+           ConstrainedPath& held, Patience& patience) {
     Flight& flight = held.path.flight;
-    const Vec2 tangent = perp(hold.normal);
-    const double gravity = dot(drive.gravity, tangent), rubbed = rub.slide * hold.force;
+    const Vec2 tangent = perp(contact.normal);
+    const double gravity = dot(drive.gravity, tangent), rubbed = rub.slide * contact.force;
     flight.acceleration = (rub.share() * gravity - rubbed) * tangent;
     flight.drag = rub.share() * drive.drag;
     if (rub.rolls) held.roll = tangent / ball.radius;
@@ -284,9 +284,9 @@ void slide(const Hold& hold, const Ball& ball, const Rub& rub, double along, con
     for (double t = 0; t < 1e6 && patience.lasts();) {
         const double now =
             sign * (dot(flight.velocity_at(t), tangent) - ball.radius * ball.spin) - 2 * std::abs(rubbed) * t;
-        const Vec2 pull = flight.acceleration - flight.drag * flight.velocity_at(t);
+        const Vec2 driving = flight.acceleration - flight.drag * flight.velocity_at(t);
         const double step =
-            surely_free(std::max(0.0, now), sign * dot(pull, tangent) - 2 * std::abs(rubbed), k);
+            surely_free(std::max(0.0, now), sign * dot(driving, tangent) - 2 * std::abs(rubbed), k);
         if (t + step <= t || now <= 0) {
             held.until = held.path.start + t;
             return;
@@ -296,15 +296,15 @@ void slide(const Hold& hold, const Ball& ball, const Rub& rub, double along, con
 }
 
 /// The path on anything that bends or turns.
-void swing(const Hold& hold, const Ball& ball, const Guide& guide, const Rub& rub, double along, double t1,
-           const Drive& drive, HeldPath& held, Patience& patience) {
+void swing(const RestingContact& contact, const Ball& ball, const Guide& guide, const Rub& rub, double along,
+           double t1, const Drive& drive, ConstrainedPath& held, Patience& patience) {
     Path& path = held.path;
     const double time = path.start;
     const Vec2 velocity = path.flight.velocity;
-    const Swing swing = guide.straight ? swing_straight(guide, hold.normal, velocity, drive, rub, path)
-                                       : swing_curved(guide, hold.normal, velocity, drive, rub, path);
+    const Swing swing = guide.straight ? swing_straight(guide, contact.normal, velocity, drive, rub, path)
+                                       : swing_curved(guide, contact.normal, velocity, drive, rub, path);
     path.flight = {guide.pivot + path.taylor[0], velocity, {}, 0};
-    const double stop = hold.turning->rate_at(time) != 0 ? hold.turning->stop : never_touch;
+    const double stop = contact.turning->rate_at(time) != 0 ? contact.turning->stop : never_touch;
     const double good = time + good_for(path.taylor, 1e-17 * ball.radius);
     const double h = std::min({good, stop, t1}) - time;
     path.top_speed = path.top_acceleration = 0;
@@ -315,10 +315,10 @@ void swing(const Hold& hold, const Ball& ball, const Guide& guide, const Rub& ru
     }
     const double falls = time + first_below_zero(swing.force, h, patience);
     held.until = std::min({good, stop, falls});
-    held.lets_go = held.until == falls;
-    if (hold.friction <= 0) return;
+    held.separates = held.until == falls;
+    if (contact.friction <= 0) return;
 
-    Series<double> more{}, less{};  // grip to spare in both directions; or, sliding, the slip that is left
+    Series<double> more{}, less{};  // support to spare in both directions; or, sliding, the slip that is left
     const double sign = rub.slide > 0 ? 1 : -1;
     more[0] = sign * (along - ball.radius * ball.spin);
     for (int k = 0; k + 1 < order; ++k) {
@@ -328,8 +328,8 @@ void swing(const Hold& hold, const Ball& ball, const Guide& guide, const Rub& ru
             more[at(k + 1)] = sign * (swing.push[at(k)] - 2 * rubbed) / (k + 1);
             continue;
         }
-        more[at(k)] = hold.friction * swing.force[at(k)] + swing.push[at(k)] / 2;
-        less[at(k)] = hold.friction * swing.force[at(k)] - swing.push[at(k)] / 2;
+        more[at(k)] = contact.friction * swing.force[at(k)] + swing.push[at(k)] / 2;
+        less[at(k)] = contact.friction * swing.force[at(k)] - swing.push[at(k)] / 2;
     }
     double switches = never_touch;
     if (rub.rolls)
@@ -337,38 +337,40 @@ void swing(const Hold& hold, const Ball& ball, const Guide& guide, const Rub& ru
     if (!rub.rolls && more[0] > 0) switches = first_below_zero(more, h, patience);
     if (time + switches < held.until) {
         held.until = time + switches;
-        held.lets_go = false;
+        held.separates = false;
     }
 }
 
 }  // namespace
 
-bool hold(const Hold& hold, const Ball& ball, double time, double t1, const Drive& drive, HeldPath& held) {
-    const Vec2 n = hold.normal, tangent = perp(n);
-    const Guide guide = guide_of(hold, ball, time);
-    const double along = dot(ball.velocity - hold.surface_velocity, tangent);
+bool constrain(const RestingContact& contact, const Ball& ball, double time, double t1, const Drive& drive,
+               ConstrainedPath& held) {
+    const Vec2 n = contact.normal, tangent = perp(n);
+    const Guide guide = guide_of(contact, ball, time);
+    const double along = dot(ball.velocity - contact.surface_velocity, tangent);
     held.until = never_touch;
-    held.lets_go = false;
+    held.separates = false;
     held.spin_rate = 0;
     held.roll = {};
     held.spins = {};
     Path& path = held.path;
     path.start = time;
     path.swings = !guide.straight || guide.rate != 0;
-    path.flight = {{}, along * tangent + hold.surface_velocity, {}, drive.drag};
-    const Rub rub = rub_of(hold, ball, along, hold.driven);
+    path.flight = {{}, along * tangent + contact.surface_velocity, {}, drive.drag};
+    const Rub rub = rub_of(contact, ball, along, contact.driven);
     Patience patience;
     if (path.swings) {
-        swing(hold, ball, guide, rub, along, t1, drive, held, patience);
+        swing(contact, ball, guide, rub, along, t1, drive, held, patience);
     } else {
         path.flight.position = guide.pivot + (guide.offset * n - guide.s * tangent);
-        slide(hold, ball, rub, along, drive, held, patience);
+        slide(contact, ball, rub, along, drive, held, patience);
     }
     const double last = std::min(held.until, t1);
-    const double end = end_of_face(*hold.feature, *hold.turning, path, ball.radius, time, last, patience);
+    const double end =
+        end_of_face(*contact.feature, *contact.turning, path, ball.radius, time, last, patience);
     if (end <= last) {
         held.until = end;
-        held.lets_go = true;
+        held.separates = true;
     }
     if (held.until > t1) held.until = never_touch;
     return patience.lasted();

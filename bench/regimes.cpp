@@ -1,0 +1,89 @@
+#include "regimes.hpp"
+
+#include "lab/assets.hpp"
+#include "lab/elastic_scenes.hpp"
+#include "world/scene_builder.hpp"
+#include "world/scene_file.hpp"
+
+namespace flipside::bench {
+
+namespace {
+
+std::vector<std::shared_ptr<const Scene>> one(Scene scene) {
+    return {std::make_shared<const Scene>(std::move(scene))};
+}
+
+Regime gas(int balls, double seconds) {
+    return {"gas", balls, [=] { return one(lab::elastic_gas(balls)); }, 0, seconds, true, true};
+}
+
+Regime rain(const std::string& name, int balls, double from, double seconds) {
+    return {"rain, " + name, balls, [=] { return one(load_scene(lab::scene_file("rain"), balls)); }, from,
+            seconds};
+}
+
+/// Balls side by side on a floor, in rows that do not touch: all sleep after a second.
+Scene balls_at_rest(int balls) {
+    Scene scene = empty_scene({0, -9.81});
+    constexpr int in_a_row = 100;
+    for (int i = 0; i < balls; ++i) add_ball(scene, {0.3 * (i % in_a_row), 0.1 + i / in_a_row});
+    const double width = 0.3 * in_a_row;
+    for (int row = 0; row <= (balls - 1) / in_a_row; ++row)
+        add_part(scene, segment({-1, static_cast<double>(row)}, {width, static_cast<double>(row)}));
+    scene.bounds = {{-2, -2}, {width + 1, 2.0 + balls / in_a_row}};
+    return scene;
+}
+
+/// Balls of 27 mm let go over the middle of the pinball table, their velocities turned by `turn` rad.
+Scene pinball_scene(int balls, double turn) {
+    Scene scene = load_scene(lab::scene_file("pinball"));
+    const Vec2 middle = 0.5 * (scene.bounds.min + scene.bounds.max);
+    scene.balls.clear();
+    for (int i = 0; i < balls; ++i) {
+        Ball ball = scene.launcher->ball;
+        ball.number = static_cast<BallNumber>(i);
+        ball.position = middle + Vec2{0.031 * (i % 4) - 0.05, 0.1 + 0.031 * (i / 4)};
+        ball.velocity = 1.5 * from_angle(1 + i + turn);
+        scene.balls.push_back(ball);
+    }
+    return scene;
+}
+
+/// The mean of ten starts: what a table costs depends on where its balls come to roll.
+Regime pinball(int balls) {
+    return {"pinball",
+            balls,
+            [=] {
+                std::vector<std::shared_ptr<const Scene>> starts;
+                for (int start = 0; start < 10; ++start)
+                    starts.push_back(std::make_shared<const Scene>(pinball_scene(balls, 0.1 * start)));
+                return starts;
+            },
+            0,
+            3,
+            false};
+}
+
+}  // namespace
+
+std::vector<Regime> regimes() {
+    std::vector<Regime> all{gas(500, 2), gas(3200, 2), gas(5000, 2)};
+    for (const int balls : {320, 1000, 3200, 5000}) {
+        all.push_back(rain("falling", balls, 0, 1));
+        all.push_back(rain("raining", balls, 1, 5));
+        if (balls <= 1000) all.push_back(rain("heaped", balls, 6, 6));
+        if (balls == 320) all.push_back(rain("coming to rest", balls, 10, 10));
+        all.push_back({"asleep", balls, [=] { return one(balls_at_rest(balls)); }, 2, 2});
+    }
+    for (const int balls : {1, 8}) all.push_back(pinball(balls));
+    return all;
+}
+
+std::vector<Regime> growth() {
+    std::vector<Regime> all;
+    for (const int balls : {1000, 10'000, 100'000}) all.push_back(gas(balls, 0.5));
+    for (const int balls : {1000, 10'000, 100'000}) all.push_back(rain("falling", balls, 0, 1));
+    return all;
+}
+
+}  // namespace flipside::bench
