@@ -177,7 +177,6 @@ void Box2dWorld::restore(const State& state) {
     for (const Ball& ball : state.balls) require_fits(ball, units_);
     guard_.forget();
     table_.restore(state);
-    table_.pressings().clear();  // Box2D keeps forces of its own
     balls_ = state.balls;
     events_.clear();
     build();

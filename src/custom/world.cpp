@@ -42,7 +42,7 @@ void CustomWorld::reserve_for() {
     if (windows_) windows_->reserve(balls_.size());
     guard_.reserve(balls_.capacity(), std::max(least_room, balls_.capacity() * contacts_per_ball));
     contacts_.reserve(layout_.size(), balls_.size());
-    custom::reserve_for(table_.pressings(), balls_.size(), contacts_per_ball);
+    custom::reserve_for(table_.memory().forces, balls_.size(), contacts_per_ball);
     custom::reserve_for(table_.reported_lost(), balls_.size());
     custom::reserve_for(table_.blocked(), balls_.size());
     custom::reserve_for(record_.events, balls_.size(), events_per_ball);
@@ -54,6 +54,7 @@ void CustomWorld::step(double dt) {
     guard_.run(
         table_, balls_, [&] { make_step(dt); },
         [&](State before) {
+            Table::forget_gone(before);
             if (windows_) before.origin = windows_->kept_origin();
             restore(before);
         });

@@ -2,6 +2,7 @@
 /// Everything that changes while a world runs. Save from one engine, restore into another.
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "world/ball.hpp"
@@ -19,14 +20,23 @@ struct PartState {
     friend bool operator==(const PartState&, const PartState&) = default;
 };
 
-/// What two balls of a pile exert on each other. An engine that finds these forces step by step begins each
-/// step with those of the last; others have none.
-struct Pressing {
+/// What two balls exert on each other.
+struct ContactForce {
     BallNumber a = 0, b = 0;  ///< a < b
     double normal = 0;        ///< N, above 0
     double tangent = 0;       ///< N, by friction, on a along perp of the normal from b to a
 
-    friend bool operator==(const Pressing&, const Pressing&) = default;
+    friend bool operator==(const ContactForce&, const ContactForce&) = default;
+};
+
+/// What an engine keeps from step to step beside the balls: the forces from which its next solve begins (warm
+/// starting). It counts only for that engine and only at that time, so no other need look at it or clear it.
+struct EngineMemory {
+    std::string engine;                ///< its name
+    double time = 0;                   ///< s
+    std::vector<ContactForce> forces;  ///< by b, then a
+
+    friend bool operator==(const EngineMemory&, const EngineMemory&) = default;
 };
 
 /// A ball within its radius of a gate that does not let it through (gate.hpp).
@@ -40,9 +50,9 @@ struct Blocked {
 struct State {
     Clock clock;
     BallNumber next_number = 0;
-    std::vector<Ball> balls;          ///< by rising number
-    std::vector<PartState> parts;     ///< one per part of the scene
-    std::vector<Pressing> pressings;  ///< by b, then a
+    std::vector<Ball> balls;       ///< by rising number
+    std::vector<PartState> parts;  ///< one per part of the scene
+    EngineMemory memory;
     std::vector<Blocked> blocked;     ///< by gate, then ball; of closed gates
     bool raised[2] = {false, false};  ///< flipper buttons by Side
     bool rotating = false;

@@ -115,23 +115,25 @@ std::vector<PartState> read_parts(const Node& root, const Scene& scene) {
     return states;
 }
 
-std::vector<Pressing> read_pressings(const Node& root, const std::vector<Ball>& balls) {
-    std::vector<Pressing> pressings;
-    for (const Node& node : root.each("pressings")) {
-        const Pressing pressing{static_cast<BallNumber>(node.integer("a")),
-                                static_cast<BallNumber>(node.integer("b")), node.real("normal"),
-                                node.real("tangent", 0)};
+EngineMemory read_memory(const Node& root, const std::vector<Ball>& balls) {
+    if (!root.has("memory")) return {};
+    const Node memory = root.at("memory");
+    EngineMemory read{memory.text("engine"), memory.real("time"), {}};
+    for (const Node& node : memory.each("forces")) {
+        const ContactForce force{static_cast<BallNumber>(node.integer("a")),
+                                 static_cast<BallNumber>(node.integer("b")), node.real("normal"),
+                                 node.real("tangent", 0)};
         for (const char* key : {"a", "b"})
             if (!std::ranges::binary_search(balls, static_cast<BallNumber>(node.integer(key)), {},
                                             &Ball::number))
                 node.fail(key, "no ball has this number; allowed are balls of this state");
-        const auto rank = [](const Pressing& p) { return std::pair(p.b, p.a); };
-        if (pressing.a >= pressing.b) node.fail("b", "is not above a; allowed are rising numbers");
-        if (!pressings.empty() && rank(pressing) <= rank(pressings.back()))
+        const auto rank = [](const ContactForce& f) { return std::pair(f.b, f.a); };
+        if (force.a >= force.b) node.fail("b", "is not above a; allowed are rising numbers");
+        if (!read.forces.empty() && rank(force) <= rank(read.forces.back()))
             node.fail("is not above the pair before it; allowed are pairs by rising b, then a");
-        pressings.push_back(pressing);
+        read.forces.push_back(force);
     }
-    return pressings;
+    return read;
 }
 
 std::string gates_of(const Scene& scene) {
@@ -182,8 +184,12 @@ Json document_of(const State& state, const Scene& scene) {
     for (const control::Launch& launch : state.launches)
         json["launches"].push_back(
             {{"strength", launch.strength}, {"count", launch.count}, {"size", launch.size}});
-    for (const Pressing& p : state.pressings)
-        json["pressings"].push_back({{"a", p.a}, {"b", p.b}, {"normal", p.normal}, {"tangent", p.tangent}});
+    if (const EngineMemory& memory = state.memory; !memory.forces.empty()) {
+        json["memory"] = {{"engine", memory.engine}, {"time", memory.time}};
+        for (const ContactForce& f : memory.forces)
+            json["memory"]["forces"].push_back(
+                {{"a", f.a}, {"b", f.b}, {"normal", f.normal}, {"tangent", f.tangent}});
+    }
     for (const Blocked& b : state.blocked)
         json["blocked"].push_back({{"gate", scene.parts[b.gate].name}, {"ball", b.ball}});
     if (state.origin) json["origin"] = document_of(*state.origin, scene);
@@ -198,7 +204,7 @@ State read_state(const Node& root, const Scene& scene) {
     state.clock = read_clock(root);
     state.next_number = static_cast<BallNumber>(root.integer("next_number"));
     state.balls = read_balls(root, scene);
-    state.pressings = read_pressings(root, state.balls);
+    state.memory = read_memory(root, state.balls);
     state.parts = read_parts(root, scene);
     state.blocked = read_blocked(root, state, scene);
     for (const Node& side : root.each("raised")) state.raised[side.json() == side_names[0] ? 0 : 1] = true;

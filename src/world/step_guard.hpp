@@ -17,9 +17,9 @@ class StepGuard {
     explicit StepGuard(std::string_view engine) : engine_(engine) {}
 
     /// Makes room for so many balls and forces between them, so that steps allocate nothing.
-    void reserve(std::size_t balls, std::size_t pressings) {
+    void reserve(std::size_t balls, std::size_t forces) {
         before_.balls.reserve(balls);
-        before_.pressings.reserve(pressings);
+        before_.memory.forces.reserve(forces);
         before_.reported_lost.reserve(balls);
         before_.blocked.reserve(balls);
     }

@@ -156,7 +156,10 @@ void Table::forget_gone(State& state) {
         return !std::ranges::binary_search(state.balls, number, {}, &Ball::number);
     };
     std::erase_if(state.blocked, [&](const Blocked& b) { return gone(b.ball) || state.parts[b.gate].open; });
-    std::erase_if(state.pressings, [&](const Pressing& p) { return gone(p.a) || gone(p.b); });
+    EngineMemory& memory = state.memory;
+    if (memory.time != state.clock.time) memory.forces.clear();
+    std::erase_if(memory.forces, [&](const ContactForce& f) { return gone(f.a) || gone(f.b); });
+    if (memory.forces.empty()) memory = {};
 }
 
 void Table::restore(const State& state) {

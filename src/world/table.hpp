@@ -66,7 +66,8 @@ class Table {
 
     BallNumber new_number() { return state_.next_number++; }
     [[nodiscard]] std::vector<BallNumber>& reported_lost() { return state_.reported_lost; }
-    [[nodiscard]] std::vector<Pressing>& pressings() { return state_.pressings; }
+    /// Engines that keep one are to name themselves and the time in it after each step.
+    [[nodiscard]] EngineMemory& memory() { return state_.memory; }
 
     /// The next launch if one is waiting and its place is free, given the balls in the world. Either a
     /// new ball to add (number not set yet) or, on a plunger, one that lies there already, with its new
@@ -79,7 +80,8 @@ class Table {
     [[nodiscard]] bool launch_waiting() const { return !state_.launches.empty(); }
 
     [[nodiscard]] State save(std::span<const Ball> balls) const;
-    /// Removes what a state says of balls that are not in it, and of gates that are open.
+    /// Removes what a state says of balls that are not in it and of gates that are open, and a memory of
+    /// another time.
     static void forget_gone(State& state);
     /// The state without its balls; what `state` has room for is not allocated anew.
     void copy(State& state) const { state = state_; }

@@ -44,7 +44,7 @@ State a_state(double number) {
     state.rotating = true;
     state.launches = {{1.0 / 3, 5, 2}, {0, 1, 1}};
     state.reported_lost = {4'294'967'294};
-    state.pressings = {{2, 4'294'967'294, 1 / (1 + std::abs(number)), -number}};
+    state.memory = {"custom", state.clock.time, {{2, 4'294'967'294, 1 / (1 + std::abs(number)), -number}}};
     return state;
 }
 
@@ -70,7 +70,7 @@ RC_GTEST_PROP(StateFile, ReadsBackToTheSameBits, ()) {
     RC_ASSERT(!after.raised[0] && after.raised[1] && after.rotating);
     RC_ASSERT(after.launches.size() == 2U && after.launches[0].strength == 1.0 / 3);
     RC_ASSERT(after.reported_lost == before.reported_lost);
-    RC_ASSERT(after.pressings == before.pressings);
+    RC_ASSERT(after.memory == before.memory);
     RC_ASSERT(after.blocked == before.blocked);
     RC_ASSERT(after.origin->balls == before.origin->balls);
     RC_ASSERT(after.origin->origin == nullptr);
@@ -120,10 +120,13 @@ TEST(StateFile, BadOnesAreRefusedWithTheirPlace) {
         {"/blocked/0/gate", "wall", "/blocked/0/gate", "no gate of this scene; allowed: \"gate\""},
         {"/blocked/1/ball", 2, "/blocked/1", "by gate, then ball"},
         {"/parts/gate", {{"open", true}}, "/blocked/0/gate", "is open"},
-        {"/pressings/0/a", 7, "/pressings/0/a", "no ball has this number"},
-        {"/pressings/0/b", 2, "/pressings/0/b", "rising numbers"},
-        {"/pressings/0/normal", -1, "/pressings/0/normal", "is -1"},
-        {"/pressings/1", {{"a", 2}, {"b", 4294967294}, {"normal", 1}}, "/pressings/1", "by rising b, then a"},
+        {"/memory/forces/0/a", 7, "/memory/forces/0/a", "no ball has this number"},
+        {"/memory/forces/0/b", 2, "/memory/forces/0/b", "rising numbers"},
+        {"/memory/forces/0/normal", -1, "/memory/forces/0/normal", "is -1"},
+        {"/memory/forces/1",
+         {{"a", 2}, {"b", 4294967294}, {"normal", 1}},
+         "/memory/forces/1",
+         "by rising b, then a"},
         {"/origin/time", 0.5, "/origin/time", "after that of the state; allowed: up to 0.25"},
         {"/origin/origin", earlier, "/origin/origin", "allowed is one origin"},
         {"/origin/balls/0/mass", -1, "/origin/balls/0/mass", "is -1"},

@@ -166,7 +166,6 @@ void ContinuousSolver::hit_ball(BallIndex i, double time) {
     const bool rattling = rattles(i, j, approach, time);
     const Impact impact = respond(hitting, other, layout_.mixed(a.material, b.material),
                                   {scene_.gravity, rattling ? slow_ : scene_.rest_speed});
-    movers_[i].last_hit = movers_[j].last_hit = time;
     other.mass = mass;
     if (impact.happened) {
         ++record_->statistics.impacts;

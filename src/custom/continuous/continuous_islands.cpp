@@ -11,6 +11,8 @@ namespace {
 constexpr double leaning = 1e-3;
 /// So many ticks without a load, and a ball leaves its island.
 constexpr int most_unloaded = 3;
+/// So many touches of balls, each within a tick of the last, and a ball rattles.
+constexpr int most_hits = 10;
 
 }  // namespace
 
@@ -134,7 +136,7 @@ void ContinuousSolver::press_balls(BallIndex i, BallIndex j, double duration) {
     if (b.asleep ? movers_[j].lost : !flying_[j].pressed || j > i) return;
     const Vec2 between = a.position - b.position;
     const double reach = a.radius + b.radius,
-                 slack = 2 * scene_.rest_speed * duration + leaning * std::min(a.radius, b.radius);
+                 slack = slow_ * duration + leaning * std::min(a.radius, b.radius);
     const double square = length_squared(between);
     if (square >= (reach + slack) * (reach + slack) || square == 0 || !layers_meet(a, b)) return;
     const double distance = std::sqrt(square), gap = distance - reach;
@@ -159,10 +161,10 @@ void ContinuousSolver::press_balls(BallIndex i, BallIndex j, double duration) {
 }
 
 /// Adds a contact, which begins from the force that it had in the tick before.
-void ContinuousSolver::press(ContactSolver::Contact& contact, const Pressing& key, double duration) {
+void ContinuousSolver::press(ContactSolver::Contact& contact, const ContactForce& key, double duration) {
     contact.a = key.a, contact.b = key.b;
     const bool balls = contact.with == ContactSolver::With::ball;
-    const std::vector<Pressing>& forces = balls ? table_->pressings() : part_forces_;
+    const std::vector<ContactForce>& forces = balls ? table_->memory().forces : part_forces_;
     const auto known = std::ranges::lower_bound(forces, rank(key), {}, rank);
     if (known != forces.end() && rank(*known) == rank(key)) {
         contact.impulse.normal = known->normal * duration;
@@ -175,7 +177,7 @@ void ContinuousSolver::press_parts(BallIndex i, double time, double duration) {
     const Ball& ball = bodies_[i];
     Mover& mover = movers_[i];
     // Where balls are to be moved apart, they are kept from being moved through a part.
-    const double slack = 2 * scene_.rest_speed * duration + leaning * ball.radius + 2 * deepest_;
+    const double slack = slow_ * duration + leaning * ball.radius + 2 * deepest_;
     const Box box = bounds_of(ball.position, ball.radius + slack);
     record_->statistics.pair_tests += mover.near.cover(box, ranges_);
     PieceIndex seen = layout_.size();
@@ -208,9 +210,9 @@ void ContinuousSolver::press_parts(BallIndex i, double time, double duration) {
 
 /// Remembers the forces between balls, and who is pressed: by a ball, or from two sides.
 void ContinuousSolver::note_loads(double duration) {
-    std::vector<Pressing>& pressings = table_->pressings();
+    std::vector<ContactForce>& ball_forces = table_->memory().forces;
     const auto members = static_cast<BallIndex>(members_.size());
-    pressings.clear();
+    ball_forces.clear();
     part_forces_.clear();
     for (const BallIndex i : members_) ++movers_[i].unloaded, movers_[i].sides = 0;
     for (const ContactSolver::Contact& contact : contact_solver_.contacts()) {
@@ -222,11 +224,11 @@ void ContinuousSolver::note_loads(double duration) {
         };
         bear(contact.upper, contact.with == ContactSolver::With::ball ? 2 : 1);
         bear(contact.lower, contact.with == ContactSolver::With::ball ? 2 : 0);
-        (contact.with == ContactSolver::With::ball ? pressings : part_forces_)
+        (contact.with == ContactSolver::With::ball ? ball_forces : part_forces_)
             .push_back({contact.a, contact.b, contact.impulse.normal / duration,
                         contact.impulse.tangent / duration});
     }
-    std::ranges::sort(pressings, {}, rank);
+    std::ranges::sort(ball_forces, {}, rank);
     std::ranges::sort(part_forces_, {}, rank);
 }
 
@@ -295,12 +297,15 @@ void ContinuousSolver::set_out_pressed(BallIndex i, double time, const ContactSo
     list_in_cell(i, time);
 }
 
-/// Whether two balls come together slowly that have both met a ball since a tick ago: in a crowd that comes
-/// to rest impacts follow each other ever faster (McNamara and Young 1994, "Inelastic collapse in two
+/// Whether two balls come together slowly that have both met balls again and again: in a crowd that comes to
+/// rest impacts follow each other ever faster (McNamara and Young 1994, "Inelastic collapse in two
 /// dimensions"). They stay together.
-bool ContinuousSolver::rattles(BallIndex i, BallIndex j, double approach, double time) const {
-    const double since = time - tick_length;
-    return approach <= slow_ && movers_[i].last_hit > since && movers_[j].last_hit > since;
+bool ContinuousSolver::rattles(BallIndex i, BallIndex j, double approach, double time) {
+    for (Mover* mover : {&movers_[i], &movers_[j]}) {
+        mover->hits = time - mover->last_hit < tick_length ? mover->hits + 1 : 0;
+        mover->last_hit = time;
+    }
+    return approach <= slow_ && std::min(movers_[i].hits, movers_[j].hits) >= most_hits;
 }
 
 /// Whether two members touch and do not come together faster than at rest.

@@ -66,7 +66,7 @@ void ContinuousSolver::reserve(std::size_t balls) {
     custom::reserve_for(inside_, most, touches_per_ball);
     for (State& start : starts_) {
         custom::reserve_for(start.balls, most);
-        custom::reserve_for(start.pressings, most, contacts_per_ball);
+        custom::reserve_for(start.memory.forces, most, contacts_per_ball);
         start.blocked.reserve(std::min(most, layout_.gates().empty() ? 0 : most_near));
     }
     custom::reserve_for(part_forces_, most, contacts_per_ball);
@@ -122,8 +122,8 @@ void ContinuousSolver::find_islands() {
         join(i, 0);
         members_.push_back(i);
     };
-    for (const Pressing& pressing : table_->pressings())
-        for (const BallNumber number : {pressing.a, pressing.b}) {
+    for (const ContactForce& force : table_->memory().forces)
+        for (const BallNumber number : {force.a, force.b}) {
             const auto at = std::ranges::lower_bound(bodies_, number, {}, &Ball::number);
             if (at != bodies_.end() && at->number == number)
                 join_once(static_cast<BallIndex>(at - bodies_.begin()));

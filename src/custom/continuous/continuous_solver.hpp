@@ -103,6 +103,7 @@ class ContinuousSolver {
         double last_time = -1;                ///< of its last event
         double last_slow = -INFINITY;         ///< of its last slow touch of a ball
         double last_hit = -INFINITY;          ///< of its last touch of a ball
+        int hits = 0;                         ///< of balls, none later than a tick after the one before
         int stalled = 0;                      ///< events at that very time
         int idle = 0;                         ///< events since its last impact that counts
         double horizon = 0;                   ///< s: it is listed in its cell until then
@@ -143,14 +144,14 @@ class ContinuousSolver {
     void press_balls(BallIndex i, BallIndex j, double duration);
     void press_parts(BallIndex i, double time, double duration);
     void note_loads(double duration);
-    void press(ContactSolver::Contact& contact, const Pressing& key, double duration);
+    void press(ContactSolver::Contact& contact, const ContactForce& key, double duration);
     void set_out_pressed(BallIndex i, double time, const ContactSolver::Body& body);
     void move_to(BallIndex i, double time);
     [[nodiscard]] Vec2 true_velocity(BallIndex i, double time) const;
-    [[nodiscard]] static std::pair<BallNumber, BallNumber> rank(const Pressing& p) { return {p.b, p.a}; }
+    [[nodiscard]] static std::pair<BallNumber, BallNumber> rank(const ContactForce& f) { return {f.b, f.a}; }
     [[nodiscard]] double next_tick(double time) const;
     void follow(Ball& ball, const Mover& mover, double time) const;
-    [[nodiscard]] bool rattles(BallIndex i, BallIndex j, double approach, double time) const;
+    [[nodiscard]] bool rattles(BallIndex i, BallIndex j, double approach, double time);
     [[nodiscard]] bool in_slow_touch(BallIndex i, BallIndex j, double time) const;
     [[nodiscard]] bool rests_on(BallIndex i, const Feature& feature, const Pose& pose, double time) const;
 
@@ -248,7 +249,7 @@ class ContinuousSolver {
     std::vector<Support> supports_;
     ContactSolver contact_solver_;
     /// Of the last tick in this window: on ball a by piece b; by b, then a.
-    std::vector<Pressing> part_forces_;
+    std::vector<ContactForce> part_forces_;
     double deepest_ = 0;              ///< m, of the overlaps of balls in islands
     std::vector<BallIndex> members_;  ///< of the islands at hand, in order
     std::vector<BallIndex> woken_;    ///< at the event at hand

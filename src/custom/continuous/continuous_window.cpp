@@ -44,7 +44,7 @@ void ContinuousSolver::take_places() {
         mover.resting_on = mover.released = nullptr;
         mover.last_time = -1;
         mover.last_slow = mover.last_hit = -INFINITY;
-        mover.stalled = mover.idle = 0;
+        mover.stalled = mover.idle = mover.hits = 0;
         flying_[i] = {};
         flying_[i].radius = bodies_[i].radius;
     }

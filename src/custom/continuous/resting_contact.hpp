@@ -12,8 +12,8 @@
 /// thirds of the acceleration, for a disc) as long as a third of what drives it stays below µ times the
 /// normal force. The switch is an event like any other.
 ///
-/// Ball and surface separate when the force that keeps the ball on the surface changes sign, and where the face
-/// ends.
+/// Ball and surface separate when the force that keeps the ball on the surface changes sign, and where the
+/// face ends.
 
 #include "custom/continuous/feature.hpp"
 #include "custom/continuous/path.hpp"
@@ -39,7 +39,8 @@ struct RestingContact {
     double friction = 0;    ///< µ between the two
 };
 
-/// The contact of a ball that touches the feature at `time`; `normal` as closest_point() and the pose give it.
+/// The contact of a ball that touches the feature at `time`; `normal` as closest_point() and the pose give
+/// it.
 [[nodiscard]] RestingContact resting_contact_at(const Feature& feature, const Turning& turning,
                                                 const Ball& ball, Vec2 normal, double time,
                                                 const Drive& drive);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "custom/engine.hpp"
 #include "world/refusal.hpp"
 
 namespace flipside::custom {
@@ -52,6 +53,8 @@ void Windows::advance_to(const Clock& now, std::vector<Ball>& balls, StepRecord&
         const double ahead = here.time - solver_.start().clock.time;
         solver_.run(ahead, record);
         table_.set_to(here, solver_.start().parts, ahead);
+        table_.memory().engine = engine_name;
+        table_.memory().time = here.time;
         if (here.time < stop) return solver_.read(ahead, now.time, balls);
         if (watched_) {
             solver_.end(now.time, balls);
@@ -77,6 +80,8 @@ void Windows::begin(std::vector<Ball>& balls, StepRecord& record) {
     watch_at_ = end_at_ - rest_length;
     watched_ = !settings_.sleep || watch_at_ <= time;
     sleep_.watch({}, rest_length);
+    EngineMemory& memory = table_.memory();
+    if (memory.engine != engine_name || memory.time != time) memory.forces.clear();
     solver_.begin(table_, balls, end_at_ - time, record);
     quiet_ = solver_.quiet();
     in_window_ = !quiet_;

@@ -144,12 +144,12 @@ TEST(Piles, ASavedHeapContinuesWithTheSameBits) {
     const auto through = make_world(scene), other = make_world(scene);
     run(*through, 1);
     const State state = through->save();
-    EXPECT_FALSE(state.pressings.empty());
+    EXPECT_FALSE(state.memory.forces.empty());
     other->restore(state);
     run(*through, 0.5);
     run(*other, 0.5);
     for (std::size_t i = 0; i < scene.balls.size(); ++i) EXPECT_EQ(through->balls()[i], other->balls()[i]);
-    EXPECT_EQ(through->save().pressings, other->save().pressings);
+    EXPECT_EQ(through->save().memory, other->save().memory);
 }
 
 TEST(Piles, ASleeperWhoseSupportLeavesFalls) {
