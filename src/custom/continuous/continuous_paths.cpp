@@ -37,6 +37,7 @@ void ContinuousSolver::set_out(BallIndex i, double time) {
     mover.resting_on = nullptr;
     mover.glides.clear();
     mover.way.until = never_touch;
+    mover.way.separates = false;
     mover.way.spin_rate = 0;
     mover.way.roll = {};
     Path& path = mover.way.path;
@@ -174,37 +175,61 @@ bool ContinuousSolver::goes_before(const Support& support, const Support& other)
     return support.ahead > other.ahead || (support.ahead == other.ahead && &support < &other);
 }
 
-/// Chooses what the ball rests on among its supports: the one whose force keeps it off all others, or all
-/// together where no single one does.
+/// Whether a support holds the ball alone: with its friction its force keeps the ball off all others.
+bool ContinuousSolver::holds_alone(const Support& support, const Ball& ball) const {
+    const RestingContact& contact = support.contact;
+    const Vec2 held = contact.force * contact.normal + friction_of(contact, ball) * perp(contact.normal);
+    return std::ranges::all_of(supports_, [&](const Support& other) {
+        if (&other == &support) return true;
+        if (dot(other.contact.normal, contact.normal) >= smooth_joint) return goes_before(support, other);
+        return other.contact.force - dot(held, other.contact.normal) <= 1e-9 * contact.force;
+    });
+}
+
+/// Chooses what the ball rests on among its supports: one, or two between which it stays.
 void ContinuousSolver::choose_support(BallIndex i, double time) {
-    Ball& ball = bodies_[i];
+    const Ball& ball = bodies_[i];
     Mover& mover = movers_[i];
-    int pressed = 0;
-    bool moving = false;
     if (supports_.size() > 1) find_ways(ball, time);
     for (const Support& support : supports_) {
-        pressed += support.pressed;
-        moving = moving || support.contact.turning->rate_at(time) != 0;
-        if (!support.pressed) continue;
-        const bool enough = std::ranges::all_of(supports_, [&](const Support& other) {
-            if (&other == &support) return true;
-            const double cosine = dot(other.contact.normal, support.contact.normal);
-            return cosine < smooth_joint
-                       ? other.contact.force - support.contact.force * cosine <= 1e-9 * support.contact.force
-                       : goes_before(support, other);
-        });
-        if (!enough) continue;
+        if (!support.pressed || !holds_alone(support, ball)) continue;
         mover.resting_on = support.contact.feature;
         if (!constrain(support.contact, ball, time, dt_, drive_, mover.way)) join(i, time);
         return;
     }
     const double slow = 1e-6 * std::sqrt(ball.radius * length(drive_.gravity));
-    if (pressed < 2 || moving || length(ball.velocity) > slow) return;
-    // Rubbed from two sides, a spinning ball is taken to stop at once.
-    if (std::ranges::any_of(supports_, [](const Support& support) { return support.contact.friction > 0; }))
-        ball.spin = 0;
-    mover.resting_on = supports_.front().contact.feature;
-    mover.way.path.flight = {ball.position, {}, {}, 0};
+    const bool moving = std::ranges::any_of(
+        supports_, [&](const Support& support) { return support.contact.turning->rate_at(time) != 0; });
+    if (!moving && length(ball.velocity) <= slow) stay_between(i, time);
+}
+
+/// A ball that two still supports keep where it is: the forces of both bear it. While it spins, both rub it
+/// by Coulomb's law until it has come to rest; a third of them is left out.
+void ContinuousSolver::stay_between(BallIndex i, double time) {
+    Ball& ball = bodies_[i];
+    if (std::abs(ball.spin) <= 1e-12 * std::sqrt(length(drive_.gravity) / ball.radius)) ball.spin = 0;
+    const double turning = ball.spin > 0 ? 1 : ball.spin < 0 ? -1 : 0;
+    const auto direction = [&](const RestingContact& contact) {
+        return contact.normal + turning * contact.friction * perp(contact.normal);
+    };
+    for (const Support& first : supports_)
+        for (const Support& second : supports_) {
+            if (&first == &second || !first.pressed) continue;
+            const Vec2 u = direction(first.contact), v = direction(second.contact);
+            const double across = cross(u, v), none = 1e-12 * length(drive_.gravity);
+            if (std::abs(across) < 1e-12) continue;
+            const double force_u = -cross(drive_.gravity, v) / across,
+                         force_v = -cross(u, drive_.gravity) / across;
+            if (force_u < -none || force_v < -none) continue;
+            const double rubbed =
+                2 * (first.contact.friction * force_u + second.contact.friction * force_v) / ball.radius;
+            ConstrainedPath& way = movers_[i].way;
+            movers_[i].resting_on = first.contact.feature;
+            way.path.flight = {ball.position, {}, {}, 0};
+            way.spin_rate = -turning * rubbed;
+            if (ball.spin != 0 && rubbed > 0) way.until = time + std::abs(ball.spin) / rubbed;
+            return;
+        }
 }
 
 }  // namespace flipside::custom

@@ -195,7 +195,9 @@ class ContinuousSolver {
     [[nodiscard]] static bool goes_before(const Support& support, const Support& other);
     void find_supports(BallIndex i, double time);
     void note_glides(Mover& mover) const;
+    [[nodiscard]] bool holds_alone(const Support& support, const Ball& ball) const;
     void choose_support(BallIndex i, double time);
+    void stay_between(BallIndex i, double time);
 
     // Events (continuous_events.cpp).
     void handle(BallIndex i);

@@ -343,6 +343,12 @@ void swing(const RestingContact& contact, const Ball& ball, const Guide& guide, 
 
 }  // namespace
 
+double friction_of(const RestingContact& contact, const Ball& ball) {
+    const double along = dot(ball.velocity - contact.surface_velocity, perp(contact.normal));
+    const Rub rub = rub_of(contact, ball, along, contact.driven);
+    return rub.rolls ? -contact.driven / 3 : -rub.slide * contact.force;
+}
+
 bool constrain(const RestingContact& contact, const Ball& ball, double time, double t1, const Drive& drive,
                ConstrainedPath& held) {
     const Vec2 n = contact.normal, tangent = perp(n);

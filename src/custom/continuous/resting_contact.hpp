@@ -45,6 +45,9 @@ struct RestingContact {
                                                 const Ball& ball, Vec2 normal, double time,
                                                 const Drive& drive);
 
+/// What friction does to a ball that the contact holds, per mass along perp(normal), m/s².
+[[nodiscard]] double friction_of(const RestingContact& contact, const Ball& ball);
+
 struct ConstrainedPath {
     Path path;
     double until = never_touch;  ///< must be looked at again then; never_touch if not before t1
