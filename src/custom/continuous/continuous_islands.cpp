@@ -7,8 +7,6 @@ namespace flipside::custom {
 
 namespace {
 
-/// Surfaces nearer than this, in radii, can press on each other.
-constexpr double leaning = 1e-3;
 /// So many ticks without a load, and a ball leaves its island.
 constexpr int most_unloaded = 3;
 /// So many touches of balls, each within a tick of the last, and a ball rattles.
@@ -48,7 +46,7 @@ void ContinuousSolver::crush(BallIndex first, double time) {
         cells_.each_near(i, [&](BallIndex j) {
             const double reach = bodies_[i].radius + bodies_[j].radius;
             const double apart = length(movers_[j].way.path.position(time) - here);
-            if (apart <= (1 + leaning) * reach && layers_meet(bodies_[i], bodies_[j])) squeeze(j);
+            if (apart <= (1 + press_distance) * reach && layers_meet(bodies_[i], bodies_[j])) squeeze(j);
         });
     }
     tick(time);
@@ -136,12 +134,12 @@ void ContinuousSolver::press_balls(BallIndex i, BallIndex j, double duration) {
     if (b.asleep ? movers_[j].lost : !flying_[j].pressed || j > i) return;
     const Vec2 between = a.position - b.position;
     const double reach = a.radius + b.radius,
-                 slack = slow_ * duration + leaning * std::min(a.radius, b.radius);
+                 slack = slow_ * duration + press_distance * std::min(a.radius, b.radius);
     const double square = length_squared(between);
     if (square >= (reach + slack) * (reach + slack) || square == 0 || !layers_meet(a, b)) return;
     const double distance = std::sqrt(square), gap = distance - reach;
     const Vec2 normal = between / distance;
-    const bool deep = gap < -leaning * std::min(a.radius, b.radius);
+    const bool deep = gap < -press_distance * std::min(a.radius, b.radius);
     deepest_ = std::max(deepest_, -gap);
     const Vec2 other_velocity = b.asleep ? Vec2{} : b.velocity;
     const bool crushed = movers_[i].crushed || movers_[j].crushed;
@@ -177,7 +175,7 @@ void ContinuousSolver::press_parts(BallIndex i, double time, double duration) {
     const Ball& ball = bodies_[i];
     Mover& mover = movers_[i];
     // Where balls are to be moved apart, they are kept from being moved through a part.
-    const double slack = slow_ * duration + leaning * ball.radius + 2 * deepest_;
+    const double slack = slow_ * duration + press_distance * ball.radius + 2 * deepest_;
     const Box box = bounds_of(ball.position, ball.radius + slack);
     record_->statistics.pair_tests += mover.near.cover(box, ranges_);
     PieceIndex seen = layout_.size();
@@ -195,7 +193,7 @@ void ContinuousSolver::press_parts(BallIndex i, double time, double duration) {
         const double closing = -dot(ball.velocity - surface, found.normal);
         ++record_->statistics.contacts;
         ContactSolver::Contact contact;
-        contact.bounces = !mover.crushed && found.separation > -leaning * ball.radius && closing > slow_;
+        contact.bounces = !mover.crushed && found.separation > -press_distance * ball.radius && closing > slow_;
         contact.upper = rank_[i];
         contact.lower = contact_solver_.add({found.point, surface, {}, 0, 0, 0, 0});
         contact.normal = found.normal;

@@ -6,8 +6,6 @@ namespace flipside::custom {
 
 namespace {
 
-/// A gap up to this, in radii, is contact for a ball that does not move along the normal.
-constexpr double support_gap = 1e-9;
 /// Hops shorter than this, in units of √(r/a), do not happen: the contact holds.
 constexpr double shortest_hop = 1e-9;
 /// Faces meet smoothly whose normals have at least this cosine (1.4e-3 rad; see joint_angle).

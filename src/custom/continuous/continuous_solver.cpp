@@ -11,9 +11,6 @@ namespace flipside::custom {
 
 namespace {
 
-/// Overlaps deeper than this, in radii, are no matter of rounding.
-constexpr double deep = 1e-3;
-
 Box touching_box(const Ball& ball) {
     return bounds_of(ball.position, ball.radius * (1 + touch_distance));
 }
@@ -89,7 +86,7 @@ void ContinuousSolver::come_out(BallIndex i) {
         const Box here = bounds_of(ball.position, ball.radius);
         record_->statistics.pair_tests += movers_[i].near.cover(here, ranges_);
         Touch deepest;
-        deepest.separation = -deep * ball.radius;
+        deepest.separation = -deep_overlap * ball.radius;
         bool found = false;
         PieceIndex seen = layout_.size();
         for (const FeatureIndex f : movers_[i].near.list()) {
@@ -143,17 +140,17 @@ void ContinuousSolver::find_islands() {
     }
 }
 
-/// `leaning`: one of the two is in an island.
-bool ContinuousSolver::presses(BallIndex i, BallIndex j, bool leaning) const {
+/// `beside_island`: one of the two is in an island.
+bool ContinuousSolver::presses(BallIndex i, BallIndex j, bool beside_island) const {
     const Ball &a = bodies_[i], &b = bodies_[j];
     const Vec2 between = a.position - b.position;
     const double near = touch_distance * std::min(a.radius, b.radius);
     const double reach = a.radius + b.radius + near;
     if (length_squared(between) > reach * reach || !layers_meet(a, b)) return false;
-    const double out = a.radius + b.radius - deep * std::min(a.radius, b.radius);
+    const double out = a.radius + b.radius - deep_overlap * std::min(a.radius, b.radius);
     if (length_squared(between) < out * out) return true;
     const double apart = dot(a.velocity - b.velocity, unit(between));
-    if (leaning) return std::abs(apart) <= scene_.rest_speed;
+    if (beside_island) return std::abs(apart) <= scene_.rest_speed;
     const double pressed = closing_acceleration(i, j, 0);
     if (pressed <= 1e-9 * length(scene_.gravity) || apart < -scene_.rest_speed) return false;
     return apart <= 0 || apart * apart <= 2 * pressed * near;

@@ -129,7 +129,7 @@ class ContinuousSolver {
     // What happens at its start, and which pairs are near when it is read (continuous_solver.cpp).
     void come_out(BallIndex i);
     void find_islands();
-    [[nodiscard]] bool presses(BallIndex i, BallIndex j, bool leaning) const;
+    [[nodiscard]] bool presses(BallIndex i, BallIndex j, bool beside_island) const;
     void pair_with_parts(std::span<const Ball> balls, BallIndex i);
     void pair_with_balls(std::span<const Ball> balls, BallIndex i);
     [[nodiscard]] double closing_acceleration(BallIndex i, BallIndex j, double time) const;

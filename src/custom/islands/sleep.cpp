@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "custom/broad_phase/capacity.hpp"
+#include "custom/tolerances.hpp"
 
 namespace flipside::custom {
 
 namespace {
 
-/// Balls that overlap anything by more than this, in radii, are on their way out of it.
-constexpr double most_overlap = 0.005;
 /// Of balls in touch: speeds and gains of speed that are rest, in units of what gravity gives in the moment.
 constexpr double company_speed = 0.05;
 constexpr double company_gain = 0.02;
@@ -92,7 +91,7 @@ void Sleep::find_company(std::span<const Ball> balls, std::span<const Contact> c
     for (const Contact& contact : contacts) {
         const auto note = [&](std::size_t i) {
             findings_[i].in_company |= contact.other.is_ball;
-            findings_[i].squeezed |= -contact.separation > most_overlap * balls[i].radius;
+            findings_[i].squeezed |= -contact.separation > squeezed_overlap * balls[i].radius;
         };
         note(index_of(balls, contact.ball));
         if (contact.other.is_ball) note(index_of(balls, contact.other.index));
