@@ -37,6 +37,22 @@ Value<R> within(const Curve<R>& curve, const Motion<R>& m, const R& radius) {
     const Ends<R> ends = within_ends(curve, m, radius);
     return (ends.first.value < ends.last.value) != curve.wide ? ends.first : ends.last;
 }
+/// How long a point that is past an end surely stays so, when it is driven by no more than `acceleration`.
+template <class R>
+R stays_past(const Line<R>& line, const Motion<R>& m, const R& radius, const R& acceleration) {
+    const Value<R> face = within(line, m, radius);
+    return free_step(R(-face.value), R(-face.slope), acceleration);
+}
+/// On an arc of more than half a turn it is past both ends, and may come back by either.
+template <class R>
+R stays_past(const Curve<R>& curve, const Motion<R>& m, const R& radius, const R& acceleration) {
+    const auto stays = [&](const Value<R>& end) {
+        return free_step(R(-end.value), R(-end.slope), acceleration);
+    };
+    if (!curve.wide) return stays(within(curve, m, radius));
+    const Ends<R> ends = within_ends(curve, m, radius);
+    return std::min(stays(ends.first), stays(ends.last));
+}
 
 /// One side of a line: `sign` +1 on the left of it.
 template <class R>
@@ -57,6 +73,9 @@ struct LineSide {
         return view.turning ? bounds.acceleration : view.path.bend_along(perp(line.along), from, until);
     }
     [[nodiscard]] Value<R> face(const Motion<R>& m) const { return within(line, m, radius); }
+    [[nodiscard]] R stays_off(const Motion<R>& m, const R& acceleration) const {
+        return stays_past(line, m, radius, acceleration);
+    }
     [[nodiscard]] Polynomial<R> polynomial(const Motion<R>& m, const V<R>& a) const {
         const Value<R> g = gap(m);
         return {{g.value, g.slope, sign * cross(line.along, a) / 2, R(0), R(0)}};
@@ -105,6 +124,9 @@ struct CurveSide {
         return bounds.acceleration * (3 * bounds.speed + far * path.drag) / reach();
     }
     [[nodiscard]] Value<R> face(const Motion<R>& m) const { return within(curve, m, radius); }
+    [[nodiscard]] R stays_off(const Motion<R>& m, const R& acceleration) const {
+        return stays_past(curve, m, radius, acceleration);
+    }
     [[nodiscard]] Polynomial<R> polynomial(const Motion<R>& m, const V<R>& a) const {
         const V<R> out = m.position - curve.center;
         const R d = reach(), f = sign / (2 * d);
@@ -201,8 +223,7 @@ R first_touch(const Feature<R>& feature, const View<R>& view, const R& radius, c
         const auto again = [&](const R& t) {
             const Motion<R> m = view.at(t);
             R step = 64 * epsilon<R>() * std::max(R(until - from), magnitude(t));
-            if (const Value<R> face = side.face(m); face.value < 0)
-                step = std::max(step, free_step(R(-face.value), R(-face.slope), bounds.acceleration));
+            if (side.face(m).value < 0) step = std::max(step, side.stays_off(m, bounds.acceleration));
             if (const R off = side.off(m); off < 0) step = std::max(step, R(off / -bounds.speed));
             return R(t + step);
         };

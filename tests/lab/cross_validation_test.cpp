@@ -109,6 +109,7 @@ const std::vector<Kind>& kinds() {
                                                             {shape::Circle{{0.05, -0.03}, 0.015}}}}}))},
         {"turning segment", one(turning("vane", {segment}, 6)), false, 6 * 0.08},
         {"turning arc", one(turning("wheel", {arc}, -5)), false, 5 * 0.07},
+        {"turning cup", one(turning("cup", {shape::Arc{{0.02, 0}, 0.05, 0.5, 5.5}}, 6)), false, 6 * 0.09},
         {"turning polygon",
          one(turning("bar",
                      {shape::Polygon{{{-0.07, -0.006}, {0.07, -0.006}, {0.07, 0.006}, {-0.07, 0.006}}}}, 8)),

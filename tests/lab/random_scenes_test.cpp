@@ -141,7 +141,11 @@ enum class Outcome { exact, refused, unknown, chaotic, island, wrong };
 /// Up to the end, or to where the first of them differ by more than is exact.
 Outcome compare(const Scene& scene, double dt, double& error) {
     Scene shifted = scene;
-    for (Ball& ball : shifted.balls) ball.position += {shift, -0.5 * shift};
+    for (Ball& ball : shifted.balls) {
+        ball.position += {shift, -0.5 * shift};
+        ball.velocity += {-shift, shift};  // in a second
+        ball.spin += shift / ball.radius;
+    }
     const auto ours = world_of(scene, "custom", {{"sleep", "off"}}),
                near = world_of(shifted, "custom", {{"sleep", "off"}}),
                truth = world_of(scene, "reference", {{"twin", "on"}});
@@ -167,10 +171,16 @@ Outcome compare(const Scene& scene, double dt, double& error) {
     return Outcome::exact;
 }
 
+/// Beyond the first thousand, these once differed: a wide turning arc was passed through on the reference, a
+/// ball was left without its support in a wedge.
+constexpr unsigned once_wrong[] = {1558, 1913, 2326};
+
 TEST(RandomScenes, AreAsTheReferenceHasThem) {
     constexpr unsigned scenes = test::in_small ? 30 : 1000;
+    std::vector<unsigned> seeds(std::begin(once_wrong), std::end(once_wrong));
+    for (unsigned seed = 0; seed < scenes; ++seed) seeds.push_back(seed);
     int counts[6] = {};
-    for (unsigned seed = 0; seed < scenes; ++seed) {
+    for (const unsigned seed : seeds) {
         Scene scene = RandomScene(seed).make();
         clear_starts(scene);
         for (const double dt : {1.0 / 37, 1.0 / 60, 1.0 / 240}) {
@@ -181,10 +191,10 @@ TEST(RandomScenes, AreAsTheReferenceHasThem) {
         }
     }
     std::printf(
-        "%u scenes, three steps each: %d exact, %d until the reference refuses, %d where it claims no "
+        "%zu scenes, three steps each: %d exact, %d until the reference refuses, %d where it claims no "
         "more, %d chaotic, %d with balls in islands, %d wrong\n",
-        scenes, counts[0], counts[1], counts[2], counts[3], counts[4], counts[5]);
-    EXPECT_GT(counts[0], static_cast<int>(scenes));
+        seeds.size(), counts[0], counts[1], counts[2], counts[3], counts[4], counts[5]);
+    EXPECT_GT(counts[0], static_cast<int>(seeds.size()));
 }
 
 }  // namespace

@@ -20,6 +20,8 @@ void ContinuousSolver::join(BallIndex i, double time) {
     if (bodies_[i].asleep || mover.lost || flying_[i].pressed) return;
     if (!any_pressed_) next_tick_ = next_tick(time);
     flying_[i].pressed = any_pressed_ = true;
+    std::uint64_t& counted = record_->statistics.handed_over;
+    counted = std::max<std::uint64_t>(counted, 1);
     mover.hops = false;
     mover.unloaded = 0;
 }
