@@ -6,18 +6,9 @@
 #include "custom/broad_phase/capacity.hpp"
 #include "custom/broad_phase/registry.hpp"
 #include "custom/engine.hpp"
-#include "custom/inspect_bounds.hpp"
 #include "custom/stopwatch.hpp"
 
 namespace flipside::custom {
-
-namespace {
-
-Vec2 middle(const Box& box) {
-    return 0.5 * (box.min + box.max);
-}
-
-}  // namespace
 
 CustomWorld::CustomWorld(std::shared_ptr<const Scene> scene, const Settings& settings)
     : scene_(std::move(scene)),
@@ -220,67 +211,6 @@ bool CustomWorld::remove(BallNumber number) {
     wake_all();
     search_contacts();
     return true;
-}
-
-State CustomWorld::save() const {
-    State state = table_.save(balls_);
-    if (windows_) state.origin = windows_->origin();
-    return state;
-}
-
-void CustomWorld::restore(const State& state) {
-    guard_.forget();
-    if (!resume(state)) load(state);
-    record_.events.clear();
-    record_.statistics = {};
-    search_contacts();
-}
-
-void CustomWorld::load(const State& state) {
-    table_.restore(state);
-    balls_ = state.balls;
-    if (windows_) windows_->begin_anew();
-    reserve_for();
-}
-
-/// Goes through the window in which the state was saved, from its start. False where that does not lead to
-/// the state: it is another engine's, or was changed.
-bool CustomWorld::resume(const State& state) {
-    if (!state.origin || !windows_) return false;
-    load(*state.origin);
-    if (!windows_->resume(state, balls_, record_)) return false;
-    State reached = save();
-    reached.origin = state.origin;
-    return reached == state;
-}
-
-void CustomWorld::inspect(Inspector& inspector) const {
-    if (inspector.wants(Topic::boxes)) inspect_bounds(layout_, table_, balls_, inspector);
-    if (inspector.wants(Topic::cells) && windows_) windows_->inspect_cells(inspector);
-    if (inspector.wants(Topic::cells) && simple_) broad_->inspect(inspector);
-    if (inspector.wants(Topic::pairs)) {
-        find_contacts();
-        const auto place = [&](Handle handle) {
-            if (handle >= layout_.size()) return balls_[handle - layout_.size()].position;
-            const Piece& piece = layout_.piece(handle);
-            return middle(bounds_of(piece, table_.pose(piece.part)));
-        };
-        for (const Pair pair : contacts_.pairs()) inspector.pair(place(pair.a), place(pair.b));
-    }
-    if (inspector.wants(Topic::contacts))
-        for (const Contact& contact : contacts()) inspector.contact(contact);
-    if (inspector.wants(Topic::sleep))
-        for (const Ball& ball : balls_)
-            if (ball.asleep) inspector.circle(Topic::sleep, ball.position, ball.radius);
-}
-
-const Engine& engine() {
-    static const Engine custom{
-        engine_name, "the bespoke engine: shapes, quadtree and response written here to be read",
-        setting_specs(), [](std::shared_ptr<const Scene> scene, const Settings& settings) {
-            return std::unique_ptr<World>(std::make_unique<CustomWorld>(std::move(scene), settings));
-        }};
-    return custom;
 }
 
 }  // namespace flipside::custom

@@ -1,0 +1,36 @@
+// What a world shows of its insides.
+
+#include "custom/inspect_bounds.hpp"
+#include "custom/world.hpp"
+
+namespace flipside::custom {
+
+namespace {
+
+Vec2 middle(const Box& box) {
+    return 0.5 * (box.min + box.max);
+}
+
+}  // namespace
+
+void CustomWorld::inspect(Inspector& inspector) const {
+    if (inspector.wants(Topic::boxes)) inspect_bounds(layout_, table_, balls_, inspector);
+    if (inspector.wants(Topic::cells) && windows_) windows_->inspect_cells(inspector);
+    if (inspector.wants(Topic::cells) && simple_) broad_->inspect(inspector);
+    if (inspector.wants(Topic::pairs)) {
+        find_contacts();
+        const auto place = [&](Handle handle) {
+            if (handle >= layout_.size()) return balls_[handle - layout_.size()].position;
+            const Piece& piece = layout_.piece(handle);
+            return middle(bounds_of(piece, table_.pose(piece.part)));
+        };
+        for (const Pair pair : contacts_.pairs()) inspector.pair(place(pair.a), place(pair.b));
+    }
+    if (inspector.wants(Topic::contacts))
+        for (const Contact& contact : contacts()) inspector.contact(contact);
+    if (inspector.wants(Topic::sleep))
+        for (const Ball& ball : balls_)
+            if (ball.asleep) inspector.circle(Topic::sleep, ball.position, ball.radius);
+}
+
+}  // namespace flipside::custom
