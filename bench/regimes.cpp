@@ -59,7 +59,7 @@ Regime pinball(int balls) {
                     starts.push_back(std::make_shared<const Scene>(pinball_scene(balls, 0.1 * start)));
                 return starts;
             },
-            0,
+            0.5,
             3,
             false};
 }

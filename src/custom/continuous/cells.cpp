@@ -104,8 +104,11 @@ double Cells::stays(BallIndex i, Vec2 center, Vec2 velocity, Vec2 top) const {
         const double back = (speed + std::sqrt(speed * speed + 2 * bend * behind)) / bend;
         return std::min(forward, back);
     };
-    return std::min(along(center.x, cells_[i].column, velocity.x, top.x),
-                    along(center.y, cells_[i].row, velocity.y, top.y));
+    const double least = std::min(along(center.x, cells_[i].column, velocity.x, top.x),
+                                  along(center.y, cells_[i].row, velocity.y, top.y));
+    // In single precision, so that where cells lie does not show in the last bits of what is found later.
+    const auto rounded = static_cast<float>(least);
+    return rounded > least ? std::nextafter(rounded, 0.0F) : rounded;
 }
 
 void Cells::inspect(Inspector& inspector) const {

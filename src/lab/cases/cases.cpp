@@ -94,6 +94,32 @@ constexpr Case all[] = {
      "A weightless ball slides off the flat of a part past its round end: a straight line in every "
      "orientation.",
      "", smooth_joint},
+    {32, "wedge", "One ball in a wedge",
+     "A ball falls into a wedge, lies there and sleeps, whatever the step, with friction or without.", "",
+     wedge},
+    {33, "heavy-on-light", "Heavy on light",
+     "Balls a thousand times as heavy as those that carry them: no sinking in, and sleep.", "",
+     heavy_on_light},
+    {34, "mirror", "Mirror",
+     "The mirror image of a scene, its balls in another order, moves as the mirror image.", "", mirror},
+    {35, "quarter-turn", "Quarter turn", "A scene turned by a quarter turn gives the same bits.", "",
+     quarter_turn},
+    {36, "time-reversal", "Time reversal",
+     "Elastic balls whose velocities are reversed come back to where they began.", "J. Loschmidt, 1876",
+     time_reversal},
+    {37, "step-independence", "Step independence",
+     "Steps of any length give the same bits where no balls press on each other.", "", step_independence},
+    {38, "radius-ratio", "Radius ratio 1 : 500", "Nothing leaves a closed box, however small.", "",
+     radius_ratio},
+    {39, "gaining-walls", "Walls that give more than they take",
+     "With a restitution above 1 speeds grow without end: nothing leaves, and at the top speed the run is "
+     "refused.",
+     "", gaining_walls},
+    {40, "impact-statistics", "Elastic impact statistics",
+     "The pressure of 500 discs to half a percent: noise cannot pass for agreement.",
+     "N. Clisby, B. M. McCoy, Ninth and tenth order virial coefficients for hard spheres in D dimensions, "
+     "2006",
+     impact_statistics, "custom.sleep=off"},
 };
 
 struct Recommended {

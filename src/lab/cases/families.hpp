@@ -49,9 +49,24 @@ void gate_end(Experiment& experiment);
 // joints.cpp
 void smooth_joint(Experiment& experiment);
 
+// pressed.cpp
+void wedge(Experiment& experiment);
+void heavy_on_light(Experiment& experiment);
+
+// symmetry.cpp
+void mirror(Experiment& experiment);
+void quarter_turn(Experiment& experiment);
+void time_reversal(Experiment& experiment);
+void step_independence(Experiment& experiment);
+
+// closed_boxes.cpp
+void radius_ratio(Experiment& experiment);
+void gaining_walls(Experiment& experiment);
+
 // gas.cpp
 void mean_free_path(Experiment& experiment);
 void disc_gas(Experiment& experiment);
+void impact_statistics(Experiment& experiment);
 void equipartition(Experiment& experiment);
 
 // galton.cpp
