@@ -195,7 +195,8 @@ void ContinuousSolver::press_parts(BallIndex i, double time, double duration) {
         const double closing = -dot(ball.velocity - surface, found.normal);
         ++record_->statistics.contacts;
         ContactSolver::Contact contact;
-        contact.bounces = !mover.crushed && found.separation > -press_distance * ball.radius && closing > slow_;
+        contact.bounces =
+            !mover.crushed && found.separation > -press_distance * ball.radius && closing > slow_;
         contact.upper = rank_[i];
         contact.lower = contact_solver_.add({found.point, surface, {}, 0, 0, 0, 0});
         contact.normal = found.normal;

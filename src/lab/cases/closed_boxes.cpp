@@ -39,7 +39,8 @@ void radius_ratio(Experiment& experiment) {
     // Sizes between, around it: none overlaps another.
     for (int i = 0; i < 79; ++i) {
         const double r = i % 8 == 0 ? 0.05 : small;
-        const double along = 0.1 + 3.8 * (i / 2) / 40;
+        const int column = i / 2;
+        const double along = 0.1 + 3.8 * column / 40;
         add_ball(scene, i % 2 == 0 ? Vec2{along, 0.1} : Vec2{along, 3.9}, 2 * dice.direction(), r, r * r);
     }
     Trial trial(experiment, scene);

@@ -29,7 +29,8 @@ Scene lively_box(int balls, double restitution, Vec2 gravity, bool turned) {
     add_part(scene, {shape::Point{at(-0.4, -0.3)}}, wall);
     Dice dice(1);
     for (int i = 0; i < balls; ++i) {
-        const double x = -0.75 + 0.5 * (i % 4), y = -0.7 + 0.45 * (i / 4);
+        const int row = i / 4;
+        const double x = -0.75 + 0.5 * (i % 4), y = -0.7 + 0.45 * row;
         add_ball(scene, at(x, y), quarter(2 * dice.direction(), turned), 0.06);
     }
     return scene;
@@ -48,7 +49,8 @@ Scene rows_in_a_box(int balls, double restitution, double weight, bool mirrored)
     Dice dice(1);
     std::vector<Ball> made;
     for (int i = 0; i < balls; ++i) {
-        const Vec2 place{-1.85 + 0.28 * (i % 14) + dice.below(0.05), 1.8 - 0.25 * (i / 14)};
+        const int row = i / 14;
+        const Vec2 place{-1.85 + 0.28 * (i % 14) + dice.below(0.05), 1.8 - 0.25 * row};
         made.push_back(add_ball(scene, at(place), at(2 * dice.direction()), 0.08));
     }
     if (!mirrored) return scene;
