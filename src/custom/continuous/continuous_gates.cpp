@@ -13,15 +13,14 @@ double ContinuousSolver::distance_to(PartIndex part, Vec2 center, double radius,
     return least;
 }
 
-/// Decides for every ball that is at a gate but has not met it in a step: it was there at the beginning, or
-/// joined, or was moved by the other solver.
-void ContinuousSolver::settle_gates(Table& table, std::vector<Ball>& balls) {
-    settled_ = true;
-    for (const PartIndex part : layout_.gates()) settle_gate(table, balls, part);
+/// Decides for every ball that is at a gate but has not met it in flight: it was there at the beginning, or
+/// joined, or was pushed there.
+void ContinuousSolver::settle_gates() {
+    for (const PartIndex part : layout_.gates()) settle_gate(part);
 }
 
-void ContinuousSolver::settle_gate(Table& table, std::vector<Ball>& balls, PartIndex part) {
-    const auto [pose, rate, until_stop] = table.turning(part, 0);
+void ContinuousSolver::settle_gate(PartIndex part) {
+    const auto [pose, rate, until_stop] = table_->turning(part, 0);
     const auto is_near = [&, &pose = pose](const Ball& ball) {
         const double out =
             std::max(gate_clearance * ball.radius, 4 * gap_rounding(ball.position, ball.radius));
@@ -29,21 +28,21 @@ void ContinuousSolver::settle_gate(Table& table, std::vector<Ball>& balls, PartI
                distance_to(part, ball.position, ball.radius, pose) < out;
     };
     const auto passes = [&, &pose = pose, &rate = rate](const Ball& ball) {
-        if (table.parts()[part].open || inside(ball.number, part)) return true;
-        if (table.is_blocked(part, ball.number)) return false;
+        if (table_->parts()[part].open || inside(ball.number, part)) return true;
+        if (table_->is_blocked(part, ball.number)) return false;
         if (begins_deep(*gate_of(scene_.parts[part]), pose.undo(ball.position), ball.radius)) return true;
         const Vec2 relative = ball.velocity - cross(rate, ball.position - pose.pivot);
         return flipside::lets_through(*gate_of(scene_.parts[part]), pose.undo(ball.position),
                                       rotated(relative, -pose.angle), ball.radius);
     };
     const bool open =
-        std::ranges::any_of(balls, [&](const Ball& ball) { return is_near(ball) && passes(ball); });
-    table.set_open(part, open);
-    for (Ball& ball : balls) {
+        std::ranges::any_of(bodies_, [&](const Ball& ball) { return is_near(ball) && passes(ball); });
+    table_->set_open(part, open);
+    for (Ball& ball : bodies_) {
         const bool near = is_near(ball);
-        const bool was_blocked = table.is_blocked(part, ball.number);
+        const bool was_blocked = table_->is_blocked(part, ball.number);
         set_inside(ball.number, part, open && near);
-        table.set_blocked(part, ball.number, !open && near);
+        table_->set_blocked(part, ball.number, !open && near);
         if (open && was_blocked) ball.asleep = false;
     }
 }

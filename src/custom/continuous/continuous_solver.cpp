@@ -36,7 +36,7 @@ ContinuousSolver::ContinuousSolver(const Table& table, const Layout& layout, con
     for (State& start : starts_) table.copy(start);
 }
 
-void ContinuousSolver::reset(Table& table, std::vector<Ball>& balls) {
+void ContinuousSolver::reset(const Table& table, std::span<const Ball> balls) {
     inside_.clear();
     for (Mover& mover : pool_) mover.near.forget();
     for (const Ball& ball : balls)
@@ -46,7 +46,6 @@ void ContinuousSolver::reset(Table& table, std::vector<Ball>& balls) {
                 const Touch found = touch(ball.position, ball.radius, layout_.piece(piece), table.pose(part));
                 if (found.separation <= 0) set_inside(ball.number, part, true);
             }
-    settle_gates(table, balls);
 }
 
 void ContinuousSolver::reserve(std::size_t balls) {
@@ -119,12 +118,14 @@ void ContinuousSolver::find_islands() {
         join(i, 0);
         members_.push_back(i);
     };
-    for (const ContactForce& force : table_->memory().forces)
-        for (const BallNumber number : {force.a, force.b}) {
-            const auto at = std::ranges::lower_bound(bodies_, number, {}, &Ball::number);
-            if (at != bodies_.end() && at->number == number)
-                join_once(static_cast<BallIndex>(at - bodies_.begin()));
-        }
+    for (const ContactForce& force : table_->memory().forces) {
+        const auto a = std::ranges::lower_bound(bodies_, force.a, {}, &Ball::number);
+        const auto b = std::ranges::lower_bound(bodies_, force.b, {}, &Ball::number);
+        if (a == bodies_.end() || a->number != force.a || b == bodies_.end() || b->number != force.b)
+            continue;
+        join_once(static_cast<BallIndex>(a - bodies_.begin()));
+        join_once(static_cast<BallIndex>(b - bodies_.begin()));
+    }
     for (BallIndex i = 0; i < movers_.size(); ++i) {
         if (bodies_[i].asleep) continue;
         cells_.each_near(i, [&](BallIndex j) {

@@ -64,7 +64,7 @@ class ContinuousSolver {
     /// Makes room for so many balls.
     void reserve(std::size_t balls);
     /// Forgets what it noted of sensors and gates: they are found anew from where the balls are.
-    void reset(Table& table, std::vector<Ball>& balls);
+    void reset(const Table& table, std::span<const Ball> balls);
 
   private:
     enum class Next : std::uint8_t { nothing, feature, ball, look_again, sense, leave_bounds };
@@ -156,8 +156,8 @@ class ContinuousSolver {
     [[nodiscard]] bool rests_on(BallIndex i, const Feature& feature, const Pose& pose, double time) const;
 
     // Gates (continuous_gates.cpp).
-    void settle_gates(Table& table, std::vector<Ball>& balls);
-    void settle_gate(Table& table, std::vector<Ball>& balls, PartIndex part);
+    void settle_gates();
+    void settle_gate(PartIndex part);
     [[nodiscard]] bool lets_through(PartIndex part, const Ball& ball, double time) const;
     [[nodiscard]] bool meet_gate(BallIndex i, PartIndex part, double time);
     void leave_gate(BallNumber ball, PartIndex part, double time);
@@ -223,7 +223,6 @@ class ContinuousSolver {
     BoxIndex ranges_;                              ///< of features
     std::vector<std::vector<PieceIndex>> pieces_;  ///< by part; of sensors and gates only
     std::vector<Sensed> inside_;                   ///< balls in sensors and open gates, in order
-    bool settled_ = false;                         ///< of no ball it is unknown whether it is at a gate
 
     // Of the window.
     Table* table_ = nullptr;

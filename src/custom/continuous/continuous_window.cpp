@@ -20,7 +20,8 @@ void ContinuousSolver::begin(Table& table, std::span<const Ball> balls, double l
         const double end = std::isfinite(stop) ? table.pose(i, stop).angle : pose.angle;
         turnings_[i] = {pose, rate, stop, end};
     }
-    take_places();  // which settles gates: a run made again begins from there
+    take_places();
+    settle_gates();
     current_ = 1 - kept_;
     table.copy(starts_[current_]);
     starts_[current_].balls = bodies_;
@@ -35,10 +36,7 @@ void ContinuousSolver::take_places() {
     movers_ = std::span(pool_).first(bodies_.size());
     for (BallIndex i = 0; i < bodies_.size(); ++i) {
         Mover& mover = movers_[i];
-        if (mover.number != bodies_[i].number) {
-            mover.near.forget();
-            settled_ = false;
-        }
+        if (mover.number != bodies_[i].number) mover.near.forget();
         mover.number = bodies_[i].number;
         mover.lost = mover.crushed = mover.waits = mover.hops = false;
         mover.resting_on = mover.released = nullptr;
@@ -48,7 +46,6 @@ void ContinuousSolver::take_places() {
         flying_[i] = {};
         flying_[i].radius = bodies_[i].radius;
     }
-    if (!settled_) settle_gates(*table_, bodies_);
 }
 
 void ContinuousSolver::run(double until, StepRecord& record) {
