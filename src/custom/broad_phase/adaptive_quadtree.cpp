@@ -158,21 +158,17 @@ class AdaptiveQuadtree final : public BroadPhase {
         pairs.clear();
         if (std::ranges::none_of(moving, &Proxy::active)) return;
         const auto first = static_cast<Handle>(still_.size());
-        const auto test = [&](Handle b, const Proxy& other, Handle a) {
-            if (!may_meet(moving[b], other)) return;
-            ++tests_;
-            if (overlap(moving[b].box, other.box))
-                pairs.push_back({std::min(a, first + b), std::max(a, first + b)});
-        };
         tests_ += moving_tree_.build(moving);
         moving_tree_.each_node([&](std::uint32_t node, std::span<const Handle> items, bool split) {
             for (std::size_t i = 0; i < items.size(); ++i) {
                 const Handle b = items[i];
-                for (const Handle a : items.subspan(i + 1)) test(b, moving[a], first + a);
-                const auto below = [&](Handle a) { test(b, moving[a], first + a); };
-                if (split) tests_ += moving_tree_.reach_below(moving[b].box, below, node);
-                const auto still = [&](Handle a) { test(b, still_[a], a); };
-                tests_ += still_tree_.reach(moving[b].box, still);
+                const auto test_moving = [&](Handle a) {
+                    test(first + a, moving[a], first + b, moving[b], pairs);
+                };
+                std::ranges::for_each(items.subspan(i + 1), test_moving);
+                if (split) tests_ += moving_tree_.reach_below(moving[b].box, test_moving, node);
+                tests_ += still_tree_.reach(
+                    moving[b].box, [&](Handle a) { test(a, still_[a], first + b, moving[b], pairs); });
             }
         });
         std::ranges::sort(pairs);

@@ -1,6 +1,7 @@
 #pragma once
 /// Broad phase: which pairs of boxes overlap. It knows boxes and handles, no shapes.
 
+#include <algorithm>
 #include <compare>
 #include <memory>
 #include <span>
@@ -39,6 +40,12 @@ struct Pair {
     }
 };
 
+/// A test of one box against another, and whether they overlap.
+struct PairTest {
+    Pair pair;
+    bool overlap = false;
+};
+
 class BroadPhase {
   public:
     virtual ~BroadPhase() = default;
@@ -49,11 +56,26 @@ class BroadPhase {
     /// Tests of one box against another since the start, those that insertion cost included.
     [[nodiscard]] std::uint64_t tests() const { return tests_; }
     [[nodiscard]] virtual BroadPhaseFacts facts() const = 0;
+    /// From now on every such test of two proxies is added to `log`; null: none is.
+    void log_tests(std::vector<PairTest>* log) { log_ = log; }
     /// Draws the cells as of the last find_pairs().
     virtual void inspect(Inspector& inspector) const = 0;
 
   protected:
+    /// Tests the boxes of two that may meet, and lists them where they overlap.
+    void test(Handle a, const Proxy& of_a, Handle b, const Proxy& of_b, std::vector<Pair>& pairs) {
+        if (!may_meet(of_a, of_b)) return;
+        ++tests_;
+        const bool met = overlap(of_a.box, of_b.box);
+        const Pair pair{std::min(a, b), std::max(a, b)};
+        if (met) pairs.push_back(pair);
+        if (log_ != nullptr) log_->push_back({pair, met});
+    }
+
     std::uint64_t tests_ = 0;
+
+  private:
+    std::vector<PairTest>* log_ = nullptr;
 };
 
 /// Every pair is tested: n(n−1)/2 for n balls. The twin that every other broad phase is checked against.

@@ -1,7 +1,5 @@
 // Every pair is tested. Cost: O(n · (still + n)) tests, nothing kept between searches.
 
-#include <algorithm>
-
 #include "custom/broad_phase/broad_phase.hpp"
 
 namespace flipside::custom {
@@ -16,13 +14,9 @@ class BruteForce final : public BroadPhase {
         pairs.clear();
         const auto first_moving = static_cast<Handle>(still_.size());
         for (Handle i = 0; i < moving.size(); ++i) {
-            const auto test = [&](const Proxy& other, Handle handle) {
-                if (!may_meet(other, moving[i])) return;
-                ++tests_;
-                if (overlap(other.box, moving[i].box)) pairs.push_back({handle, first_moving + i});
-            };
-            for (Handle j = 0; j < first_moving; ++j) test(still_[j], j);
-            for (Handle j = 0; j < i; ++j) test(moving[j], first_moving + j);
+            const Handle b = first_moving + i;
+            for (Handle a = 0; a < first_moving; ++a) test(a, still_[a], b, moving[i], pairs);
+            for (Handle j = 0; j < i; ++j) test(first_moving + j, moving[j], b, moving[i], pairs);
         }
     }
     [[nodiscard]] BroadPhaseFacts facts() const override { return {.name = "brute force"}; }

@@ -199,16 +199,11 @@ class Grid final : public BroadPhase {
     }
 
     void test_still(Handle a, Handle b, std::vector<Pair>& pairs) {
-        if (test(still_[a], moving_[b])) pairs.push_back({a, first_moving_handle() + b});
+        test(a, still_[a], first_moving_handle() + b, moving_[b], pairs);
     }
     void test_moving(Handle a, Handle b, std::vector<Pair>& pairs) {
-        if (test(moving_[a], moving_[b]))
-            pairs.push_back({first_moving_handle() + a, first_moving_handle() + b});
-    }
-    bool test(const Proxy& a, const Proxy& b) {
-        if (!may_meet(a, b)) return false;
-        ++tests_;
-        return overlap(a.box, b.box);
+        const Handle first = first_moving_handle();
+        test(first + a, moving_[a], first + b, moving_[b], pairs);
     }
     [[nodiscard]] Handle first_moving_handle() const { return static_cast<Handle>(still_.size()); }
 

@@ -163,22 +163,16 @@ class Quadtree final : public BroadPhase {
             const Handle b = listings_[i].proxy;
             for (std::uint32_t k = still_begin_[leaf]; k < still_begin_[leaf + 1]; ++k) {
                 const Handle a = still_listed_[k];
-                if (test(still_[a], moving_[b], still_leaves_[a], moving_leaves_[b], leaf))
-                    pairs.push_back({a, first + b});
+                if (home(still_leaves_[a], moving_leaves_[b]) == leaf)
+                    test(a, still_[a], first + b, moving_[b], pairs);
             }
             // Lists grow at their front, so what follows has a lower handle.
             for (std::uint32_t j = listings_[i].next; j != nobody; j = listings_[j].next) {
                 const Handle a = listings_[j].proxy;
-                if (test(moving_[a], moving_[b], moving_leaves_[a], moving_leaves_[b], leaf))
-                    pairs.push_back({first + a, first + b});
+                if (home(moving_leaves_[a], moving_leaves_[b]) == leaf)
+                    test(first + a, moving_[a], first + b, moving_[b], pairs);
             }
         }
-    }
-
-    bool test(const Proxy& a, const Proxy& b, const Leaves& under_a, const Leaves& under_b, Node leaf) {
-        if (!may_meet(a, b) || home(under_a, under_b) != leaf) return false;
-        ++tests_;
-        return overlap(a.box, b.box);
     }
 
     /// How many proxies a leaf lists.

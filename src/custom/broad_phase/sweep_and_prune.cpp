@@ -61,11 +61,7 @@ class Sweep final : public BroadPhase {
                 ++tests_;
                 return;
             }
-            const Proxy& b = others[from->proxy];
-            if (!may_meet(a, b)) continue;
-            ++tests_;
-            const Handle other = first + from->proxy;
-            if (overlap(a.box, b.box)) pairs.push_back({std::min(handle, other), std::max(handle, other)});
+            test(handle, a, first + from->proxy, others[from->proxy], pairs);
         }
     }
 
