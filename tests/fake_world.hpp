@@ -28,6 +28,7 @@ class FakeWorld : public World {
     }
     void restore(const State& state) override { time_ = state.clock.time; }
     void inspect(Inspector& /*inspector*/) const override {}
+    void trace(Trace* /*trace*/) override {}
 
   protected:
     std::vector<Ball> balls_;

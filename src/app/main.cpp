@@ -71,6 +71,7 @@ int command_line(int argc, char** argv) {
     app::add_play(program, chosen);
     app::add_run(program, chosen);
     app::add_compare(program, chosen);
+    app::add_trace(program, chosen);
     app::add_cases(program, chosen);
     app::add_pairs(program, chosen);
     app::add_sweep(program, chosen);

@@ -68,7 +68,10 @@ void ContactRules::open_gate(PartIndex part, const b2Body& gate) {
 void ContactRules::PreSolve(b2Contact* contact, const b2Manifold*) {
     const Meeting meeting = Meeting::of(*contact);
     const auto touch = touch_of(*contact, meeting, *contact->GetManifold());
-    if (!touch) return contact->SetEnabled(false);
+    if (!touch) {
+        if (trace_) trace_->passed_over(meeting, "apart, or at a joint");
+        return contact->SetEnabled(false);
+    }
 
     const Vec2 normal = unit({touch->normal.x, touch->normal.y});
     const Vec2 velocity =
@@ -77,8 +80,10 @@ void ContactRules::PreSolve(b2Contact* contact, const b2Manifold*) {
     const Scene& scene = table_.scene();
     const bool on_part = !meeting.other.is_ball;
     const double approach = -dot(velocity, normal);
-    if (on_part && gate_of(scene.parts[meeting.other.index]) && meets_gate(meeting, approach))
+    if (on_part && gate_of(scene.parts[meeting.other.index]) && meets_gate(meeting, approach)) {
+        if (trace_) trace_->passed_over(meeting, "the gate lets it through");
         return contact->SetEnabled(false);
+    }
 
     const Material& material = scene.materials[ball_of(meeting.ball).material];
     const Material& others = scene.materials[on_part ? scene.parts[meeting.other.index].material
@@ -94,6 +99,9 @@ void ContactRules::PreSolve(b2Contact* contact, const b2Manifold*) {
         const Vec2 surface = units_.point(touch->point) - units_.distance(touch->separation) / 2 * normal;
         approaches_.push_back({meeting.number, meeting.other, surface, normal, approach});
     }
+    if (trace_)
+        trace_->before_solve(meeting, units_.point(touch->point), normal, units_.distance(touch->separation),
+                             approach, restitution, mixed.friction);
     contact->SetRestitution(static_cast<float>(restitution));
     contact->SetRestitutionThreshold(0);
     contact->SetFriction(static_cast<float>(mixed.friction));
@@ -103,6 +111,9 @@ void ContactRules::PostSolve(b2Contact* contact, const b2ContactImpulse* impulse
     const Meeting meeting = Meeting::of(*contact);
     solved_.push_back(
         {meeting.number, meeting.other, {}, {}, 0, units_.distance(impulse->normalImpulses[0])});
+    if (trace_)
+        trace_->after_solve(meeting, units_.distance(impulse->normalImpulses[0]),
+                            units_.distance(impulse->tangentImpulses[0]));
 }
 
 void ContactRules::clear() {

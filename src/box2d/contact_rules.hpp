@@ -7,6 +7,7 @@
 #include <box2d/b2_world_callbacks.h>
 
 #include "box2d/meeting.hpp"
+#include "box2d/step_trace.hpp"
 #include "box2d/units.hpp"
 #include "world/events.hpp"
 #include "world/table.hpp"
@@ -34,6 +35,8 @@ class ContactRules : public b2ContactListener, public b2ContactFilter {
     ContactRules(Table& table, const std::vector<Ball>& balls, const Units& units)
         : table_(table), balls_(balls), units_(units) {}
 
+    /// What the rules see and answer is written there from now on; null: nowhere.
+    void write_to(StepTrace* trace) { trace_ = trace; }
     /// To be called before each sub-step of `h` seconds.
     void begin_substep(double h) { substep_ = h; }
     /// The impacts since the last clear(), one per ball and other, in that order.
@@ -55,6 +58,7 @@ class ContactRules : public b2ContactListener, public b2ContactFilter {
     const std::vector<Ball>& balls_;
     const Units& units_;
     double substep_ = 0;
+    StepTrace* trace_ = nullptr;
     std::vector<Impact> approaches_;  ///< faster than rest, seen before the solver
     std::vector<Impact> solved_;      ///< impulses, seen after it
     std::vector<Impact> impacts_;

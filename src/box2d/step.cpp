@@ -28,6 +28,7 @@ void Box2dWorld::step(double dt) {
 void Box2dWorld::make_step(double dt) {
     events_.clear();
     statistics_ = {};
+    if (trace_) trace_->stages.clear();
     for (std::size_t i = 0; i < std::size(stages); ++i) statistics_.stages[i].name = stages[i];
     rules_.clear();
     launch();
@@ -43,6 +44,7 @@ void Box2dWorld::make_step(double dt) {
         require_finite("box2d", event, table_.scene());
     }
     measure();
+    if (trace_) trace_read_out(*trace_, "src/box2d/step.cpp: Box2dWorld::read_back", *this, table_.scene());
 }
 
 void Box2dWorld::launch() {
@@ -67,12 +69,19 @@ void Box2dWorld::substep(double from, double to) {
         const double turn = table_.pose(part, to).angle - table_.pose(part, from).angle;
         parts_[part]->SetAngularVelocity(static_cast<float>(turn / h));
     }
+    std::optional<StepTrace> traced;
+    if (trace_) traced.emplace(*trace_, table_.scene(), units_, bodies_);
     fall(h);
+    if (traced) traced->fell(bodies_, balls_, *world_, h);
+    rules_.write_to(traced ? &*traced : nullptr);
     before_.clear();
     for (const b2Body* body : bodies_) before_.push_back(body->GetPosition());
 
     rules_.begin_substep(h);
     world_->Step(static_cast<float>(h), options_.velocity_iterations, options_.position_iterations);
+
+    rules_.write_to(nullptr);
+    if (traced) traced->finish(bodies_, balls_, *world_, h);
 
     // Box2D turned the moving parts by sums of floats; put them where they are to be.
     for (const PartIndex part : moving_)

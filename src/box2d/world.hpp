@@ -44,6 +44,7 @@ class Box2dWorld : public World {
     [[nodiscard]] State save() const override { return table_.save(balls_); }
     void restore(const State& state) override;
     void inspect(Inspector& inspector) const override;
+    void trace(Trace* trace) override { trace_ = trace; }
 
   private:
     void build();  ///< a fresh Box2D world from the table's parts and balls_
@@ -87,6 +88,7 @@ class Box2dWorld : public World {
     std::vector<Contact> still_held_;     ///< held_ of the step in hand; kept for its memory
     std::vector<Event> events_;
     Statistics statistics_;
+    Trace* trace_ = nullptr;
     StepGuard guard_{"box2d"};
 };
 

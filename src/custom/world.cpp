@@ -42,6 +42,7 @@ void CustomWorld::reserve_for() {
 
 void CustomWorld::step(double dt) {
     if (windows_) windows_->keep();
+    if (record_.trace) record_.trace->stages.clear();
     guard_.run(
         table_, balls_, [&] { make_step(dt); },
         [&](State before) {
@@ -65,6 +66,11 @@ void CustomWorld::make_step(double dt) {
         contacts_found_ = contacts_last_ && windows_->quiet();
     }
     fill_statistics(broad_->tests() - tests_before);
+    if (!record_.trace) return;
+    if (windows_ && windows_->quiet())
+        record_.trace->stage("asleep", "src/custom/continuous/windows.cpp: Windows::step").says =
+            "All balls sleep and no part moves: nothing is done.";
+    trace_read_out(*record_.trace, "src/custom/world.cpp: CustomWorld::make_step", *this, *scene_);
 }
 
 void CustomWorld::launch() {

@@ -30,6 +30,7 @@ class CustomWorld final : public World {
     [[nodiscard]] State save() const override;
     void restore(const State& state) override;
     void inspect(Inspector& inspector) const override;
+    void trace(Trace* trace) override { record_.trace = trace; }
 
   private:
     void reserve_for();

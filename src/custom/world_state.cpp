@@ -1,5 +1,7 @@
 // What a world saves, and how it goes on from there.
 
+#include <utility>
+
 #include "custom/world.hpp"
 
 namespace flipside::custom {
@@ -12,10 +14,12 @@ State CustomWorld::save() const {
 
 void CustomWorld::restore(const State& state) {
     guard_.forget();
+    Trace* const trace = std::exchange(record_.trace, nullptr);  // this is no step
     if (!resume(state)) load(state);
     record_.events.clear();
     record_.statistics = {};
     search_contacts();
+    record_.trace = trace;
 }
 
 void CustomWorld::load(const State& state) {

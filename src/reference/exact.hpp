@@ -9,6 +9,7 @@
 #include "world/controls.hpp"
 #include "world/events.hpp"
 #include "world/state.hpp"
+#include "world/trace.hpp"
 
 namespace flipside::reference {
 
@@ -43,6 +44,9 @@ class Exact {
     /// Handles events until the run has ended (true), or, after one at least, until the deadline has passed.
     /// Throws Refusal; what is left then is good for nothing but load().
     [[nodiscard]] virtual bool go_on(std::chrono::steady_clock::time_point deadline) = 0;
+
+    /// From the next run on, each writes its paths and events there; null: nowhere.
+    virtual void write_to(Trace* trace) = 0;
 
     /// By rising number.
     virtual void read(std::vector<Ball>& balls) const = 0;

@@ -310,6 +310,7 @@ void Simulation<R>::begin(double seconds) {
     run_start_ = now_;
     run_end_ = now_ + R(seconds);
     length_ = seconds;
+    if (trace_) trace_paths();
 }
 
 template <class R>
@@ -331,7 +332,7 @@ bool Simulation<R>::go_on(std::chrono::steady_clock::time_point deadline) {
             std::pop_heap(queue_.begin(), queue_.end());
             queue_.pop_back();
             ++counts_.events;
-            handle(mover);
+            trace_ ? trace_event(mover) : handle(mover);
         }
         if (std::chrono::steady_clock::now() > deadline) return false;
     }

@@ -39,6 +39,8 @@ class Simulation final : public Exact {
     void begin(double seconds) override;
     [[nodiscard]] bool go_on(std::chrono::steady_clock::time_point deadline) override;
 
+    void write_to(Trace* trace) override { trace_ = trace; }
+
     void read(std::vector<Ball>& balls) const override;
     [[nodiscard]] std::span<const Event> events() const override { return events_; }
     [[nodiscard]] bool open(PartIndex gate) const override { return parts_[gate].open; }
@@ -186,6 +188,12 @@ class Simulation final : public Exact {
     void lose(Place i);
     void release(PartIndex part);
 
+    // For those who look inside (trace.cpp).
+    [[nodiscard]] static std::string_view name_of_next(const Mover& mover);
+    void trace_next(TraceItem& item, const Mover& mover) const;
+    void trace_paths();
+    void trace_event(Place i);
+
     // What the others want to see (read_out.cpp).
     void part_contacts(const Mover& mover, std::vector<Contact>& contacts) const;
     void report(EventKind kind, const Mover& mover, Other other, const Impact<R>& impact, const V<R>& point,
@@ -210,6 +218,7 @@ class Simulation final : public Exact {
     std::vector<Touching> touching_;
     std::vector<Event> events_;
     Counts counts_;
+    Trace* trace_ = nullptr;
 };
 
 }  // namespace flipside::reference

@@ -179,6 +179,8 @@ bool ReferenceWorld::step_within(double dt, double seconds) {
         balls_before_ = balls_;
         table_before_ = table_.save(balls_);
         launch();
+        if (exact_) exact_->write_to(trace_);
+        if (trace_) trace_->stages.clear();
         on_both([&](Exact& exact) { exact.begin(dt); });
     }
     constexpr double long_enough = 1e6;  // s
@@ -199,7 +201,23 @@ bool ReferenceWorld::step_within(double dt, double seconds) {
     table_.advance(dt);
     report_touches();
     statistics_.stages[0] = {"events", worked_};
+    if (trace_) trace_step();
     return true;
+}
+
+void ReferenceWorld::trace_step() {
+    if (with_twin_) {
+        TraceStage& stage = trace_->stage("claim", "src/reference/world.cpp: measure_uncertainty");
+        double most = 0;
+        for (std::size_t i = 0; i < balls_.size(); ++i) {
+            stage.add("claim").with("ball", balls_[i].number).with("uncertainty", uncertainty_[i]);
+            most = std::max(most, uncertainty_[i]);
+        }
+        stage.says = "A twin with twice the digits made the same step: " +
+                     (std::isfinite(most) ? "no ball is farther from it than " + brief(most) + " m."
+                                          : "of some balls nothing is claimed any more.");
+    }
+    trace_read_out(*trace_, "src/reference/world.cpp: read_out", *this, *scene_);
 }
 
 /// Takes over what the simulation found, unless a ball has passed the limits of a world.

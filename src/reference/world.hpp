@@ -34,6 +34,7 @@ class ReferenceWorld final : public World {
     [[nodiscard]] State save() const override { return table_.save(balls_); }
     void restore(const State& state) override;
     void inspect(Inspector& inspector) const override;
+    void trace(Trace* trace) override { trace_ = trace; }
 
   private:
     /// Calls `act` on the simulation and on its twin. Where the simulation refuses, the refusal is kept for
@@ -44,6 +45,7 @@ class ReferenceWorld final : public World {
     void read_within_limits(double dt);
     void read_out(double started);
     void report_touches();
+    void trace_step();
     void measure_uncertainty();
     void load();
     void load_once() const;
@@ -60,6 +62,7 @@ class ReferenceWorld final : public World {
     std::vector<double> uncertainty_;
     std::vector<BallNumber> unclaimed_;  ///< balls that once were further apart than a radius
     Statistics statistics_;
+    Trace* trace_ = nullptr;
     std::optional<std::string> refusal_;
     bool under_way_ = false;  ///< a step has begun and not ended
     double worked_ = 0;       ///< on it so far, s

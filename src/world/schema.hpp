@@ -12,6 +12,7 @@ namespace flipside {
 extern const std::string_view scene_schema;
 extern const std::string_view script_schema;
 extern const std::string_view state_schema;
+extern const std::string_view trace_schema;
 
 /// Throws InputError for the first place where the document is not as the schema (JSON Schema draft 7)
 /// asks. The message says what is allowed there.

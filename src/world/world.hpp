@@ -12,6 +12,7 @@
 #include "world/inspector.hpp"
 #include "world/state.hpp"
 #include "world/statistics.hpp"
+#include "world/trace.hpp"
 
 namespace flipside {
 
@@ -57,6 +58,10 @@ class World {
     /// The state must come from a world of the same scene (checked where states enter, state_file.hpp).
     virtual void restore(const State& state) = 0;
     virtual void inspect(Inspector& inspector) const = 0;
+
+    /// From the next step on each writes what it does into `trace`, in place of what is there; null: none
+    /// does. Tracing changes no bit of the outcome. The world keeps the pointer.
+    virtual void trace(Trace* trace) = 0;
 };
 
 }  // namespace flipside

@@ -187,6 +187,28 @@ TEST_F(CommandLine, AComparisonSaysWhereTheEnginesPart) {
     EXPECT_GT(pair["contacts_in_same_order"], 0);
 }
 
+TEST_F(CommandLine, ATraceTellsAStepStageByStage) {
+    const Result text = flipside("trace toy --engine custom --set solver=simple --at 0.5");
+    EXPECT_EQ(text.code, 0) << text.err;
+    std::size_t at = 0;
+    for (const char* stage : {"move", "broad phase", "narrow phase", "response", "read-out"}) {
+        at = text.out.find(stage, at);
+        EXPECT_NE(at, std::string::npos) << stage;
+    }
+    for (const char* engine : {"custom", "box2d", "reference"}) {
+        const std::string json = file(std::string(engine) + ".json");
+        expect_good("trace pinball --at 1.5 --engine " + std::string(engine) + " --json " + json);
+        const auto trace = nlohmann::json::parse(text_of(json));
+        EXPECT_EQ(trace["engine"], engine);
+        EXPECT_NEAR(trace["time"].get<double>(), 1.5, 1e-12);
+        EXPECT_EQ(trace["stages"].back()["name"], "read-out");
+        EXPECT_EQ(trace["stages"].back()["items"][0]["ball"], 0);
+    }
+    expect_refused("trace toy --engine custom --at 0 --script none --ball 77", 2, "no such ball");
+    expect_refused("trace toy --engine custom --at -1", 2, "--at");
+    expect_refused("trace toy --at 1", 2, "--engine");
+}
+
 TEST_F(CommandLine, AReportNeedsGnuplotAndSaysSoBeforeItMeasures) {
     const int status =
         std::system(("env PATH=" + file("none") + " " FLIPSIDE_EXECUTABLE " report --quick --out " +

@@ -135,6 +135,7 @@ void add_compare(CLI::App& program, Action& chosen) {
     CLI::App& command = *program.add_subcommand(
         "compare", "Run a scene on several engines side by side: cost, energy, and where they part");
     options->add_to(command, "E.K=V");
+    options->add_seconds(command);
     command.add_option("--engines", options->engines, "The engines; the others are held against the first")
         ->delimiter(',')
         ->allow_extra_args(false)

@@ -92,6 +92,7 @@ void add_run(CLI::App& program, Action& chosen) {
     CLI::App& command = *program.add_subcommand(
         "run", "Run a scene on one engine; prints its figures where no file is asked for");
     options->add_to(command, "K=V");
+    options->add_seconds(command);
     command.add_option("--engine", options->engine, "The engine (see `flipside engines`)")
         ->required()
         ->type_name("E");

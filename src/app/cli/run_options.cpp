@@ -25,9 +25,6 @@ void RunOptions::add_to(CLI::App& command, const std::string& setting_form) {
     command.add_option("scene", scene, "A name (see `flipside scenes`) or the path of a scene file")
         ->required()
         ->type_name("SCENE");
-    command.add_option("--seconds", seconds, "How long, s (default 10)")
-        ->check(number_from(0, 1e7))
-        ->type_name("T");
     command.add_option("--dt", dt, "Step, s, as 0.01 or 1/60 (default: what the scene recommends, or 1/60)")
         ->type_name("H");
     command.add_option("--set", settings, "A setting (see `flipside engines`); may be given several times")
@@ -41,6 +38,12 @@ void RunOptions::add_to(CLI::App& command, const std::string& setting_form) {
     command.add_option("--balls", balls, "Number of balls in a scene that generates a field of them")
         ->check(number_from(1, 1e7))
         ->type_name("N");
+}
+
+void RunOptions::add_seconds(CLI::App& command) {
+    command.add_option("--seconds", seconds, "How long, s (default 10)")
+        ->check(number_from(0, 1e7))
+        ->type_name("T");
 }
 
 std::shared_ptr<const Scene> RunOptions::load() const {

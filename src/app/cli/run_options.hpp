@@ -1,5 +1,5 @@
 #pragma once
-/// The options that run and compare have in common.
+/// The options that run, compare and trace have in common.
 
 #include <filesystem>
 #include <memory>
@@ -23,6 +23,7 @@ struct RunOptions {
     std::string script;  ///< a file, "none", or "" for the one beside the scene
 
     void add_to(CLI::App& command, const std::string& setting_form);
+    void add_seconds(CLI::App& command);
     [[nodiscard]] std::shared_ptr<const Scene> load() const;
     [[nodiscard]] double step(const Scene& loaded) const;
     [[nodiscard]] std::optional<std::filesystem::path> script_path() const;

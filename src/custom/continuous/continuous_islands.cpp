@@ -107,6 +107,7 @@ void ContinuousSolver::tick(double time) {
     if (members_.empty() || !(duration > 0)) return;
     gather(time, duration);
     contact_solver_.solve(duration, scene_.gravity);
+    if (record_->trace) trace_tick(time, duration);
     note_loads(duration);
     for (BallIndex k = 0; k < members_.size(); ++k)
         set_out_pressed(members_[k], time, contact_solver_.bodies()[k]);

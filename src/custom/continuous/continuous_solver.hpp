@@ -214,6 +214,13 @@ class ContinuousSolver {
     void report(double time, EventKind kind, const Ball& ball, Other other, const Impact& impact, Vec2 point);
     void wake_carried(BallIndex i, double time);
 
+    // For those who look inside (continuous_trace.cpp).
+    [[nodiscard]] std::string_view name_of_next(BallIndex i) const;
+    void trace_next(TraceItem& item, BallIndex i) const;
+    void trace_paths(bool all_set_out);
+    void trace_event(BallIndex i);
+    void trace_tick(double time, double duration);
+
     const Scene& scene_;
     const Layout& layout_;
     SolverSettings settings_;

@@ -51,7 +51,9 @@ void ContinuousSolver::take_places() {
 void ContinuousSolver::run(double until, StepRecord& record) {
     record_ = &record;
     if (!any_awake_) return;
-    if (!set_out_) set_out_all();
+    const bool sets_out = !set_out_;
+    if (sets_out) set_out_all();
+    if (record_->trace && (sets_out || record_->trace->stages.empty())) trace_paths(sets_out);
     handle_until(until);
 }
 
@@ -79,7 +81,7 @@ void ContinuousSolver::handle_until(double time) {
             continue;
         }
         if (event > time || event > dt_) return;
-        handle(next_events_.first());
+        record_->trace ? trace_event(next_events_.first()) : handle(next_events_.first());
     }
 }
 

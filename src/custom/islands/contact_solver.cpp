@@ -26,6 +26,7 @@ void ContactSolver::reserve(std::size_t balls) {
     reserve_for(bodies_, 2 * balls);
     reserve_for(contacts_, balls, contacts_per_ball);
     reserve_for(moved_from_, 2 * balls);
+    residuals_.reserve(most_sweeps * (most_extensions + 1));
 }
 
 /// An impulse along the normal, and one along perp(normal).
@@ -177,12 +178,14 @@ void ContactSolver::solve(double duration, Vec2 gravity) {
         contact.along = {};
         push(contact, contact.impulse);
     }
+    residuals_.clear();
     const double enough = good_enough * length(gravity) * duration;
     for (int extension = 0; extension <= most_extensions; ++extension) {
         double norm_before = 0;
         int round = 0;
         for (;;) {
             const Progress progress = sweep();
+            residuals_.push_back(progress.most);
             if (progress.most <= enough || ++round == most_sweeps) break;
             extrapolate(progress.norm, norm_before);
             norm_before = progress.norm;

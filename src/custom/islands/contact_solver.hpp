@@ -82,6 +82,8 @@ class ContactSolver {
     void solve(double duration, Vec2 gravity);
 
     [[nodiscard]] std::span<const Body> bodies() const { return bodies_; }
+    /// The greatest change of a velocity in each sweep of the last solve, m/s.
+    [[nodiscard]] std::span<const double> residuals() const { return residuals_; }
     /// In the order in which they were solved.
     [[nodiscard]] std::span<const Contact> contacts() const { return contacts_; }
 
@@ -104,6 +106,7 @@ class ContactSolver {
     std::vector<Body> bodies_;
     std::vector<Contact> contacts_;
     std::vector<Vec2> moved_from_;
+    std::vector<double> residuals_;
 };
 
 }  // namespace flipside::custom

@@ -25,16 +25,18 @@ void SimpleSolver::step(Table& table, std::vector<Ball>& balls, double dt, Broad
     table_ = &table, balls_ = &balls, record_ = &record;
     const double duration = dt / settings_.motion_iterations;
     const TimeInterval interval(scene_.damping, duration);
+    trace_ = record.trace ? std::make_unique<SimpleTrace>(*record.trace, scene_, layout_, broad) : nullptr;
     Stopwatch watch;
     for (int motion = 1; motion <= settings_.motion_iterations; ++motion) {
         ahead_ = motion * duration;
+        if (trace_) trace_->motion(motion, settings_.motion_iterations);
         move_balls(interval);
         watch.lap(record.flight_seconds);
         find_pairs(broad);
         watch.lap(record.broad_seconds);
         decide_gates(duration);
         for (int round = 1; round <= settings_.collision_iterations; ++round)
-            if (!respond_to_pairs(duration)) break;
+            if (!respond_to_pairs(duration, round)) break;
         watch_sensors();
         watch.lap(record.contact_seconds);
         ++record.statistics.substeps;
@@ -43,17 +45,21 @@ void SimpleSolver::step(Table& table, std::vector<Ball>& balls, double dt, Broad
 
 void SimpleSolver::move_balls(const TimeInterval& interval) {
     started_.clear();
+    if (trace_) trace_->will_move(*balls_);
     for (Ball& ball : *balls_) {
         started_.push_back(ball.position);
         ball.asleep = false;  // another solver may have left it so
         fly_freely(ball, scene_.gravity, interval);
     }
+    if (trace_) trace_->moved(*balls_, interval);
 }
 
 void SimpleSolver::find_pairs(BroadPhase& broad) {
     const auto box_of = [](const Ball& ball) { return bounds_of(ball.position, ball.radius); };
     layout_.place(*table_, *balls_, ahead_, ahead_, true, box_of, moving_);
+    const std::uint64_t tests_before = broad.tests();
     broad.find_pairs(moving_, pairs_);
+    if (trace_) trace_->found_pairs(moving_, *balls_, broad.tests() - tests_before);
 }
 
 /// Gates are decided from where the balls were before they moved.
@@ -65,30 +71,38 @@ void SimpleSolver::decide_gates(double duration) {
                             if (!is_ball(pair.a) && layout_.piece(pair.a).part == part)
                                 visit(ball_of(pair.b), started_[index_of(pair.b)]);
                     });
+    if (trace_) trace_->decided_gates(*table_);
 }
 
 /// One collision iteration: narrow phase and response of every pair, in order. What one response moves, the
 /// next one sees. Returns whether any shapes overlapped.
-bool SimpleSolver::respond_to_pairs(double duration) {
+bool SimpleSolver::respond_to_pairs(double duration, int round) {
     const Surroundings around{scene_.gravity, scene_.rest_speed, duration};
+    if (trace_) trace_->begin_round(round, settings_.collision_iterations);
     bool any = false;
     for (const Pair pair : pairs_)
         any |= is_ball(pair.a) ? respond_to_ball(ball_of(pair.a), ball_of(pair.b), around)
                                : respond_to_piece(ball_of(pair.b), pair.a, around);
+    if (trace_) trace_->end_round();
     return any;
 }
 
 bool SimpleSolver::respond_to_piece(Ball& ball, PieceIndex index, const Surroundings& around) {
     const Piece& piece = layout_.piece(index);
     const Pose pose = layout_.pose(*table_, index, ahead_);
-    if (!layout_.stops(*table_, index, pose, ball)) return false;
+    if (!layout_.stops(*table_, index, pose, ball)) {
+        if (trace_) trace_->passed_over(ball, index);
+        return false;
+    }
     ++record_->statistics.narrow_tests;
     const Touch found = touch(ball.position, ball.radius, piece, pose);
+    if (trace_) trace_->tested(ball, index, pose, found);
     if (found.separation >= -overlap_slop * ball.radius || found.past_end) return false;
     ++record_->statistics.contacts;
     const Vec2 surface_velocity = cross(layout_.rate(*table_, index, ahead_), found.point - pose.pivot);
     const Impact impact = respond(ball, found, surface_velocity, layout_.mixed(ball, index), around);
     push_out(ball, found);
+    if (trace_) trace_->responded(ball, index, surface_velocity, impact, layout_.mixed(ball, index));
     if (impact.happened) {
         report(ball, Other::part(piece.part), impact, found.point);
         if (scene_.parts[piece.part].target) table_->set_down(piece.part, true);
@@ -99,10 +113,12 @@ bool SimpleSolver::respond_to_piece(Ball& ball, PieceIndex index, const Surround
 bool SimpleSolver::respond_to_ball(Ball& lower, Ball& upper, const Surroundings& around) {
     ++record_->statistics.narrow_tests;
     const Touch found = touch(lower.position, lower.radius, upper.position, upper.radius);
+    if (trace_) trace_->tested(lower, upper, found);
     if (found.separation >= -overlap_slop * std::min(lower.radius, upper.radius)) return false;
     ++record_->statistics.contacts;
     const Impact impact = respond(lower, upper, layout_.mixed(lower.material, upper.material), around);
     push_out(lower, upper);
+    if (trace_) trace_->responded(lower, upper, impact, layout_.mixed(lower.material, upper.material));
     if (impact.happened) report(lower, Other::ball(upper.number), impact, found.point);
     return true;
 }
@@ -117,6 +133,7 @@ void SimpleSolver::report(const Ball& ball, Other other, const Impact& impact, V
 
 /// A sensor that a ball passes within one motion iteration is missed, as a wall is.
 void SimpleSolver::watch_sensors() {
+    if (trace_) trace_->begin_sensors();
     for (const Pair pair : pairs_) {
         if (is_ball(pair.a)) continue;
         const Piece& piece = layout_.piece(pair.a);
@@ -124,8 +141,9 @@ void SimpleSolver::watch_sensors() {
         const Ball& ball = ball_of(pair.b);
         ++record_->statistics.narrow_tests;
         const Pose pose = layout_.pose(*table_, pair.a, ahead_);
-        if (touch(ball.position, ball.radius, piece, pose).separation <= 0)
-            record_->crossed.push_back({ball.number, piece.part});
+        const double separation = touch(ball.position, ball.radius, piece, pose).separation;
+        if (trace_) trace_->sensed(ball, pair.a, separation);
+        if (separation <= 0) record_->crossed.push_back({ball.number, piece.part});
     }
 }
 

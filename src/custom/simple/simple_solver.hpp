@@ -22,6 +22,7 @@
 #include "custom/layout.hpp"
 #include "custom/response.hpp"
 #include "custom/settings.hpp"
+#include "custom/simple/simple_trace.hpp"
 #include "custom/step_record.hpp"
 #include "custom/tolerances.hpp"
 
@@ -41,7 +42,7 @@ class SimpleSolver {
     void move_balls(const TimeInterval& interval);
     void find_pairs(BroadPhase& broad);
     void decide_gates(double duration);
-    bool respond_to_pairs(double duration);
+    bool respond_to_pairs(double duration, int round);
     bool respond_to_piece(Ball& ball, PieceIndex index, const Surroundings& around);
     bool respond_to_ball(Ball& lower, Ball& upper, const Surroundings& around);
     void report(const Ball& ball, Other other, const Impact& impact, Vec2 point);
@@ -63,6 +64,7 @@ class SimpleSolver {
     std::vector<Vec2> started_;  ///< m, per ball: centre before this motion iteration
     std::vector<Proxy> moving_;  ///< turning pieces, then balls
     std::vector<Pair> pairs_;
+    std::unique_ptr<SimpleTrace> trace_;  ///< where somebody looks inside; else null
 };
 
 }  // namespace flipside::custom

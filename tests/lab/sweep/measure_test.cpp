@@ -70,6 +70,7 @@ class Scripted final : public World {
     [[nodiscard]] State save() const override { return state_; }
     void restore(const State& state) override { state_ = state; }
     void inspect(Inspector&) const override {}
+    void trace(Trace*) override {}
 
   private:
     Fate fate_;

@@ -1,0 +1,180 @@
+#include "box2d/step_trace.hpp"
+
+#include <algorithm>
+
+#include <box2d/b2_contact.h>
+#include <box2d/b2_fixture.h>
+
+namespace flipside::box2d {
+
+StepTrace::StepTrace(Trace& trace, const Scene& scene, const Units& units, std::span<b2Body* const> bodies)
+    : trace_(trace), scene_(scene), units_(units) {
+    for (const b2Body* body : bodies) before_.push_back({body->GetPosition(), body->GetLinearVelocity()});
+}
+
+StepTrace::FatBoxes StepTrace::fat_boxes(const b2World& world) {
+    FatBoxes boxes;
+    const b2BroadPhase& tree = world.GetContactManager().m_broadPhase;
+    struct Collect {
+        FatBoxes& boxes;
+        const b2BroadPhase& tree;
+        bool QueryCallback(int32 proxy) const {
+            boxes[static_cast<const b2FixtureProxy*>(tree.GetUserData(proxy))->fixture] =
+                tree.GetFatAABB(proxy);
+            return true;
+        }
+    } collect{boxes, tree};
+    tree.Query(&collect, {{-b2_maxFloat, -b2_maxFloat}, {b2_maxFloat, b2_maxFloat}});
+    return boxes;
+}
+
+void StepTrace::fell(std::span<b2Body* const> bodies, std::span<const Ball> balls, const b2World& world,
+                     double h) {
+    TraceStage& stage = trace_.stage("gravity and drag", "src/box2d/step.cpp: Box2dWorld::fall");
+    std::size_t awake = 0;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        awake += bodies[i]->IsAwake();
+        stage.add("velocity")
+            .with("ball", balls[i].number)
+            .with("position", units_.point(bodies[i]->GetPosition()))
+            .with("velocity_before", units_.vector(before_[i].velocity))
+            .with("velocity", units_.vector(bodies[i]->GetLinearVelocity()))
+            .with("formula", "v' = (v + h g) / (1 + h c)");
+        before_[i].velocity = bodies[i]->GetLinearVelocity();
+    }
+    stage.says = "Balls that are awake get " + brief(1e3 * h) +
+                 " ms of gravity and drag ahead of the solver: " + std::to_string(awake) + " of " +
+                 std::to_string(bodies.size()) + ".";
+    boxes_ = fat_boxes(world);
+    for (const b2Contact* contact = world.GetContactList(); contact; contact = contact->GetNext())
+        pairs_.push_back(contact);
+}
+
+bool StepTrace::at_start(const Meeting& meeting) const {
+    b2Body& body = *meeting.ball.GetBody();
+    return body.GetPosition() == before_[body.GetUserData().pointer].position;
+}
+
+TraceItem& StepTrace::add(const Meeting& meeting, const char* kind) {
+    in_sub_steps_ = in_sub_steps_ || !at_start(meeting);
+    TraceItem& item = (in_sub_steps_ ? sub_steps_ : contacts_).emplace_back(TraceItem{kind, {}});
+    return item.with("ball", meeting.number).with_other(meeting.other, scene_);
+}
+
+void StepTrace::before_solve(const Meeting& meeting, Vec2 point, Vec2 normal, double separation,
+                             double approach, double restitution, double friction) {
+    add(meeting, "manifold")
+        .with("point", point)
+        .with("normal", normal)
+        .with("separation", separation)
+        .with("approach", approach)
+        .with("restitution", restitution)
+        .with("friction", friction);
+}
+
+void StepTrace::passed_over(const Meeting& meeting, const char* reason) {
+    add(meeting, "passed over").with("reason", reason);
+}
+
+/// Box2D has moved the bodies by now, in a sub-step as in the step.
+void StepTrace::after_solve(const Meeting& meeting, double normal_impulse, double tangential_impulse) {
+    (in_sub_steps_ ? sub_steps_ : impulses_)
+        .emplace_back(TraceItem{"impulse", {}})
+        .with("ball", meeting.number)
+        .with_other(meeting.other, scene_)
+        .with("impulse", normal_impulse)
+        .with("tangential_impulse", tangential_impulse);
+}
+
+void StepTrace::finish(std::span<b2Body* const> bodies, std::span<const Ball> balls, const b2World& world,
+                       double h) {
+    collide();
+    solve_velocities(bodies, balls);
+    solve_positions(bodies, balls, h);
+    update_tree(bodies, balls, world);
+    solve_times_of_impact();
+}
+
+void StepTrace::collide() {
+    TraceStage& stage = trace_.stage("narrow phase (Collide)", "Box2D: b2ContactManager::Collide");
+    stage.items = std::move(contacts_);
+    stage.says = counted(pairs_.size(), "pair") + " of fat boxes overlap; " +
+                 counted(stage.items.size(), "contact") + " of them touch and came to the listener.";
+}
+
+void StepTrace::solve_velocities(std::span<b2Body* const> bodies, std::span<const Ball> balls) {
+    TraceStage& stage = trace_.stage("velocity solver", "Box2D: b2ContactSolver::SolveVelocityConstraints");
+    stage.items = std::move(impulses_);
+    const std::size_t impulses = stage.items.size();
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        stage.add("velocity")
+            .with("ball", balls[i].number)
+            .with("velocity_before", units_.vector(before_[i].velocity))
+            .with("velocity", units_.vector(bodies[i]->GetLinearVelocity()));
+    stage.says =
+        counted(impulses, "contact") +
+        " got impulses; velocities are those after the whole step. Islands, the order of contacts and "
+        "single iterations are not visible from outside.";
+}
+
+void StepTrace::solve_positions(std::span<b2Body* const> bodies, std::span<const Ball> balls, double h) {
+    TraceStage& stage = trace_.stage("position solver", "Box2D: b2ContactSolver::SolvePositionConstraints");
+    double most = 0;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const Vec2 from = units_.point(before_[i].position), to = units_.point(bodies[i]->GetPosition());
+        const Vec2 moved = h * units_.vector(bodies[i]->GetLinearVelocity());
+        most = std::max(most, length(to - from - moved));
+        stage.add("position")
+            .with("ball", balls[i].number)
+            .with("position_before", from)
+            .with("position", to)
+            .with("correction", to - from - moved)
+            .with("formula", "p' = p + h v' + correction");
+    }
+    stage.says = "Balls move by h v' and are pushed apart: by " + brief(1e3 * most) +
+                 " mm at most, in which time-of-impact sub-steps and rounding to float are not told apart.";
+}
+
+void StepTrace::update_tree(std::span<b2Body* const> bodies, std::span<const Ball> balls,
+                            const b2World& world) {
+    TraceStage& stage = trace_.stage("broad phase (dynamic tree)",
+                                     "Box2D: b2BroadPhase::UpdatePairs, b2ContactManager::FindNewContacts");
+    const FatBoxes now = fat_boxes(world);
+    std::size_t moved = 0, found = 0;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const b2Fixture* fixture = bodies[i]->GetFixtureList();
+        const b2AABB &old = boxes_.at(fixture), &box = now.at(fixture);
+        const bool renewed = !(old.lowerBound == box.lowerBound && old.upperBound == box.upperBound);
+        moved += renewed;
+        stage.add("fat box")
+            .with("ball", balls[i].number)
+            .with("box", Box{units_.point(box.lowerBound), units_.point(box.upperBound)})
+            .with("renewed", renewed);
+    }
+    for (b2Contact* contact = const_cast<b2Contact*>(world.GetContactList()); contact;
+         contact = contact->GetNext()) {
+        const bool is_new = std::ranges::find(pairs_, contact) == pairs_.end();
+        const Meeting meeting = Meeting::of(*contact);
+        stage.add("pair")
+            .with("ball", meeting.number)
+            .with_other(meeting.other, scene_)
+            .with("new", is_new)
+            .with("touching", contact->IsTouching());
+        found += is_new;
+    }
+    stage.says = "Balls that left their fat boxes and were inserted anew: " + std::to_string(moved) + " of " +
+                 std::to_string(bodies.size()) + "; new pairs: " + std::to_string(found) +
+                 ". How many boxes of the tree were tested, Box2D does not count.";
+}
+
+void StepTrace::solve_times_of_impact() {
+    TraceStage& stage = trace_.stage("time of impact", "Box2D: b2World::SolveTOI");
+    stage.items = std::move(sub_steps_);
+    stage.says = stage.items.empty()
+                     ? "The listener saw no sub-step to a time of impact."
+                     : counted(stage.items.size(), "call") +
+                           " of the listener came from sub-steps to a time of impact; those times are not "
+                           "visible from outside.";
+}
+
+}  // namespace flipside::box2d

@@ -1,0 +1,260 @@
+#include "custom/simple/simple_trace.hpp"
+
+#include "custom/geometry/explain.hpp"
+#include "custom/tolerances.hpp"
+
+namespace flipside::custom {
+
+namespace {
+
+/// Takes the cells of a broad phase that list anything.
+class CellLister final : public Inspector {
+  public:
+    explicit CellLister(TraceStage& stage) : stage_(stage) {}
+    [[nodiscard]] bool wants(Topic topic) const override { return topic == Topic::cells; }
+    void cell(const Box& box, int count) override {
+        if (count > 0) stage_.add("cell").with("box", box).with("listed", static_cast<std::int64_t>(count));
+    }
+    void box(Topic, const Box&) override {}
+    void pair(Vec2, Vec2) override {}
+    void contact(const Contact&) override {}
+    void segment(Topic, Vec2, Vec2) override {}
+    void circle(Topic, Vec2, double) override {}
+    void text(Topic, Vec2, std::string_view) override {}
+
+  private:
+    TraceStage& stage_;
+};
+
+}  // namespace
+
+SimpleTrace::SimpleTrace(Trace& trace, const Scene& scene, const Layout& layout, BroadPhase& broad)
+    : trace_(trace), scene_(scene), layout_(layout), broad_(broad) {
+    broad_.log_tests(&log_);
+}
+
+void SimpleTrace::begin(std::string_view name, std::string_view function) {
+    trace_.stage(std::string(name) + of_motion_,
+                 "src/custom/simple/simple_solver.cpp: SimpleSolver::" + std::string(function));
+}
+
+void SimpleTrace::motion(int k, int n) {
+    if (n > 1) of_motion_ = ", motion iteration " + std::to_string(k) + " of " + std::to_string(n);
+}
+
+void SimpleTrace::moved(std::span<const Ball> balls, const TimeInterval& interval) {
+    begin("move", "move_balls");
+    for (std::size_t i = 0; i < balls.size(); ++i)
+        stage()
+            .add("move")
+            .with("ball", balls[i].number)
+            .with("position_before", before_[i].position)
+            .with("velocity_before", before_[i].velocity)
+            .with("angle_before", before_[i].angle)
+            .with("spin", balls[i].spin)
+            .with("gravity", scene_.gravity)
+            .with("damping", scene_.damping)
+            .with("seconds", interval.time)
+            .with("position", balls[i].position)
+            .with("velocity", balls[i].velocity)
+            .with("angle", balls[i].angle)
+            .with("formula", scene_.damping > 0 ? "p' = p + E v + F g, v' = e^(-ct) v + E g"
+                                                : "p' = p + v t + g t^2 / 2, v' = v + g t");
+    stage().says = counted(balls.size(), "ball") + (balls.size() == 1 ? " flies" : " fly") + " freely for " +
+                   brief(1e3 * interval.time) + " ms, through whatever is in the way.";
+}
+
+void SimpleTrace::name_proxy(TraceItem& item, std::string_view prefix, Handle handle,
+                             std::span<const Ball> balls) const {
+    const std::string start(prefix);
+    if (handle >= layout_.size()) {
+        item.with(start + "ball", balls[handle - layout_.size()].number);
+        return;
+    }
+    item.with(start + "part", std::string_view(scene_.parts[layout_.piece(handle).part].name))
+        .with(start + "piece", handle);
+}
+
+void SimpleTrace::found_pairs(std::span<const Proxy> moving, std::span<const Ball> balls,
+                              std::uint64_t tests) {
+    begin("broad phase", "find_pairs");
+    const Handle first = layout_.size() - static_cast<Handle>(moving.size() - balls.size());
+    for (Handle i = 0; i < first; ++i) {
+        TraceItem& item = stage().add("box");
+        name_proxy(item, "", i, balls);
+        item.with("box", layout_.still_proxies()[i].box);
+    }
+    for (Handle i = 0; i < moving.size(); ++i) {
+        TraceItem& item = stage().add("box");
+        name_proxy(item, "", first + i, balls);
+        item.with("box", moving[i].box);
+    }
+    CellLister cells(stage());
+    broad_.inspect(cells);
+    std::size_t overlapping = 0;
+    for (const auto& [pair, overlap] : log_) {
+        TraceItem& item = stage().add("test");
+        name_proxy(item, "", pair.b, balls);
+        name_proxy(item, pair.a >= layout_.size() ? "other_" : "", pair.a, balls);
+        item.with("overlap", overlap);
+        overlapping += overlap;
+    }
+    const std::uint64_t n = balls.size(), all = n * (n - 1) / 2 + n * layout_.size();
+    stage().says = std::to_string(overlapping) + " of " + counted(all, "pair") +
+                   " survive the box test, of which the broad phase (" + std::string(broad_.facts().name) +
+                   ") made " + std::to_string(tests) + ".";
+    log_.clear();
+}
+
+void SimpleTrace::decided_gates(const Table& table) {
+    if (layout_.gates().empty()) return;
+    begin("gates", "decide_gates");
+    std::size_t open = 0;
+    for (const PartIndex gate : layout_.gates()) {
+        const bool is_open = table.parts()[gate].open;
+        stage().add("gate").with("part", std::string_view(scene_.parts[gate].name)).with("open", is_open);
+        open += is_open;
+    }
+    for (const Blocked& blocked : table.blocked())
+        stage()
+            .add("blocked")
+            .with("ball", blocked.ball)
+            .with("part", std::string_view(scene_.parts[blocked.gate].name));
+    stage().says = counted(layout_.gates().size(), "gate") + ", " + std::to_string(open) + " open; " +
+                   counted(table.blocked().size(), "ball") + " held back.";
+}
+
+void SimpleTrace::begin_round(int k, int n) {
+    const std::string round =
+        n > 1 ? ", collision iteration " + std::to_string(k) + " of " + std::to_string(n) : "";
+    begin("narrow phase" + round, "respond_to_pairs");
+    begin("response" + round, "respond_to_pairs");
+    turn_ = overlapping_ = impacts_ = resting_ = 0;
+}
+
+void SimpleTrace::passed_over(const Ball& ball, PieceIndex piece) {
+    TraceItem& item = narrow().add("passed over").with("ball", ball.number);
+    name_proxy(item, "", piece, {});
+    item.with("reason", "a sensor, a target that is down, or a gate that lets this ball through");
+}
+
+void SimpleTrace::tested(const Ball& ball, PieceIndex index, const Pose& pose, const Touch& found) {
+    lower_ = ball;
+    TraceItem& item = narrow().add("closest").with("turn", ++turn_).with("ball", ball.number);
+    name_proxy(item, "", index, {});
+    item.with("center", ball.position)
+        .with("radius", ball.radius)
+        .with("pivot", pose.pivot)
+        .with("pose_angle", pose.angle)
+        .with("point", found.point)
+        .with("normal", found.normal)
+        .with("separation", found.separation);
+    explain_touch(item, ball.position, ball.radius, layout_.piece(index), pose);
+    const bool overlaps = found.separation < -overlap_slop * ball.radius && !found.past_end;
+    item.with("overlap", overlaps);
+    overlapping_ += overlaps;
+}
+
+void SimpleTrace::tested(const Ball& lower, const Ball& upper, const Touch& found) {
+    lower_ = lower, upper_ = upper;
+    TraceItem& item = narrow()
+                          .add("closest")
+                          .with("turn", ++turn_)
+                          .with("ball", lower.number)
+                          .with("other_ball", upper.number)
+                          .with("center", lower.position)
+                          .with("radius", lower.radius)
+                          .with("other_center", upper.position)
+                          .with("other_radius", upper.radius)
+                          .with("point", found.point)
+                          .with("normal", found.normal)
+                          .with("separation", found.separation);
+    explain_touch(item, lower.position, lower.radius, upper.position, upper.radius);
+    const bool overlaps = found.separation < -overlap_slop * std::min(lower.radius, upper.radius);
+    item.with("overlap", overlaps);
+    overlapping_ += overlaps;
+}
+
+TraceItem& SimpleTrace::add_response(const Ball& before, const Ball& after, const Impact& impact,
+                                     const Mixed& material, double closing) {
+    const bool parting = closing <= 0;
+    (impact.happened ? impacts_ : resting_) += !parting;
+    return stage()
+        .add("response")
+        .with("turn", turn_)
+        .with("ball", after.number)
+        .with("answer", impact.happened ? "impact"
+                        : parting       ? "parting: pushed out only"
+                                        : "resting contact")
+        .with("closing", closing)
+        .with("speed", impact.speed)
+        .with("restitution", impact.happened ? material.restitution : 0.0)
+        .with("kick", material.kick)
+        .with("friction", material.friction)
+        .with("impulse", impact.impulse)
+        .with("normal", impact.normal)
+        .with("velocity_before", before.velocity)
+        .with("velocity", after.velocity)
+        .with("spin_before", before.spin)
+        .with("spin", after.spin)
+        .with("position_before", before.position)
+        .with("position", after.position)
+        .with("push_out", after.position - before.position);
+}
+
+void SimpleTrace::responded(const Ball& ball, PieceIndex piece, Vec2 surface_velocity, const Impact& impact,
+                            const Mixed& material) {
+    const TraceItem& seen = narrow().items.back();
+    const double closing = -dot(lower_.velocity - surface_velocity, seen.get<Vec2>("normal"));
+    TraceItem& item = add_response(lower_, ball, impact, material, closing);
+    name_proxy(item, "", piece, {});
+    item.with("surface_velocity", surface_velocity);
+    item.with("formula", "v' = v + (closing + max(e s, k)) n");
+    const double out = impact.happened ? std::max(material.restitution * impact.speed, material.kick) : 0;
+    if (closing > 0)
+        item.with("filled", std::string_view("|v' - v| = " + brief(closing) + " + " + brief(out) + " m/s"));
+}
+
+void SimpleTrace::responded(const Ball& lower, const Ball& upper, const Impact& impact,
+                            const Mixed& material) {
+    const double closing = -dot(lower_.velocity - upper_.velocity, unit(lower_.position - upper_.position));
+    TraceItem& item = add_response(lower_, lower, impact, material, closing);
+    item.with("other_ball", upper.number)
+        .with("other_velocity_before", upper_.velocity)
+        .with("other_velocity", upper.velocity)
+        .with("other_spin_before", upper_.spin)
+        .with("other_spin", upper.spin)
+        .with("other_position_before", upper_.position)
+        .with("other_position", upper.position);
+    item.with("formula", "J = (s + max(e s, k)) / (1/m1 + 1/m2), v1' = v1 + J n / m1, v2' = v2 - J n / m2");
+    if (closing > 0)
+        item.with("filled", std::string_view("J = " + brief(impact.impulse) +
+                                             " N s at s = " + brief(impact.speed) + " m/s"));
+}
+
+void SimpleTrace::end_round() {
+    narrow().says = std::to_string(overlapping_) + " of " +
+                    counted(static_cast<std::uint64_t>(turn_), "pair") + " overlap.";
+    stage().says = overlapping_ == 0
+                       ? "Nothing overlaps: there is nothing to answer, and no further iteration."
+                       : counted(static_cast<std::uint64_t>(overlapping_), "answer") + ": " +
+                             counted(static_cast<std::uint64_t>(impacts_), "impact") + ", " +
+                             counted(static_cast<std::uint64_t>(resting_), "resting contact") +
+                             "; all are pushed out.";
+}
+
+void SimpleTrace::begin_sensors() {
+    begin("sensors", "watch_sensors");
+    stage().says = "No ball is at a sensor.";
+}
+
+void SimpleTrace::sensed(const Ball& ball, PieceIndex piece, double separation) {
+    TraceItem& item = stage().add("sensor").with("ball", ball.number);
+    name_proxy(item, "", piece, {});
+    item.with("separation", separation).with("inside", separation <= 0);
+    stage().says =
+        "Balls looked at, for their boxes overlap that of a sensor: " + std::to_string(stage().items.size()) +
+        ".";
+}
+
+}  // namespace flipside::custom

@@ -1,0 +1,140 @@
+// What a trace says of the exact engine: the paths with which a step begins, and its events in order of time,
+// each with an interval that isolates it.
+
+#include <algorithm>
+
+#include "reference/simulation.hpp"
+
+namespace flipside::reference {
+
+namespace {
+
+/// Half the width of the narrowest interval about `time` over which `gap` falls from above 0 to below, tried
+/// in doublings from the last digit on; infinite where it does not change its sign: a graze, or a touch that
+/// lasts.
+template <class R>
+R isolate(const R& time, auto&& gap) {
+    constexpr int most_doublings = 48;
+    R half = epsilon<R>() * std::max(R(1), magnitude(time));
+    for (int k = 0; k < most_doublings; ++k, half *= 2)
+        if (gap(R(time - half)) > 0 && gap(R(time + half)) < 0) return half;
+    return infinity<R>();
+}
+
+}  // namespace
+
+template <class R>
+std::string_view Simulation<R>::name_of_next(const Mover& mover) {
+    switch (mover.next) {
+        case Next::feature:
+            return "meets a part";
+        case Next::ball:
+            return "meets a ball";
+        case Next::cell:
+            return "leaves its cell";
+        case Next::look_again:
+            return mover.met != 0 ? "looks ahead again" : "its path ends";
+        case Next::sensor:
+            return "enters or leaves a sensor or gate";
+        case Next::lost:
+            return "leaves the bounds";
+        case Next::nothing:
+            break;
+    }
+    return "nothing";
+}
+
+template <class R>
+void Simulation<R>::trace_next(TraceItem& item, const Mover& mover) const {
+    item.with("next", name_of_next(mover));
+    if (mover.next_time < infinity<R>()) item.with("next_time", clock(mover.next_time));
+    if (mover.next == Next::feature)
+        item.with("next_part", std::string_view(scene_->parts[features_[mover.met].part].name));
+    if (mover.next == Next::ball) item.with("next_ball", movers_[mover.met].ball.number);
+}
+
+/// The path of every ball when the step begins.
+template <class R>
+void Simulation<R>::trace_paths() {
+    TraceStage& stage = trace_->stage("paths and predictions so far", "src/reference/predict.cpp: predict");
+    std::size_t held = 0;
+    for (const Mover& mover : movers_) {
+        if (mover.gone) continue;
+        const Path<R>& path = mover.path;
+        TraceItem& item = stage.add("path").with("ball", mover.ball.number);
+        item.with("way", path.rests                 ? "at rest"
+                         : path.rides               ? "rides a part that turns or bends"
+                         : mover.held[0] != nothing ? "along a part"
+                                                    : "free flight");
+        if (mover.held[0] != nothing)
+            item.with("part", std::string_view(scene_->parts[features_[mover.held[0]].part].name));
+        item.with("since", clock(path.start))
+            .with("position", narrow(path.position))
+            .with("velocity", narrow(path.velocity))
+            .with("acceleration", narrow(path.acceleration))
+            .with("drag", static_cast<double>(path.drag));
+        trace_next(item, mover);
+        held += mover.held[0] != nothing;
+    }
+    stage.says = counted(stage.items.size(), "ball") + ", " + std::to_string(held) +
+                 " held by a part; each has a path and one next event, and nothing is done until the first.";
+}
+
+/// Handles an event, and writes what it was and what followed.
+template <class R>
+void Simulation<R>::trace_event(Place i) {
+    constexpr std::string_view events = "events";
+    if (trace_->stages.empty() || trace_->stages.back().name != events)
+        trace_->stage(events, "src/reference/events.cpp: handle");
+    TraceStage& stage = trace_->stages.back();
+    const Mover mover = movers_[i];
+    const bool meets_part = mover.next == Next::feature, meets_ball = mover.next == Next::ball;
+    TraceItem& item = stage.add("event").with("time", clock(now_)).with("ball", mover.ball.number);
+    item.with("event", name_of_next(mover));
+    R half = infinity<R>();
+    if (meets_part) {
+        const PartIndex part = features_[mover.met].part;
+        item.with("part", std::string_view(scene_->parts[part].name));
+        const View<R> seen{mover.path, turning(part)};
+        half = isolate(now_, [&](const R& t) {
+            return closest_point(shape(mover.met), seen.at(t).position, mover.radius).gap;
+        });
+    }
+    if (meets_ball) {
+        const Mover other = movers_[mover.met];
+        item.with("other_ball", other.ball.number);
+        if (other.gone || other.changes != mover.met_changes)
+            item.with("answer", "the other has changed its path meanwhile: predicted again");
+        half = isolate(now_, [&](const R& t) {
+            return length(mover.path.at(t).position - other.path.at(t).position) - mover.radius -
+                   other.radius;
+        });
+    }
+    if (half < infinity<R>()) item.with("isolated_within", static_cast<double>(half));
+    item.with("position", narrow(mover.path.at(now_).position))
+        .with("velocity_before", narrow(mover.path.at(now_).velocity));
+    const std::size_t reported = events_.size();
+    handle(i);
+    item.with("velocity", narrow(movers_[i].path.at(now_).velocity));
+    for (std::size_t k = reported; k < events_.size(); ++k)
+        if (events_[k].kind == EventKind::impact)
+            item.with("answer", "impact")
+                .with("point", events_[k].point)
+                .with("normal", events_[k].normal)
+                .with("speed", events_[k].speed)
+                .with("impulse", events_[k].impulse);
+    trace_next(item, movers_[i]);
+    stage.says = counted(stage.items.size(), "event") +
+                 " in order of time; a root is isolated within the "
+                 "interval given, in which the gap changes its sign.";
+}
+
+#define FLIPSIDE_TRACE(R)                       \
+    template void Simulation<R>::trace_paths(); \
+    template void Simulation<R>::trace_event(Place);
+FLIPSIDE_TRACE(double)
+FLIPSIDE_TRACE(Real113)
+FLIPSIDE_TRACE(Real226)
+#undef FLIPSIDE_TRACE
+
+}  // namespace flipside::reference

@@ -1,0 +1,59 @@
+#include "world/trace.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "world/world.hpp"
+
+namespace flipside {
+
+TraceItem& TraceItem::with(std::string_view name, TraceValue value) {
+    fields.emplace_back(std::string(name), std::move(value));
+    return *this;
+}
+
+TraceItem& TraceItem::with_other(Other other, const Scene& scene) {
+    if (other.is_ball) return with("other_ball", other.index);
+    return with("part", std::string_view(scene.parts[other.index].name));
+}
+
+const TraceValue* TraceItem::find(std::string_view name) const {
+    const auto at = std::ranges::find(fields, name, &std::pair<std::string, TraceValue>::first);
+    return at == fields.end() ? nullptr : &at->second;
+}
+
+void trace_read_out(Trace& trace, std::string_view where, const World& world, const Scene& scene) {
+    const auto balls = world.balls();
+    const auto events = world.events();
+    TraceStage& stage = trace.stage("read-out", where);
+    for (const Ball& ball : balls)
+        stage.add("ball")
+            .with("ball", ball.number)
+            .with("position", ball.position)
+            .with("velocity", ball.velocity)
+            .with("angle", ball.angle)
+            .with("spin", ball.spin)
+            .with("asleep", ball.asleep);
+    for (const Event& event : events) {
+        TraceItem& item = stage.add("event");
+        item.with("time", event.time).with("event", name_of(event.kind)).with("ball", event.ball);
+        if (event.kind != EventKind::lost) item.with_other(event.other, scene);
+        item.with("point", event.point);
+        if (event.kind == EventKind::impact)
+            item.with("normal", event.normal).with("speed", event.speed).with("impulse", event.impulse);
+    }
+    stage.says = "The step is over: " + counted(balls.size(), "ball") + ", " +
+                 counted(events.size(), "event") + ", " + counted(world.contacts().size(), "contact") + ".";
+}
+
+std::string brief(double number) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g", number);
+    return text;
+}
+
+std::string counted(std::uint64_t n, std::string_view thing) {
+    return std::to_string(n) + ' ' + std::string(thing) + (n == 1 ? "" : "s");
+}
+
+}  // namespace flipside
