@@ -12,20 +12,6 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-struct AsText {
-    std::string operator()(bool value) const { return value ? "yes" : "no"; }
-    std::string operator()(std::int64_t value) const { return std::to_string(value); }
-    std::string operator()(double value) const { return brief(value); }
-    std::string operator()(const std::string& value) const { return printable(value); }
-    std::string operator()(Vec2 value) const { return '(' + brief(value.x) + ", " + brief(value.y) + ')'; }
-    std::string operator()(const Box& value) const { return (*this)(value.min) + ".." + (*this)(value.max); }
-    std::string operator()(const std::vector<double>& values) const {
-        std::string text = "[";
-        for (const double value : values) text += (text.size() > 1 ? ", " : "") + brief(value);
-        return text + ']';
-    }
-};
-
 struct AsJson {
     template <class T>
     OrderedJson operator()(const T& value) const {
@@ -78,8 +64,7 @@ std::string to_text(const TracedStep& step) {
              << '\n';
         for (const TraceItem& item : stage.items) {
             text << "     " << item.kind << ':';
-            for (const auto& [name, value] : item.fields)
-                text << "  " << name << ' ' << std::visit(AsText{}, value);
+            for (const auto& [name, value] : item.fields) text << "  " << name << ' ' << in_brief(value);
             text << '\n';
         }
     }

@@ -3,9 +3,28 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "world/printable.hpp"
 #include "world/world.hpp"
 
 namespace flipside {
+
+namespace {
+
+struct InBrief {
+    std::string operator()(bool value) const { return value ? "yes" : "no"; }
+    std::string operator()(std::int64_t value) const { return std::to_string(value); }
+    std::string operator()(double value) const { return brief(value); }
+    std::string operator()(const std::string& value) const { return printable(value); }
+    std::string operator()(Vec2 value) const { return '(' + brief(value.x) + ", " + brief(value.y) + ')'; }
+    std::string operator()(const Box& value) const { return (*this)(value.min) + ".." + (*this)(value.max); }
+    std::string operator()(const std::vector<double>& values) const {
+        std::string text = "[";
+        for (const double value : values) text += (text.size() > 1 ? ", " : "") + brief(value);
+        return text + ']';
+    }
+};
+
+}  // namespace
 
 TraceItem& TraceItem::with(std::string_view name, TraceValue value) {
     fields.emplace_back(std::string(name), std::move(value));
@@ -48,12 +67,16 @@ void trace_read_out(Trace& trace, std::string_view where, const World& world, co
 
 std::string brief(double number) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.4g", number);
+    std::snprintf(text, sizeof text, "%.4g", number + 0.0);  // no sign of a zero
     return text;
 }
 
 std::string counted(std::uint64_t n, std::string_view thing) {
     return std::to_string(n) + ' ' + std::string(thing) + (n == 1 ? "" : "s");
+}
+
+std::string in_brief(const TraceValue& value) {
+    return std::visit(InBrief{}, value);
 }
 
 }  // namespace flipside

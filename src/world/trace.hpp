@@ -78,6 +78,8 @@ void trace_read_out(Trace& trace, std::string_view where, const World& world, co
 
 /// A number for a sentence, to four digits.
 [[nodiscard]] std::string brief(double number);
+/// A value in a line of text, numbers to four digits; text is printable().
+[[nodiscard]] std::string in_brief(const TraceValue& value);
 /// "1 ball", "3 balls".
 [[nodiscard]] std::string counted(std::uint64_t n, std::string_view thing);
 

@@ -15,6 +15,7 @@ std::vector<Rect> all_of(const Layout& layout) {
     std::vector<Rect> all = layout.panes;
     all.insert(all.end(), layout.headers.begin(), layout.headers.end());
     all.push_back(layout.strip);
+    if (layout.bar.height > 0) all.push_back(layout.bar);
     if (layout.panel.width > 0) all.push_back(layout.panel);
     return all;
 }
@@ -24,8 +25,9 @@ TEST(Layout, NothingOverlapsAndAllIsInsideTheWindow) {
     for (const auto& size : sizes)
         for (const int panes : {1, 2, 3})
             for (const int headers : {panes, 3})
-                for (const Column column : {Column::none, Column::folded, Column::open}) {
-                    const auto all = all_of(lay_out(size[0], size[1], 1, panes, headers, column));
+                for (const auto& [column, bar] :
+                     {std::pair(Column::none, false), {Column::folded, true}, {Column::open, true}}) {
+                    const auto all = all_of(lay_out(size[0], size[1], 1, panes, headers, column, bar));
                     for (std::size_t i = 0; i < all.size(); ++i) {
                         EXPECT_GE(all[i].x, 0);
                         EXPECT_GE(all[i].y, 0);
@@ -39,7 +41,7 @@ TEST(Layout, NothingOverlapsAndAllIsInsideTheWindow) {
 
 TEST(Layout, PanesAreEqualAndOnWholePixels) {
     for (const int panes : {2, 3}) {
-        const Layout layout = lay_out(1281, 797, 1, panes, panes, Column::open);
+        const Layout layout = lay_out(1281, 797, 1, panes, panes, Column::open, false);
         ASSERT_EQ(layout.panes.size(), static_cast<std::size_t>(panes));
         for (const Rect& pane : layout.panes) {
             EXPECT_EQ(pane.width, layout.panes[0].width);
@@ -51,15 +53,15 @@ TEST(Layout, PanesAreEqualAndOnWholePixels) {
 }
 
 TEST(Layout, ThePanesAreTheLargestThing) {
-    const Layout layout = lay_out(1024, 640, 1, 2, 2, Column::open);
+    const Layout layout = lay_out(1024, 640, 1, 2, 2, Column::open, false);
     const double panes = 2 * layout.panes[0].width * layout.panes[0].height;
     EXPECT_GT(panes, layout.panel.width * layout.panel.height);
     EXPECT_GT(panes, 0.45 * 1024 * 640);
 }
 
 TEST(Layout, FoldingThePanelGivesItsRoomToThePanes) {
-    const Layout open = lay_out(1280, 800, 1, 2, 2, Column::open);
-    const Layout folded = lay_out(1280, 800, 1, 2, 2, Column::folded);
+    const Layout open = lay_out(1280, 800, 1, 2, 2, Column::open, false);
+    const Layout folded = lay_out(1280, 800, 1, 2, 2, Column::folded, false);
     EXPECT_GT(folded.panes[0].width, open.panes[0].width + 100);
 }
 

@@ -10,6 +10,7 @@
 
 #include "app/window/panel.hpp"
 #include "app/window/png_file.hpp"
+#include "app/window/step_bar.hpp"
 
 namespace flipside::app {
 
@@ -55,7 +56,7 @@ void App::run() {
         arrange();
         imgui_.begin_frame(seconds);
         draw();
-        if (report_) report_->write(start, stage_, state_, controls_, layout_, camera_, places_);
+        if (report_) report_->write(start, stage_, microscope_, state_, controls_, layout_, camera_, places_);
         measure(seconds, clock_.getElapsedTime().asSeconds() - start);
         window_.display();
         ++state_.frame;
@@ -69,14 +70,14 @@ void App::process(const sf::Event& event) {
             return window_.close();
         case sf::Event::LostFocus: {
             const std::set<sf::Keyboard::Key> keys = held_;
-            for (const sf::Keyboard::Key key : keys) press(key, false);
+            for (const sf::Keyboard::Key key : keys) press(action_of(key), key, false);
             return;
         }
         case sf::Event::KeyPressed:
-            if (!imgui_.wants_text()) press(event.key.code, true);
+            if (!imgui_.wants_text()) press(action_of(event.key), event.key.code, true);
             return;
         case sf::Event::KeyReleased:
-            return press(event.key.code, false);
+            return press(action_of(event.key.code), event.key.code, false);
         default:
             break;
     }
@@ -89,8 +90,10 @@ bool App::held(Action action) const {
     return std::ranges::any_of(held_, [action](sf::Keyboard::Key key) { return action_of(key) == action; });
 }
 
-void App::press(sf::Keyboard::Key key, bool down) {
-    const Action action = action_of(key);
+void App::press(Action action, sf::Keyboard::Key key, bool down) {
+    // While nothing moves, Shift goes with other keys; the arrows flip as ever.
+    const bool shift = key == sf::Keyboard::LShift || key == sf::Keyboard::RShift;
+    if (controls_.bar_open && controls_.paused && shift && down) return;
     if (action == Action::none || down == held_.contains(key)) return;
     if (down)
         held_.insert(key);
@@ -133,8 +136,20 @@ void App::act(Action action) {
             controls_.paused = !controls_.paused;
             break;
         case Action::step_once:
+            if (controls_.bar_open) return act_inside(action);
             controls_.paused = true;
             ++controls_.single_steps;
+            break;
+        case Action::step_whole:
+        case Action::stage_back:
+        case Action::item_next:
+        case Action::item_back:
+        case Action::look_at_next:
+            if (controls_.bar_open) act_inside(action);
+            break;
+        case Action::look_inside:
+            controls_.bar_open = !controls_.bar_open;
+            microscope_.close();
             break;
         case Action::slow_motion:
             controls_.speed = controls_.speed < 1 ? 1 : slow_motion;
@@ -179,6 +194,26 @@ void App::act(Action action) {
     }
 }
 
+/// With the step bar open.
+void App::act_inside(Action action) {
+    if (stage_.under_way()) return;
+    const bool shown = microscope_.shows(stage_);
+    if (action == Action::step_once && !(shown && microscope_.next())) {
+        controls_.paused = true;
+        microscope_.take_step(stage_);
+    }
+    if (action == Action::step_whole) {
+        controls_.paused = true;
+        microscope_.take_step(stage_);
+        microscope_.to_last();
+    }
+    if (!shown) return;
+    if (action == Action::stage_back) microscope_.back();
+    if (action == Action::item_next) microscope_.pick_next();
+    if (action == Action::item_back) microscope_.pick_before();
+    if (action == Action::look_at_next) microscope_.look_at((microscope_.run() + 1) % stage_.runs().size());
+}
+
 void App::advance(double seconds) {
     if (accumulator_.dt() != stage_.dt()) accumulator_ = Accumulator(stage_.dt(), most_catch_up);
     const double simulated = controls_.paused ? 0 : seconds * controls_.speed;
@@ -215,7 +250,7 @@ void App::arrange() {
     state_.width = size.x;
     state_.height = size.y;
     layout_ = layout_of(stage_, size.x, size.y, screen_.scale(),
-                        controls_.panel_open ? Column::open : Column::folded);
+                        controls_.panel_open ? Column::open : Column::folded, controls_.bar_open);
     camera_.size = {layout_.panes.front().width, layout_.panes.front().height};
     if (shown_scene_ != stage_.scene_name()) mouse_.fit();
     shown_scene_ = stage_.scene_name();
@@ -227,12 +262,15 @@ void App::draw() {
     // The panel may change what is on show, so it comes before the picture of it.
     places_ = draw_panel(layout_.panel, stage_, controls_, load_);
     arrange();
+    if (controls_.bar_open) draw_step_bar(layout_.bar, stage_, microscope_, places_);
+    const bool inside = controls_.bar_open && microscope_.shows(stage_);
     if (controls_.help_open)
-        draw_help({0, layout_.panes.front().y, layout_.strip.width, layout_.panes.front().height});
+        draw_help({0, 0, layout_.strip.width, state_.height});
     count_up(0);
     Readings readings{{}, load_.asked, load_.reached};
     for (const double score : scores_) readings.scores.push_back(std::lround(std::floor(score)));
-    screen_.draw(window_, stage_, layout_, camera_, controls_.look, readings);
+    screen_.draw(window_, stage_, layout_, camera_, controls_.look, readings,
+                 inside ? &microscope_ : nullptr);
     imgui_.end_frame();
     if (screenshot_wanted_) save_screenshot();
 }

@@ -11,6 +11,7 @@
 #include "app/window/accumulator.hpp"
 #include "app/window/imgui_sfml.hpp"
 #include "app/window/keys.hpp"
+#include "app/window/microscope.hpp"
 #include "app/window/mouse.hpp"
 #include "app/window/screen.hpp"
 #include "app/window/window_report.hpp"
@@ -26,8 +27,9 @@ class App {
 
   private:
     void process(const sf::Event& event);
-    void press(sf::Keyboard::Key key, bool down);
+    void press(Action action, sf::Keyboard::Key key, bool down);
     void act(Action action);
+    void act_inside(Action action);
     void flip(Side side, Action action);
     void nudge(Vec2 velocity);
     void arrange();
@@ -39,6 +41,7 @@ class App {
     [[nodiscard]] bool held(Action action) const;
 
     Stage stage_;
+    Microscope microscope_;
     WindowControls controls_;
     WindowState state_;
     std::filesystem::path screenshots_;

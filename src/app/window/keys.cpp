@@ -17,7 +17,16 @@ constexpr KeyUse uses[] = {
     {Action::nudge_forward, {K::N, no, no}, "N", "Nudge it forward; too much of this tilts it"},
     {Action::nudge_right, {K::M, no, no}, "M", "Nudge it to the right"},
     {Action::pause, {K::P, no, no}, "P", "Pause, or go on"},
-    {Action::step_once, {K::Period, no, no}, ".", "Pause, and take one step"},
+    {Action::step_once,
+     {K::Period, no, no},
+     ".",
+     "Pause, and take one step; inside a step, go to its next stage"},
+    {Action::look_inside, {K::I, no, no}, "I", "Look inside a step, stage by stage, or close that"},
+    {Action::stage_back, {K::Comma, no, no}, ",", "Inside a step: back to the stage before"},
+    {Action::step_whole, {no, no, no}, "Shift .", "Inside a step: the whole next step"},
+    {Action::item_back, {K::LBracket, no, no}, "[", "Inside a step: the item before"},
+    {Action::item_next, {K::RBracket, no, no}, "]", "Inside a step: the next item"},
+    {Action::look_at_next, {K::C, no, no}, "C", "Inside a step: look at the next engine's"},
     {Action::slow_motion, {K::S, no, no}, "S", "Slow motion, ten times slower"},
     {Action::restart, {K::R, no, no}, "R", "Start the scene again"},
     {Action::switch_engine, {K::Tab, no, no}, "Tab", "Switch the engine under the running ball"},
@@ -43,6 +52,10 @@ Action action_of(sf::Keyboard::Key key) {
     for (const KeyUse& use : uses)
         if (std::ranges::find(use.keys, key) != std::end(use.keys)) return use.action;
     return Action::none;
+}
+
+Action action_of(const sf::Event::KeyEvent& key) {
+    return key.shift && key.code == K::Period ? Action::step_whole : action_of(key.code);
 }
 
 }  // namespace flipside::app

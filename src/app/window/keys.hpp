@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include <SFML/Window/Keyboard.hpp>
+#include <SFML/Window/Event.hpp>
 
 namespace flipside::app {
 
@@ -18,6 +18,12 @@ enum class Action {
     nudge_right,
     pause,
     step_once,
+    step_whole,
+    stage_back,
+    item_next,
+    item_back,
+    look_inside,
+    look_at_next,
     slow_motion,
     restart,
     switch_engine,
@@ -43,5 +49,7 @@ struct KeyUse {
 /// In the order of the help.
 [[nodiscard]] std::span<const KeyUse> key_uses();
 [[nodiscard]] Action action_of(sf::Keyboard::Key key);
+/// With what is held beside it.
+[[nodiscard]] Action action_of(const sf::Event::KeyEvent& key);
 
 }  // namespace flipside::app

@@ -17,7 +17,8 @@ struct Rect {
 struct Layout {
     std::vector<Rect> headers;  ///< one over each pane
     std::vector<Rect> panes;    ///< of equal size
-    Rect strip;                 ///< plots, below the panes
+    Rect bar;                   ///< the step bar, below the panes; no height where there is none
+    Rect strip;                 ///< plots, below that
     Rect panel;                 ///< the control column; no width where there is none
 };
 
@@ -25,7 +26,7 @@ enum class Column { none, folded, open };
 
 /// One header per pane, or several over a single pane (overlay). `scale` is 1 on an ordinary display. All
 /// corners are whole pixels.
-[[nodiscard]] Layout lay_out(double width, double height, double scale, int panes, int headers,
-                             Column column);
+[[nodiscard]] Layout lay_out(double width, double height, double scale, int panes, int headers, Column column,
+                             bool step_bar);
 
 }  // namespace flipside::app

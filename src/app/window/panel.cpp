@@ -13,13 +13,6 @@ namespace flipside::app {
 
 namespace {
 
-constexpr ImGuiWindowFlags docked =
-    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
-
-ImVec2 vector(double x, double y) {
-    return {static_cast<float>(x), static_cast<float>(y)};
-}
-
 bool slider(const char* id, double& value, double min, double max, const char* format,
             ImGuiSliderFlags flags = 0) {
     return ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &min, &max, format,
@@ -42,7 +35,7 @@ struct PanelParts {
     bool button(const char* words, const char* meaning, double share = 1) const {
         const double room = ImGui::GetContentRegionAvail().x;
         const double gap = ImGui::GetStyle().ItemSpacing.x;
-        const bool pressed = ImGui::Button(words, vector(std::floor((room + gap) * share - gap), 0));
+        const bool pressed = ImGui::Button(words, imgui_vector(std::floor((room + gap) * share - gap), 0));
         tooltip(meaning);
         note(places, words);
         return pressed;
@@ -85,7 +78,7 @@ struct PanelParts {
             const bool chosen = stage.view() == view;
             ImGui::PushStyleColor(ImGuiCol_Button,
                                   ImGui::GetStyleColorVec4(chosen ? ImGuiCol_ButtonActive : ImGuiCol_Button));
-            if (ImGui::Button(name, vector(std::floor((room - 2 * gap) / 3), 0))) stage.set_view(view);
+            if (ImGui::Button(name, imgui_vector(std::floor((room - 2 * gap) / 3), 0))) stage.set_view(view);
             ImGui::PopStyleColor();
             tooltip("One engine, all side by side, or all on one table (V, or 1, 2, 3)");
             note(places, name);
@@ -112,6 +105,9 @@ struct PanelParts {
         }
         ImGui::SameLine();
         if (button("Restart", "R")) stage.restart();
+        toggle("Inside a step", controls.bar_open,
+               "Walk through the stages of a step, on any engine: . for the next stage, , for the one before "
+               "(I)");
         label("Time", "Simulated seconds per second of yours; S for slow motion");
         slider("##speed", controls.speed, 0.01, 2, "%.2f ×", ImGuiSliderFlags_Logarithmic);
         note(places, "Time");
@@ -183,8 +179,8 @@ void draw_load(const Load& load) {
 
 ControlPlaces draw_panel(const Rect& place, Stage& stage, WindowControls& controls, const Load& load) {
     ControlPlaces places;
-    ImGui::SetNextWindowPos(vector(place.x, place.y));
-    ImGui::SetNextWindowSize(vector(place.width, place.height));
+    ImGui::SetNextWindowPos(imgui_vector(place.x, place.y));
+    ImGui::SetNextWindowSize(imgui_vector(place.width, place.height));
     if (!controls.panel_open) ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {3, 8});
     ImGui::Begin("controls", nullptr, docked & ~ImGuiWindowFlags_NoScrollbar);
     const PanelParts parts{stage, controls, places};
@@ -215,8 +211,8 @@ ControlPlaces draw_panel(const Rect& place, Stage& stage, WindowControls& contro
 }
 
 void draw_help(const Rect& place) {
-    ImGui::SetNextWindowPos(vector(place.x + place.width / 2, place.y + place.height / 2), ImGuiCond_Always,
-                            {0.5F, 0.5F});
+    ImGui::SetNextWindowPos(imgui_vector(place.x + place.width / 2, place.y + place.height / 2),
+                            ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowBgAlpha(0.96F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {22, 12});
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {6, 1});

@@ -13,6 +13,13 @@
 
 namespace flipside::app {
 
+/// Of a window that is part of the layout.
+inline constexpr ImGuiWindowFlags docked =
+    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
+
+[[nodiscard]] inline ImVec2 imgui_vector(double x, double y) {
+    return {static_cast<float>(x), static_cast<float>(y)};
+}
 /// Shows `words` while the mouse rests on the last item.
 void tooltip(std::string_view words);
 /// Notes where the last item is.

@@ -32,6 +32,8 @@ class Run {
     /// In portions, as World::step_within has it: true once the step is done. Does nothing, and is done, once
     /// the run has halted.
     [[nodiscard]] bool step_within(double dt, const Script& script, double seconds);
+    /// Whatever its world does in a step is written there from now on; null: nowhere.
+    void trace(Trace* trace) { session_.world().trace(trace); }
     /// A step has begun and not ended.
     [[nodiscard]] bool under_way() const { return session_.under_way(); }
     /// What the player does, as far as the rules permit it; false if they do not.

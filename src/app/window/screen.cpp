@@ -6,6 +6,7 @@
 
 #include "app/window/header.hpp"
 #include "app/window/overlays.hpp"
+#include "app/window/stage_view.hpp"
 #include "app/window/strip.hpp"
 #include "app/window/words.hpp"
 
@@ -39,18 +40,19 @@ const Box& sight_of(const Scene& scene) {
     return scene.camera ? *scene.camera : scene.bounds;
 }
 
-Layout layout_of(const Stage& stage, double width, double height, double scale, Column column) {
+Layout layout_of(const Stage& stage, double width, double height, double scale, Column column,
+                 bool step_bar) {
     const int runs = static_cast<int>(stage.runs().size());
-    return lay_out(width, height, scale, stage.view() == View::split ? runs : 1, runs, column);
+    return lay_out(width, height, scale, stage.view() == View::split ? runs : 1, runs, column, step_bar);
 }
 
 void Screen::draw(sf::RenderTarget& target, const Stage& stage, const Layout& layout, const Camera& camera,
-                  const Look& look, const Readings& readings) {
+                  const Look& look, const Readings& readings, const Microscope* inside) {
     target.clear(colour::around);
     const std::span<const Run> runs = stage.runs();
     for (std::size_t i = 0; i < layout.panes.size(); ++i)
         draw_pane(target, stage, layout.panes[i], layout.panes.size() == 1 ? runs : runs.subspan(i, 1),
-                  camera, look);
+                  camera, look, inside);
     const sf::Vector2f all(target.getSize());
     target.setView(sf::View({0, 0, all.x, all.y}));
     const Run& costliest = *std::ranges::max_element(runs, {}, &Run::step_cost);
@@ -63,26 +65,38 @@ void Screen::draw(sf::RenderTarget& target, const Stage& stage, const Layout& la
 }
 
 void Screen::draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect& place,
-                       std::span<const Run> runs, const Camera& camera, const Look& look) {
+                       std::span<const Run> runs, const Camera& camera, const Look& look,
+                       const Microscope* inside) {
     target.setView(view_of(target, place));
     const bool alone = runs.size() == 1;
     const Run& front = alone ? runs.front() : stage.lead();
     draw_table(canvas_, camera, front, look);
     // On one table, what has stopped at another time is not seen together with what goes on.
     const auto seen = [&](const Run& run) { return alone || !run.halt(); };
+    const auto balls_of = [&](const Run& run) {
+        return inside ? inside->balls(static_cast<std::size_t>(&run - stage.runs().data()))
+                      : run.session().world().balls();
+    };
+    const bool looked_into = inside && std::ranges::any_of(runs, [&](const Run& run) {
+                                 return &run == &stage.runs()[inside->run()];
+                             });
+    if (looked_into) canvas_.rectangle({}, {place.width, place.height}, with_alpha(colour::around, 0.45));
     for (const Run& run : runs)
         if (seen(run)) draw_overlays(canvas_, camera, run, look);
     for (const Run& run : runs) {
         if (!seen(run)) continue;
         if (!alone && is_reference(run.engine()))
-            draw_halos(canvas_, camera, run);
+            draw_halos(canvas_, camera, run, balls_of(run));
         else
-            draw_balls(canvas_, camera, run, look);
+            draw_balls(canvas_, camera, run, balls_of(run), look);
     }
-    draw_links_of(runs, camera);
+    if (!inside) draw_links_of(runs, camera);
     for (const Run& run : runs)
-        if (seen(run)) draw_marks(canvas_, camera, run, look);
-    if (look.charge == 0) {
+        if (seen(run) && !inside) draw_marks(canvas_, camera, run, look);
+    if (looked_into)
+        draw_stage_items(canvas_, camera, inside->stage(), inside->item(), inside->balls(inside->run()),
+                         engine_colour(stage.runs()[inside->run()].engine().name));
+    if (look.charge == 0 && !inside) {
         const std::string words = advice(front.session());
         const bool wide = lettering_.width(words, Type::large) > 0.8 * place.width;
         canvas_.text({0.5 * place.width, 0.57 * place.height}, words, wide ? Type::small : Type::large,

@@ -5,13 +5,15 @@
 #include <vector>
 
 #include "app/window/layout.hpp"
+#include "app/window/microscope.hpp"
 #include "app/window/stage.hpp"
 #include "app/window/table_view.hpp"
 
 namespace flipside::app {
 
 /// Panes and headers that a view needs, in a window of this size.
-[[nodiscard]] Layout layout_of(const Stage& stage, double width, double height, double scale, Column column);
+[[nodiscard]] Layout layout_of(const Stage& stage, double width, double height, double scale, Column column,
+                               bool step_bar = false);
 /// Around a table that fills its pane, px on an ordinary display.
 inline constexpr double pane_margin = 12;
 /// What a scene wants to be seen of it.
@@ -28,14 +30,14 @@ class Screen {
   public:
     explicit Screen(double scale) : lettering_(scale), canvas_(lettering_) {}
 
-    /// `camera` is that of every pane.
+    /// `camera` is that of every pane. Where a step is looked into, `inside` says what to show of it.
     void draw(sf::RenderTarget& target, const Stage& stage, const Layout& layout, const Camera& camera,
-              const Look& look, const Readings& readings);
+              const Look& look, const Readings& readings, const Microscope* inside = nullptr);
     [[nodiscard]] double scale() const { return lettering_.scale(); }
 
   private:
     void draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect& place, std::span<const Run> runs,
-                   const Camera& camera, const Look& look);
+                   const Camera& camera, const Look& look, const Microscope* inside);
     void draw_links_of(std::span<const Run> runs, const Camera& camera);
     void draw_halt(const Stage& stage, const Rect& place, const Run& run, bool alone);
 

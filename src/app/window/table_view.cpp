@@ -97,8 +97,9 @@ sf::Color own_colour(BallNumber number) {
 }
 
 /// Even what is known no longer leaves a trace of where the engine has it.
-double opacity(const World& world, std::size_t ball) {
+double opacity(const World& world, std::span<const Ball> balls, std::size_t ball) {
     constexpr double faint = 0.15;
+    if (balls.size() != world.balls().size()) return 1;  // as they were when there were others
     return faint + (1 - faint) * claim(uncertainty_in_radii(world, ball));
 }
 
@@ -123,15 +124,15 @@ void draw_table(Canvas& canvas, const Camera& camera, const Run& run, const Look
     draw_launcher(canvas, camera, run, look);
 }
 
-void draw_balls(Canvas& canvas, const Camera& camera, const Run& run, const Look& look) {
-    const World& world = run.session().world();
+void draw_balls(Canvas& canvas, const Camera& camera, const Run& run, std::span<const Ball> balls,
+                const Look& look) {
     const sf::Color rim = engine_colour(run.engine().name);
-    for (std::size_t i = 0; i < world.balls().size(); ++i) {
-        const Ball& ball = world.balls()[i];
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        const Ball& ball = balls[i];
         const Vec2 at = camera.to_pixels(ball.position);
         const double radius = camera.scale * ball.radius;
         if (out_of_sight(camera, at, radius)) continue;
-        const double alpha = opacity(world, i);
+        const double alpha = opacity(run.session().world(), balls, i);
         const sf::Color tint = look.random_colours ? own_colour(ball.number) : sf::Color::Transparent;
         const sf::Color sleeper =
             look.random_colours ? blend(colour::solid, tint, 0.6) : sf::Color(0x5b, 0x61, 0x69);
@@ -148,14 +149,14 @@ void draw_balls(Canvas& canvas, const Camera& camera, const Run& run, const Look
     }
 }
 
-void draw_halos(Canvas& canvas, const Camera& camera, const Run& run) {
-    const World& world = run.session().world();
+void draw_halos(Canvas& canvas, const Camera& camera, const Run& run, std::span<const Ball> balls) {
     const sf::Color color = engine_colour(run.engine().name);
-    for (std::size_t i = 0; i < world.balls().size(); ++i) {
-        const Vec2 at = camera.to_pixels(world.balls()[i].position);
-        const double radius = camera.scale * world.balls()[i].radius, width = canvas.scaled(2);
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        const Vec2 at = camera.to_pixels(balls[i].position);
+        const double radius = camera.scale * balls[i].radius, width = canvas.scaled(2);
         if (!out_of_sight(camera, at, radius + 2 * width))
-            canvas.ring(at, radius + 1.5 * width, width, with_alpha(color, opacity(world, i)));
+            canvas.ring(at, radius + 1.5 * width, width,
+                        with_alpha(color, opacity(run.session().world(), balls, i)));
     }
 }
 

@@ -18,10 +18,11 @@ struct Look {
 
 /// Ground, parts, launcher.
 void draw_table(Canvas& canvas, const Camera& camera, const Run& run, const Look& look);
-/// Balls fade as the engine's own certainty of where they are ends.
-void draw_balls(Canvas& canvas, const Camera& camera, const Run& run, const Look& look);
+/// Balls of a run, as they are or were. They fade as the engine's own certainty of where they are ends.
+void draw_balls(Canvas& canvas, const Camera& camera, const Run& run, std::span<const Ball> balls,
+                const Look& look);
 /// Only a ring around where each ball is, to be seen together with another run's balls; it fades likewise.
-void draw_halos(Canvas& canvas, const Camera& camera, const Run& run);
+void draw_halos(Canvas& canvas, const Camera& camera, const Run& run, std::span<const Ball> balls);
 /// Lines between the same ball in both runs.
 void draw_links(Canvas& canvas, const Camera& camera, const Run& a, const Run& b, sf::Color color);
 /// Where a part stands now.

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/window/claim.hpp"
+#include "app/window/step_bar.hpp"
 #include "lab/failure.hpp"
 #include "lab/path_error.hpp"
 #include "world/json_file.hpp"
@@ -49,15 +50,14 @@ Json still(const Stage& stage, const WindowState& window, const WindowControls& 
     j["gravity"] = stage.gravity();
     j["panel"] = controls.panel_open;
     j["help"] = controls.help_open;
+    j["step_bar"] = controls.bar_open;
     j["last_key"] = window.last_key;
     j["last_screenshot"] = window.last_screenshot;
     for (std::size_t i = 0; i < show_count; ++i)
         j["show"][std::string(show_specs[i].name)] = bool(controls.look.shows[i]);
-    j["layout"] = {{"window", {window.width, window.height}},
-                   {"headers", json_of(layout.headers)},
-                   {"panes", json_of(layout.panes)},
-                   {"strip", json_of(layout.strip)},
-                   {"panel", json_of(layout.panel)}};
+    j["layout"] = {{"window", {window.width, window.height}}, {"headers", json_of(layout.headers)},
+                   {"panes", json_of(layout.panes)},          {"bar", json_of(layout.bar)},
+                   {"strip", json_of(layout.strip)},          {"panel", json_of(layout.panel)}};
     j["controls"] = Json::object();
     for (const auto& [name, place] : places) j["controls"][name] = json_of(place);
     for (const Run& run : stage.runs())
@@ -98,6 +98,24 @@ Json json_of(const Run& run, const Rect& pane, const Camera& camera) {
         {"halted", run.halt() ? Json{{"time", run.halt()->time}, {"reason", run.halt()->reason}} : Json()}};
 }
 
+/// What is shown of a step.
+Json json_of(const Microscope& microscope, const Stage& stage) {
+    const TraceStage& now = microscope.stage();
+    Json balls = Json::array();
+    for (const Ball& ball : microscope.balls(microscope.run()))
+        balls.push_back({{"number", ball.number}, {"position", {ball.position.x, ball.position.y}}});
+    return {{"engine", stage.runs()[microscope.run()].engine().name},
+            {"stage", microscope.at()},
+            {"stages", microscope.stages().size()},
+            {"name", now.name},
+            {"says", now.says},
+            {"where", now.where},
+            {"items", now.items.size()},
+            {"item", microscope.item()},
+            {"picked", microscope.item() < now.items.size() ? in_one_line(now.items[microscope.item()]) : ""},
+            {"balls", balls}};
+}
+
 Json json_of(const Divergence& divergence, const Scene& scene) {
     Json j{{"first", divergence.first().name}, {"second", divergence.second().name}};
     j["radii"] = divergence.history().empty() ? Json() : Json(divergence.history().back().value);
@@ -113,10 +131,11 @@ WindowReport::WindowReport(const std::filesystem::path& file) : out_(file) {
         lab::throw_path_error(file, "cannot be written", std::error_code(errno, std::generic_category()));
 }
 
-void WindowReport::write(double now, const Stage& stage, const WindowState& window,
-                         const WindowControls& controls, const Layout& layout, const Camera& camera,
-                         const ControlPlaces& places) {
+void WindowReport::write(double now, const Stage& stage, const Microscope& microscope,
+                         const WindowState& window, const WindowControls& controls, const Layout& layout,
+                         const Camera& camera, const ControlPlaces& places) {
     Json j = still(stage, window, controls, layout, places);
+    if (controls.bar_open && microscope.shows(stage)) j["inside"] = json_of(microscope, stage);
     std::string state = json_text(j);
     if (state == last_state_ && now < written_ + 0.1) return;
     last_state_ = std::move(state);

@@ -157,7 +157,9 @@ void ContinuousSolver::trace_tick(double time, double duration) {
             item.with("other_ball", contact.b);
         else
             item.with("part", std::string_view(scene_.parts[layout_.piece(contact.b).part].name));
-        item.with("normal", contact.normal)
+        const ContactSolver::Body& upper = contact_solver_.bodies()[contact.upper];
+        item.with("point", upper.position - upper.radius * contact.normal)
+            .with("normal", contact.normal)
             .with("gap", contact.gap_found)
             .with("friction", contact.friction)
             .with("impulse", contact.impulse.normal)
@@ -178,7 +180,7 @@ void ContinuousSolver::trace_tick(double time, double duration) {
                  counted(contact_solver_.contacts().size(), "contact") + " are solved together for " +
                  milliseconds(duration) + "; after " + counted(residuals.size(), "sweep") +
                  " the last changed no velocity by more than " +
-                 brief(residuals.empty() ? 0 : residuals.back()) + " m/s.";
+                 brief(1e3 * (residuals.empty() ? 0 : residuals.back())) + " mm/s.";
 }
 
 }  // namespace flipside::custom

@@ -29,7 +29,7 @@ void add(TraceItem& item, const char* shape, std::string_view feature, const cha
 struct Explainer {
     TraceItem& item;
     Vec2 center;
-    double radius;
+    double radius = 0;
     Touch found;
 
     /// Of the centre from the closest point, m; below 0 inside a solid.

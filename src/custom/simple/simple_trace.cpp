@@ -34,12 +34,11 @@ SimpleTrace::SimpleTrace(Trace& trace, const Scene& scene, const Layout& layout,
 }
 
 void SimpleTrace::begin(std::string_view name, std::string_view function) {
-    trace_.stage(std::string(name) + of_motion_,
-                 "src/custom/simple/simple_solver.cpp: SimpleSolver::" + std::string(function));
+    trace_.stage(name, "src/custom/simple/simple_solver.cpp: SimpleSolver::" + std::string(function));
 }
 
 void SimpleTrace::motion(int k, int n) {
-    if (n > 1) of_motion_ = ", motion iteration " + std::to_string(k) + " of " + std::to_string(n);
+    if (n > 1) of_motion_ = "Motion iteration " + std::to_string(k) + " of " + std::to_string(n) + ". ";
 }
 
 void SimpleTrace::moved(std::span<const Ball> balls, const TimeInterval& interval) {
@@ -60,8 +59,8 @@ void SimpleTrace::moved(std::span<const Ball> balls, const TimeInterval& interva
             .with("angle", balls[i].angle)
             .with("formula", scene_.damping > 0 ? "p' = p + E v + F g, v' = e^(-ct) v + E g"
                                                 : "p' = p + v t + g t^2 / 2, v' = v + g t");
-    stage().says = counted(balls.size(), "ball") + (balls.size() == 1 ? " flies" : " fly") + " freely for " +
-                   brief(1e3 * interval.time) + " ms, through whatever is in the way.";
+    stage().says = of_motion_ + counted(balls.size(), "ball") + (balls.size() == 1 ? " flies" : " fly") +
+                   " freely for " + brief(1e3 * interval.time) + " ms, through whatever is in the way.";
 }
 
 void SimpleTrace::name_proxy(TraceItem& item, std::string_view prefix, Handle handle,
@@ -78,6 +77,14 @@ void SimpleTrace::name_proxy(TraceItem& item, std::string_view prefix, Handle ha
 void SimpleTrace::found_pairs(std::span<const Proxy> moving, std::span<const Ball> balls,
                               std::uint64_t tests) {
     begin("broad phase", "find_pairs");
+    std::size_t overlapping = 0;
+    for (const auto& [pair, overlap] : log_) {
+        TraceItem& item = stage().add("test");
+        name_proxy(item, "", pair.b, balls);
+        name_proxy(item, pair.a >= layout_.size() ? "other_" : "", pair.a, balls);
+        item.with("overlap", overlap);
+        overlapping += overlap;
+    }
     const Handle first = layout_.size() - static_cast<Handle>(moving.size() - balls.size());
     for (Handle i = 0; i < first; ++i) {
         TraceItem& item = stage().add("box");
@@ -91,14 +98,6 @@ void SimpleTrace::found_pairs(std::span<const Proxy> moving, std::span<const Bal
     }
     CellLister cells(stage());
     broad_.inspect(cells);
-    std::size_t overlapping = 0;
-    for (const auto& [pair, overlap] : log_) {
-        TraceItem& item = stage().add("test");
-        name_proxy(item, "", pair.b, balls);
-        name_proxy(item, pair.a >= layout_.size() ? "other_" : "", pair.a, balls);
-        item.with("overlap", overlap);
-        overlapping += overlap;
-    }
     const std::uint64_t n = balls.size(), all = n * (n - 1) / 2 + n * layout_.size();
     stage().says = std::to_string(overlapping) + " of " + counted(all, "pair") +
                    " survive the box test, of which the broad phase (" + std::string(broad_.facts().name) +
@@ -125,10 +124,10 @@ void SimpleTrace::decided_gates(const Table& table) {
 }
 
 void SimpleTrace::begin_round(int k, int n) {
-    const std::string round =
-        n > 1 ? ", collision iteration " + std::to_string(k) + " of " + std::to_string(n) : "";
-    begin("narrow phase" + round, "respond_to_pairs");
-    begin("response" + round, "respond_to_pairs");
+    of_round_ =
+        n > 1 ? "Collision iteration " + std::to_string(k) + " of at most " + std::to_string(n) + ". " : "";
+    begin("narrow phase", "respond_to_pairs");
+    begin("response", "respond_to_pairs");
     turn_ = overlapping_ = impacts_ = resting_ = 0;
 }
 
@@ -138,10 +137,10 @@ void SimpleTrace::passed_over(const Ball& ball, PieceIndex piece) {
     item.with("reason", "a sensor, a target that is down, or a gate that lets this ball through");
 }
 
-void SimpleTrace::tested(const Ball& ball, PieceIndex index, const Pose& pose, const Touch& found) {
+void SimpleTrace::tested(const Ball& ball, PieceIndex piece, const Pose& pose, const Touch& found) {
     lower_ = ball;
     TraceItem& item = narrow().add("closest").with("turn", ++turn_).with("ball", ball.number);
-    name_proxy(item, "", index, {});
+    name_proxy(item, "", piece, {});
     item.with("center", ball.position)
         .with("radius", ball.radius)
         .with("pivot", pose.pivot)
@@ -149,7 +148,7 @@ void SimpleTrace::tested(const Ball& ball, PieceIndex index, const Pose& pose, c
         .with("point", found.point)
         .with("normal", found.normal)
         .with("separation", found.separation);
-    explain_touch(item, ball.position, ball.radius, layout_.piece(index), pose);
+    explain_touch(item, ball.position, ball.radius, layout_.piece(piece), pose);
     const bool overlaps = found.separation < -overlap_slop * ball.radius && !found.past_end;
     item.with("overlap", overlaps);
     overlapping_ += overlaps;
@@ -233,7 +232,7 @@ void SimpleTrace::responded(const Ball& lower, const Ball& upper, const Impact& 
 }
 
 void SimpleTrace::end_round() {
-    narrow().says = std::to_string(overlapping_) + " of " +
+    narrow().says = of_round_ + std::to_string(overlapping_) + " of " +
                     counted(static_cast<std::uint64_t>(turn_), "pair") + " overlap.";
     stage().says = overlapping_ == 0
                        ? "Nothing overlaps: there is nothing to answer, and no further iteration."

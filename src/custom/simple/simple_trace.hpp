@@ -53,7 +53,7 @@ class SimpleTrace {
     const Scene& scene_;
     const Layout& layout_;
     BroadPhase& broad_;
-    std::string of_motion_;  ///< " (motion iteration k of n)", or nothing where there is one
+    std::string of_motion_, of_round_;  ///< "Motion iteration k of n. ", or nothing where there is one
     std::vector<Ball> before_;
     std::vector<PairTest> log_;
     Ball lower_, upper_;  ///< of the pair tested last

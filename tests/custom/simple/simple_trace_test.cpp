@@ -64,8 +64,9 @@ class Recomputed {
     void check_pairs(const TraceStage& stage) {
         std::map<Thing, Box> boxes;
         pairs_.clear();
-        for (const TraceItem& item : stage.items) {
+        for (const TraceItem& item : stage.items)
             if (item.kind == "box") boxes[thing(item, "")] = item.get<Box>("box");
+        for (const TraceItem& item : stage.items) {
             if (item.kind != "test") continue;
             const Thing a = thing(item, ""), b = item.find("piece")
                                                      ? Thing{false, item.get<std::int64_t>("piece")}

@@ -1,0 +1,157 @@
+#include "app/window/step_bar.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "app/window/panel_parts.hpp"
+#include "app/window/words.hpp"
+#include "world/printable.hpp"
+
+namespace flipside::app {
+
+namespace {
+
+void text(std::string_view words, sf::Color color) {
+    ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(color));
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(words.data(), words.data() + words.size());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+/// "position_before" as people write it.
+std::string spaced(std::string_view name) {
+    std::string words(name);
+    std::ranges::replace(words, '_', ' ');
+    return words;
+}
+
+struct StepBar {
+    Stage& stage;
+    Microscope& microscope;
+    ControlPlaces& places;
+
+    bool chip(const std::string& words, bool current, sf::Color color) const {
+        ImGui::PushStyleColor(ImGuiCol_Button,
+                              imgui_color(current ? blend(colour::rule, color, 0.45) : colour::rule));
+        const bool pressed = ImGui::Button(words.c_str());
+        ImGui::PopStyleColor();
+        return pressed;
+    }
+    [[nodiscard]] static double width_of(const std::string& words) {
+        return ImGui::CalcTextSize(words.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x +
+               ImGui::GetStyle().ItemSpacing.x;
+    }
+    void engines() const {
+        for (std::size_t i = 0; i < stage.runs().size(); ++i) {
+            const std::string name(stage.runs()[i].engine().name);
+            const sf::Color color = engine_colour(name);
+            const bool current = i == microscope.run();
+            ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(current ? colour::text : color));
+            if (chip(name + "##inside", current, color)) microscope.look_at(i);
+            ImGui::PopStyleColor();
+            tooltip("Look into this engine's step (C for the next one)");
+            note(places, "inside " + name);
+            ImGui::SameLine();
+        }
+        const std::string where = "stage " + std::to_string(microscope.at() + 1) + " of " +
+                                  std::to_string(microscope.stages().size());
+        text(where, colour::quiet);
+        const std::string keys = ".  next    ,  back    [ ]  items    Shift .  whole step    I  close";
+        ImGui::SameLine();
+        if (ImGui::GetContentRegionAvail().x > width_of(keys))
+            text(keys, colour::quiet);
+        else
+            ImGui::NewLine();
+    }
+    /// Those around the current one, as many as go into a line.
+    void stages() const {
+        const sf::Color color = engine_colour(stage.runs()[microscope.run()].engine().name);
+        const auto words = [&](std::size_t i) {
+            return std::to_string(i + 1) + "  " + microscope.stages()[i].name;
+        };
+        double room = ImGui::GetContentRegionAvail().x - width_of(words(microscope.at()));
+        std::size_t first = microscope.at(), end = first + 1;
+        for (int before = 0; before < 2 && first > 0 && room > width_of(words(first - 1)); ++before)
+            room -= width_of(words(--first));
+        for (; end < microscope.stages().size() && room > width_of(words(end)); ++end)
+            room -= width_of(words(end));
+        for (; first > 0 && room > width_of(words(first - 1));) room -= width_of(words(--first));
+        for (std::size_t i = first; i < end; ++i) {
+            if (i > first) ImGui::SameLine();
+            if (chip(words(i), i == microscope.at(), color)) microscope.to_stage(i);
+            tooltip(microscope.stages()[i].says);
+            note(places, "stage " + std::to_string(i + 1));
+        }
+    }
+    void items(double width) const {
+        const TraceStage& now = microscope.stage();
+        ImGui::BeginChild("items", imgui_vector(width, 0));
+        const float row = ImGui::GetTextLineHeightWithSpacing();
+        if (microscope.to_be_shown())
+            ImGui::SetScrollY(row * static_cast<float>(microscope.item()) - 0.4F * ImGui::GetWindowHeight());
+        ImGuiListClipper clipper;
+        clipper.Begin(static_cast<int>(now.items.size()));
+        while (clipper.Step())
+            for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+                const auto place = static_cast<std::size_t>(i);
+                ImGui::PushID(i);
+                if (ImGui::Selectable(in_one_line(now.items[place]).c_str(), place == microscope.item()))
+                    microscope.pick(place);
+                note(places, "item " + std::to_string(i + 1));
+                ImGui::PopID();
+            }
+        ImGui::EndChild();
+    }
+    void picked() const {
+        ImGui::BeginChild("picked");
+        const TraceStage& now = microscope.stage();
+        if (microscope.item() < now.items.size()) {
+            const TraceItem& item = now.items[microscope.item()];
+            for (const char* name : {"formula", "filled"})
+                if (const TraceValue* value = item.find(name)) text(in_brief(*value), colour::lit);
+            for (const auto& [name, value] : item.fields)
+                if (name != "formula" && name != "filled")
+                    text(spaced(name) + "  " + in_brief(value), colour::text);
+        }
+        text(now.where, colour::quiet);
+        ImGui::EndChild();
+    }
+};
+
+}  // namespace
+
+std::string in_one_line(const TraceItem& item) {
+    std::string line = item.kind;
+    for (const auto& [name, value] : item.fields) {
+        constexpr std::string_view told[] = {"ball",  "other_ball", "part",    "time",
+                                             "event", "separation", "overlap", "answer",
+                                             "way",   "impulse",    "speed",   "residual"};
+        if (std::ranges::find(told, name) != std::end(told))
+            line += "  " + spaced(name) + " " + in_brief(value);
+    }
+    return line;
+}
+
+void draw_step_bar(const Rect& place, Stage& stage, Microscope& microscope, ControlPlaces& places) {
+    ImGui::SetNextWindowPos(imgui_vector(place.x, place.y));
+    ImGui::SetNextWindowSize(imgui_vector(place.width, place.height));
+    ImGui::Begin("step bar", nullptr, docked);
+    const StepBar bar{stage, microscope, places};
+    if (!microscope.shows(stage)) {
+        text("Inside a step:  .  takes the next one and stops at its first stage;  I  closes this.",
+             colour::text);
+        ImGui::End();
+        return;
+    }
+    bar.engines();
+    bar.stages();
+    text(printable(microscope.stage().says), colour::text);
+    const double room = ImGui::GetContentRegionAvail().x;
+    bar.items(std::floor(0.55 * room));
+    ImGui::SameLine();
+    bar.picked();
+    ImGui::End();
+}
+
+}  // namespace flipside::app
