@@ -15,6 +15,7 @@ void add_play(CLI::App& program, Action& chosen);
 void add_run(CLI::App& program, Action& chosen);
 void add_compare(CLI::App& program, Action& chosen);
 void add_trace(CLI::App& program, Action& chosen);
+void add_lessons(CLI::App& program, Action& chosen);
 void add_cases(CLI::App& program, Action& chosen);
 void add_pairs(CLI::App& program, Action& chosen);
 void add_sweep(CLI::App& program, Action& chosen);

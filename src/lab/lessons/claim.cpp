@@ -1,0 +1,168 @@
+#include "lab/lessons/claim.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <muParser.h>
+
+#include "lab/engines.hpp"
+#include "lab/session.hpp"
+#include "lab/timeline.hpp"
+#include "lab/traced_step.hpp"
+#include "world/input_error.hpp"
+#include "world/json_file.hpp"
+#include "world/surface.hpp"
+
+namespace flipside::lab {
+
+namespace {
+
+constexpr std::size_t most_balls = 10;  // that have figures of their own
+
+/// The figures of one run, under its name.
+class RunMeasure {
+  public:
+    RunMeasure(const ClaimRun& run, Figures& figures)
+        : run_(run),
+          figures_(figures),
+          session_(run.scene, *run.on.engine, settings_of(run.on, *run.scene)) {}
+
+    void measure() {
+        set("pieces", static_cast<double>(surface_of(*run_.scene).size()));
+        set("energy_first", energy(session_.world(), *run_.scene));
+        if (run_.trace) trace();
+        const Timeline timeline(session_.world().time(), run_.seconds - session_.world().time(), run_.dt);
+        Totals before;
+        const Script nothing;
+        std::size_t next = 0;
+        double highest = -INFINITY;
+        for (std::uint64_t k = 0; k < timeline.steps(); ++k) {
+            if (session_.world().time() < run_.from + 0.5 * run_.dt) before = session_.totals();
+            session_.step(timeline.length(k), nothing, next);
+            for (const Ball& ball : session_.world().balls()) highest = std::max(highest, ball.position.y);
+        }
+        set("highest", highest);
+        count(before);
+        read_balls();
+        if (run_.against_reference) set("error_radii", error());
+    }
+
+  private:
+    void set(const std::string& name, double value) { figures_[run_.name + '.' + name] = value; }
+
+    void count(const Totals& before) {
+        const Totals& now = session_.totals();
+        const auto since = [](std::uint64_t a, std::uint64_t b) { return static_cast<double>(a - b); };
+        const double steps = since(now.steps, before.steps);
+        const double pair_tests = since(now.pair_tests, before.pair_tests);
+        const double narrow_tests = since(now.narrow_tests, before.narrow_tests);
+        set("steps", steps);
+        set("pair_tests", pair_tests);
+        set("narrow_tests", narrow_tests);
+        set("pair_tests_per_step", pair_tests / std::max(1.0, steps));
+        set("narrow_tests_per_step", narrow_tests / std::max(1.0, steps));
+        set("contacts", since(now.contacts, before.contacts));
+        set("impacts", since(now.impacts, before.impacts));
+        set("lost", static_cast<double>(now.lost));
+        set("strays", static_cast<double>(now.strays));
+        set("balls", static_cast<double>(session_.world().balls().size()));
+        set("asleep", static_cast<double>(session_.world().statistics().asleep));
+        set("deepest", now.max_penetration);
+        set("energy_last", energy(session_.world(), *run_.scene));
+    }
+
+    void read_balls() {
+        for (const Ball& ball : session_.world().balls()) {
+            if (ball.number >= most_balls) break;
+            const std::string number = std::to_string(ball.number);
+            set("x" + number, ball.position.x);
+            set("y" + number, ball.position.y);
+            set("vx" + number, ball.velocity.x);
+            set("vy" + number, ball.velocity.y);
+            set("r" + number, ball.radius);
+        }
+    }
+
+    /// How many items there are of each kind, how many of each stage have moved a ball, and how far the last
+    /// stage is from the world.
+    void trace() {
+        const Script nothing;
+        std::size_t next = 0;
+        const TracedStep step = trace_step(session_, run_.dt, nothing, next);
+        for (const TraceStage& stage : step.trace.stages) {
+            std::string name = "moves_in_" + stage.name;
+            std::ranges::replace_if(
+                name, [](char c) { return c == ' ' || c == '-'; }, '_');
+            double& moves = figures_[run_.name + '.' + name];
+            for (const TraceItem& item : stage.items) {
+                ++figures_[run_.name + '.' + item.kind + "_items"];
+                const TraceValue *from = item.find("position_before"), *to = item.find("position");
+                moves += from != nullptr && to != nullptr && *from != *to;
+            }
+        }
+        double off = 0;
+        std::size_t place = 0;
+        for (const TraceItem& item : step.trace.stages.back().items)
+            if (item.kind == "ball")
+                off = std::max(
+                    off, length(item.get<Vec2>("position") - session_.world().balls()[place++].position));
+        set("read_out_off", off);
+    }
+
+    [[nodiscard]] double error() const {
+        const Engine& exact = engine_named("reference");
+        Session truth(run_.scene, exact, settings_for(exact, *run_.scene));
+        const Timeline timeline(0, run_.seconds, run_.dt);
+        for (std::uint64_t k = 0; k < timeline.steps(); ++k) truth.step(timeline.length(k));
+        double most = 0;
+        const auto balls = session_.world().balls(), true_balls = truth.world().balls();
+        if (balls.size() != true_balls.size()) return INFINITY;
+        for (std::size_t i = 0; i < balls.size(); ++i)
+            most = std::max(most, length(balls[i].position - true_balls[i].position) / balls[i].radius);
+        return most;
+    }
+
+    const ClaimRun& run_;
+    Figures& figures_;
+    Session session_;
+};
+
+/// muParser knows numbers, names, arithmetic, comparisons and functions, and can do nothing but compute.
+mu::Parser parser_of(const std::string& statement, Figures& figures) {
+    mu::Parser parser;
+    parser.DefineNameChars("0123456789_.abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
+    for (auto& [name, value] : figures) parser.DefineVar(name, &value);
+    parser.SetExpr(statement);
+    return parser;
+}
+
+}  // namespace
+
+Figures measure(const Claim& claim) {
+    Figures figures;
+    for (const ClaimRun& run : claim.runs) RunMeasure(run, figures).measure();
+    return figures;
+}
+
+std::vector<Verified> verify(const Claim& claim, const Figures& figures, const std::string& file) {
+    std::vector<Verified> all;
+    for (std::size_t i = 0; i < claim.holds.size(); ++i) {
+        const std::string& statement = claim.holds[i];
+        Figures values = figures;  // a statement may not change what the next one sees
+        Verified& one = all.emplace_back(Verified{statement, false, {}});
+        try {
+            mu::Parser parser = parser_of(statement, values);
+            one.holds = parser.Eval() != 0;
+            for (const auto& [name, value] : parser.GetUsedVar())
+                one.measured += (one.measured.empty() ? "" : ", ") + name + " = " + brief(figures.at(name));
+        } catch (const mu::ParserError& error) {
+            throw InputError(file, "/claim/holds/" + std::to_string(i),
+                             in_quotes(statement) + ": " + error.GetMsg() +
+                                 "; it takes a comparison of figures: " +
+                                 names_of(figures, [](const auto& figure) { return figure.first; }));
+        }
+    }
+    return all;
+}
+
+}  // namespace flipside::lab

@@ -1,0 +1,27 @@
+#pragma once
+/// Runs what a lesson claims and says whether it holds.
+
+#include <map>
+#include <string>
+
+#include "lab/lessons/lesson.hpp"
+
+namespace flipside::lab {
+
+/// By name: "NAME.pair_tests".
+using Figures = std::map<std::string, double, std::less<>>;
+
+struct Verified {
+    std::string statement;  ///< one of Claim::holds
+    bool holds = false;
+    std::string measured;  ///< the figures in it, with what they were
+};
+
+/// Makes the runs; exact engines that refuse throw Refusal.
+[[nodiscard]] Figures measure(const Claim& claim);
+/// One for each of what must hold. Throws InputError for what is no statement about the figures; `file` is
+/// named then.
+[[nodiscard]] std::vector<Verified> verify(const Claim& claim, const Figures& figures,
+                                           const std::string& file);
+
+}  // namespace flipside::lab

@@ -1,0 +1,71 @@
+#pragma once
+/// A lesson: one idea, told in a text beside a table that shows it, with a question, and a claim that is
+/// verified by running it, so that no lesson can become false. All of it is data: assets/lessons/NN-NAME.json
+/// and NN-NAME.md; adding one needs no code.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lab/run_settings.hpp"
+#include "world/engine.hpp"
+
+namespace flipside::lab {
+
+/// An engine with its settings.
+struct LessonEngine {
+    const Engine* engine = nullptr;
+    std::vector<std::pair<std::string, std::string>> set;
+};
+
+/// What is measured for a claim.
+struct ClaimRun {
+    std::string name;  ///< of its figures: NAME.steps
+    std::shared_ptr<const Scene> scene;
+    LessonEngine on;
+    double dt = 0, seconds = 0, from = 0;  ///< s; counts are from `from` on
+    bool against_reference = false;        ///< how far it is from the reference at the end
+    bool trace = false;                    ///< its first step is traced
+};
+
+struct Claim {
+    std::string says;
+    std::vector<ClaimRun> runs;
+    /// Of figures of the runs: "small.pair_tests_per_step == 45".
+    std::vector<std::string> holds;
+};
+
+struct Question {
+    std::string asks;
+    std::vector<std::string> answers;
+    std::size_t right = 0;
+    std::string because;
+};
+
+struct Lesson {
+    std::string name;  ///< of its file, without the ending: "02-which-pairs"
+    std::string title, idea;
+    std::string text;  ///< Markdown
+    std::shared_ptr<const Scene> scene;
+    std::vector<LessonEngine> engines;  ///< the first is shown; all are where it is a split view
+    bool split = false;
+    std::vector<std::string> show;  ///< overlays, by the names of `flipside render --show`
+    bool inside = false;            ///< begins with the step bar open, paused
+    std::string task;               ///< something to do
+    std::optional<Question> question;
+    Claim claim;
+};
+
+/// What the scene recommends, and then what the lesson sets.
+[[nodiscard]] Settings settings_of(const LessonEngine& on, const Scene& scene);
+
+/// Throws InputError with file, JSON pointer, what is wrong and what is allowed.
+[[nodiscard]] Lesson load_lesson(const std::filesystem::path& file);
+/// In order. Throws InputError where the folder cannot be read.
+[[nodiscard]] std::vector<std::filesystem::path> lesson_files();
+/// By name, by number ("2") or by path. Throws InputError that lists the known ones.
+[[nodiscard]] std::filesystem::path lesson_file(const std::string& name);
+
+}  // namespace flipside::lab

@@ -1,0 +1,165 @@
+#include <algorithm>
+
+#include "lab/assets.hpp"
+#include "lab/engines.hpp"
+#include "lab/lessons/lesson.hpp"
+#include "world/input_error.hpp"
+#include "world/json_file.hpp"
+#include "world/printable.hpp"
+#include "world/scene_file.hpp"
+#include "world/schema.hpp"
+
+namespace flipside::lab {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uintmax_t largest_file = 1U << 20U;
+
+std::shared_ptr<const Scene> scene_in(const Node& owner, const std::string& file) {
+    const Node node = owner.at("scene");
+    const auto balls = static_cast<int>(owner.integer("balls"));
+    try {
+        if (node.json().is_object())
+            return std::make_shared<const Scene>(
+                parse_scene(node.json().dump(), file + " at " + node.pointer()));
+        const fs::path path = scene_file(node.json().get<std::string>());
+        return std::make_shared<const Scene>(balls > 0 ? load_scene(path, balls) : load_scene(path));
+    } catch (const InputError& error) {
+        node.fail(error.what());
+    }
+}
+
+const Engine& engine_in(const Node& node) {
+    try {
+        return engine_named(node.text("engine"));
+    } catch (const InputError& error) {
+        node.fail("engine", error.what());
+    }
+}
+
+std::vector<std::pair<std::string, std::string>> changes_in(const Node& node) {
+    std::vector<std::pair<std::string, std::string>> changes;
+    if (!node.has("set")) return changes;
+    for (const auto& [name, value] : node.at("set").json().items())
+        changes.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
+    return changes;
+}
+
+/// Checked against the settings that the engine has.
+LessonEngine lesson_engine_in(const Node& node) {
+    const LessonEngine found{&engine_in(node), changes_in(node)};
+    Settings settings(found.engine->settings);
+    for (const auto& [name, value] : found.set) {
+        try {
+            settings.set(name, value);
+        } catch (const InputError& error) {
+            node.at("set").fail(name.c_str(), error.what());
+        }
+    }
+    return found;
+}
+
+ClaimRun run_in(const Node& node, const std::string& name, const Lesson& lesson, const std::string& file) {
+    ClaimRun run;
+    run.name = name;
+    run.scene = node.has("scene") ? scene_in(node, file) : lesson.scene;
+    run.on = lesson_engine_in(node);
+    try {
+        run.dt = node.has("dt") ? parse_step(node.text("dt")) : step_for(*run.scene);
+    } catch (const InputError& error) {
+        node.fail("dt", error.what());
+    }
+    run.seconds = node.real("seconds");
+    run.from = node.real("from", 0);
+    if (run.from >= run.seconds)
+        node.fail("from", "is not before the end of the run; it takes less than \"seconds\"");
+    run.against_reference = node.toggle("against_reference");
+    run.trace = node.toggle("trace");
+    return run;
+}
+
+Claim claim_in(const Node& node, const Lesson& lesson, const std::string& file) {
+    Claim claim;
+    claim.says = node.text("says");
+    for (const auto& [name, value] : node.at("runs").json().items())
+        claim.runs.push_back(run_in(node.at("runs").at(name), name, lesson, file));
+    for (const Node& statement : node.each("holds"))
+        claim.holds.push_back(statement.json().get<std::string>());
+    return claim;
+}
+
+Question question_in(const Node& node) {
+    Question question{
+        node.text("asks"), {}, static_cast<std::size_t>(node.integer("right")), node.text("because")};
+    for (const Node& answer : node.each("answers"))
+        question.answers.push_back(answer.json().get<std::string>());
+    if (question.right >= question.answers.size())
+        node.fail("right",
+                  "is the place of no answer; it takes 0 to " + std::to_string(question.answers.size() - 1));
+    return question;
+}
+
+fs::path lessons_folder() {
+    return assets_folder() / "lessons";
+}
+
+}  // namespace
+
+Settings settings_of(const LessonEngine& on, const Scene& scene) {
+    Settings settings = settings_for(*on.engine, scene);
+    for (const auto& [name, value] : on.set) settings.set(name, value);
+    return settings;
+}
+
+Lesson load_lesson(const fs::path& path) {
+    const std::string file = path.string();
+    const Json document = parse_json(read_file(path, largest_file), file);
+    check_form(document, lesson_schema, file);
+    const Node node(document, file);
+    Lesson lesson;
+    lesson.name = path.stem().string();
+    lesson.title = node.text("title");
+    lesson.idea = node.text("idea");
+    lesson.text = read_file(fs::path(path).replace_extension(".md"), largest_file);
+    lesson.scene = scene_in(node, file);
+    for (const Node& engine : node.each("engines")) lesson.engines.push_back(lesson_engine_in(engine));
+    lesson.split = node.text("view", "single") == std::string("split");
+    for (const Node& show : node.each("show")) lesson.show.push_back(show.json().get<std::string>());
+    lesson.inside = node.toggle("inside");
+    lesson.task = node.text("do");
+    if (node.has("question")) lesson.question = question_in(node.at("question"));
+    lesson.claim = claim_in(node.at("claim"), lesson, file);
+    return lesson;
+}
+
+std::vector<fs::path> lesson_files() {
+    std::vector<fs::path> files;
+    std::error_code failed;
+    for (const fs::directory_entry& entry : fs::directory_iterator(lessons_folder(), failed))
+        if (entry.path().extension() == ".json") files.push_back(entry.path());
+    if (failed)
+        throw InputError(
+            lessons_folder().string(), "",
+            "cannot be read (" + failed.message() + "); set FLIPSIDE_ASSETS to the assets folder");
+    std::ranges::sort(files);
+    return files;
+}
+
+fs::path lesson_file(const std::string& name) {
+    std::error_code none;
+    if (fs::is_regular_file(name, none)) return name;
+    const std::vector<fs::path> files = lesson_files();
+    for (const fs::path& file : files) {
+        const std::string stem = file.stem().string();
+        const std::string number = stem.substr(0, stem.find('-')),
+                          rest = stem.substr(std::min(stem.size(), stem.find('-') + 1));
+        const std::string asked = name.size() == 1 ? "0" + name : name;
+        if (stem == name || rest == name || number == asked) return file;
+    }
+    throw InputError("no lesson " + in_quotes(name) + "; give the path of a file or one of " +
+                     names_of(files, [](const fs::path& file) { return file.stem().string(); }));
+}
+
+}  // namespace flipside::lab

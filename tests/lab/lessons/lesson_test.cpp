@@ -1,0 +1,143 @@
+#include "lab/lessons/lesson.hpp"
+
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "lab/lessons/claim.hpp"
+#include "world/input_error.hpp"
+
+namespace flipside::lab {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(Lessons, AllHoldWhatTheyClaim) {
+    const auto files = lesson_files();
+    EXPECT_GE(files.size(), 10U);
+    for (const fs::path& file : files) {
+        SCOPED_TRACE(file.string());
+        const Lesson lesson = load_lesson(file);
+        for (const Verified& one : verify(lesson.claim, measure(lesson.claim), file.string()))
+            EXPECT_TRUE(one.holds) << one.statement << "   (" << one.measured << ")";
+    }
+}
+
+TEST(Lessons, TellOneIdeaInAShortText) {
+    for (const fs::path& file : lesson_files()) {
+        const Lesson lesson = load_lesson(file);
+        EXPECT_TRUE(lesson.text.starts_with("# " + lesson.title + "\n")) << file;
+        EXPECT_LT(lesson.text.size(), 1500U) << file;
+        EXPECT_FALSE(lesson.task.empty()) << file;
+        EXPECT_TRUE(lesson.question.has_value()) << file;
+        EXPECT_TRUE(lesson.idea.ends_with('.')) << file;
+    }
+}
+
+TEST(Lessons, AreFoundByNameNumberAndPath) {
+    const fs::path second = lesson_files()[1];
+    EXPECT_EQ(lesson_file("02-which-pairs"), second);
+    EXPECT_EQ(lesson_file("which-pairs"), second);
+    EXPECT_EQ(lesson_file("2"), second);
+    EXPECT_EQ(lesson_file(second.string()), second);
+    try {
+        static_cast<void>(lesson_file("99"));
+        FAIL() << "found";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("01-one-frame"), std::string::npos) << error.what();
+    }
+}
+
+/// A lesson in a folder of its own, with parts of it replaced.
+class LessonFile : public testing::Test {
+  protected:
+    fs::path folder = fs::temp_directory_path() / ("flipside-lesson-" + std::to_string(getpid()));
+    std::string text = R"({"format": "flipside-lesson/1", "title": "T", "idea": "I.",
+        "scene": {"format": "flipside-scene/1", "name": "fall", "bounds": {"min": [-9, -9], "max": [9, 9]},
+                  "gravity": [0, -2], "balls": [{"position": [0, 0], "radius": 0.1, "mass": 1}], "parts": []},
+        "engines": [{"engine": "custom", "set": {"solver": "simple"}}],
+        "question": {"asks": "Q?", "answers": ["a", "b"], "right": 1, "because": "B."},
+        "claim": {"says": "S.", "runs": {"one": {"engine": "custom", "seconds": 1, "dt": "1/60"}},
+                  "holds": ["abs(one.y0 + 1) < 1e-12"]}})";
+
+    void SetUp() override { fs::create_directory(folder); }
+    void TearDown() override { fs::remove_all(folder); }
+    void replace(const std::string& what, const std::string& by) {
+        ASSERT_NE(text.find(what), std::string::npos) << what;
+        text.replace(text.find(what), what.size(), by);
+    }
+    [[nodiscard]] fs::path write() const {
+        std::ofstream(folder / "lesson.json") << text;
+        std::ofstream(folder / "lesson.md") << "# T\n";
+        return folder / "lesson.json";
+    }
+    [[nodiscard]] std::vector<Verified> check() const {
+        const fs::path file = write();
+        const Lesson lesson = load_lesson(file);
+        return verify(lesson.claim, measure(lesson.claim), file.string());
+    }
+    /// Is refused with the file's name, the pointer and those words.
+    void expect_refused(const std::string& pointer, const std::string& words) const {
+        try {
+            static_cast<void>(check());
+            FAIL() << "taken: " << text;
+        } catch (const InputError& error) {
+            const std::string message = error.what();
+            for (const std::string& part : {std::string("lesson.json"), pointer, words})
+                EXPECT_NE(message.find(part), std::string::npos) << message;
+        }
+    }
+};
+
+TEST_F(LessonFile, SaysWhetherItsClaimHoldsAndWhatWasMeasured) {
+    ASSERT_EQ(check().size(), 1U);
+    EXPECT_TRUE(check()[0].holds);
+    EXPECT_EQ(check()[0].measured, "one.y0 = -1");
+    replace("abs(one.y0 + 1) < 1e-12", "one.y0 > 0");
+    EXPECT_FALSE(check()[0].holds);
+}
+
+TEST_F(LessonFile, StatementsCannotChangeFigures) {
+    replace(R"("holds": [)", R"("holds": ["(one.y0 = 5) > 0", )");
+    const auto verified = check();
+    ASSERT_EQ(verified.size(), 2U);
+    EXPECT_TRUE(verified[1].holds);
+}
+
+TEST_F(LessonFile, UnknownKeysAreRefused) {
+    replace(R"("idea": "I.")", R"("idea": "I.", "colour": 3)");
+    expect_refused("/colour", "");
+}
+
+TEST_F(LessonFile, UnknownEnginesAndSettingsAreRefusedByPlace) {
+    replace(R"({"engine": "custom", "set": {"solver": "simple"}})", R"({"engine": "havok"})");
+    expect_refused("/engines/0/engine", "custom");
+    replace(R"({"engine": "havok"})", R"({"engine": "custom", "set": {"solver": "magic"}})");
+    expect_refused("/engines/0/set/solver", "continuous");
+}
+
+TEST_F(LessonFile, AnAnswerThatIsNotThereIsNotTheRightOne) {
+    replace(R"("right": 1)", R"("right": 2)");
+    expect_refused("/question/right", "0 to 1");
+}
+
+TEST_F(LessonFile, AFaultInItsSceneIsNamed) {
+    replace(R"("radius": 0.1)", R"("radius": -0.1)");
+    expect_refused("/scene", "radius");
+}
+
+TEST_F(LessonFile, AStatementThatIsNoneIsRefusedWithTheFiguresThereAre) {
+    replace("abs(one.y0 + 1) < 1e-12", "one.colour == 1");
+    expect_refused("/claim/holds/0", "one.impacts");
+    replace("one.colour == 1", "1 +");
+    expect_refused("/claim/holds/0", "");
+}
+
+TEST_F(LessonFile, CountsBeginBeforeTheEnd) {
+    replace(R"("seconds": 1)", R"("seconds": 1, "from": 2)");
+    expect_refused("/claim/runs/one/from", "less than");
+}
+
+}  // namespace
+}  // namespace flipside::lab
