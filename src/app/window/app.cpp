@@ -264,8 +264,7 @@ void App::draw() {
     arrange();
     if (controls_.bar_open) draw_step_bar(layout_.bar, stage_, microscope_, places_);
     const bool inside = controls_.bar_open && microscope_.shows(stage_);
-    if (controls_.help_open)
-        draw_help({0, 0, layout_.strip.width, state_.height});
+    if (controls_.help_open) draw_help({0, 0, layout_.strip.width, state_.height});
     count_up(0);
     Readings readings{{}, load_.asked, load_.reached};
     for (const double score : scores_) readings.scores.push_back(std::lround(std::floor(score)));
