@@ -9,7 +9,7 @@ build_packages=(
     libcli11-dev                               # command line
     nlohmann-json3-dev libvalijson-dev         # scene files and their schema
     libxxhash-dev                              # checksums of files of measurements
-    libmuparser-dev                            # what lessons claim of their figures
+    libmuparser-dev libmd4c-dev                # lessons: what they claim of their figures, their texts
     'libboost1.81-dev|libboost-dev'            # headers only, 1.75 or later
     libgtest-dev librapidcheck-dev             # tests
     fonts-inter fonts-dejavu-core              # what the window writes with

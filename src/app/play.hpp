@@ -16,6 +16,7 @@ struct PlayOptions {
     View view = View::split;
     std::vector<std::string> settings;            ///< "ENGINE.NAME=VALUE"
     std::optional<std::filesystem::path> script;  ///< played from the start
+    std::optional<std::filesystem::path> lesson;  ///< opened instead of the scene
     std::optional<std::filesystem::path> report;  ///< where to write the window's state as JSON lines
     std::filesystem::path screenshots = ".";      ///< where F12 puts them
     unsigned width = 1280, height = 800;          ///< px

@@ -1,5 +1,7 @@
 #include "app/cli/commands.hpp"
+#include "app/cli/display.hpp"
 #include "app/cli/output.hpp"
+#include "app/play.hpp"
 #include "lab/lessons/claim.hpp"
 #include "lab/lessons/lesson.hpp"
 #include "world/printable.hpp"
@@ -40,14 +42,22 @@ int check_lessons(const LessonsOptions& options) {
     return failed == 0 ? 0 : 1;
 }
 
-int list_lessons(const LessonsOptions& options) {
-    for (const auto& file : chosen_files(options)) {
+int list_lessons() {
+    for (const auto& file : lab::lesson_files()) {
         const lab::Lesson lesson = lab::load_lesson(file);
         print("%-28s %s: %s\n", printable(lesson.name).c_str(), printable(lesson.title).c_str(),
               printable(lesson.idea).c_str());
-        if (!options.name.empty()) print_text('\n' + printable_lines(lesson.text));
     }
     return 0;
+}
+
+int open_lesson(const std::string& name) {
+    PlayOptions options;
+    options.lesson = lab::lesson_file(name);
+    static_cast<void>(
+        lab::load_lesson(*options.lesson));  // what is wrong with it is said without a display too
+    require_display();
+    return play(options);
 }
 
 }  // namespace
@@ -55,14 +65,17 @@ int list_lessons(const LessonsOptions& options) {
 void add_lessons(CLI::App& program, Action& chosen) {
     auto options = std::make_shared<LessonsOptions>();
     CLI::App& command = *program.add_subcommand(
-        "lessons", "List the lessons, a line each; print one; or verify what they claim");
+        "lessons", "List the lessons, a line each; open one in the window; or verify what they claim");
     command.add_option("name", options->name, "A lesson's name or number, or the path of its file")
         ->type_name("NAME");
     command.add_flag(
         "--check", options->check,
         "Make the runs behind every claim, and say whether it holds (exit 1 where one does not)");
     command.callback([options, &chosen] {
-        chosen = [options] { return options->check ? check_lessons(*options) : list_lessons(*options); };
+        chosen = [options] {
+            if (options->check) return check_lessons(*options);
+            return options->name.empty() ? list_lessons() : open_lesson(options->name);
+        };
     });
 }
 

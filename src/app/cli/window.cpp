@@ -6,6 +6,7 @@
 #include "app/play.hpp"
 #include "app/render.hpp"
 #include "lab/assets.hpp"
+#include "lab/lessons/lesson.hpp"
 #include "world/input_error.hpp"
 
 namespace flipside::app {
@@ -64,6 +65,11 @@ void add_play(CLI::App& program, Action& chosen) {
         ->allow_extra_args(false)
         ->type_name("E.K=V");
     command.add_option("--script", options->script, "Controls to apply from the start")->type_name("FILE");
+    command
+        .add_option_function<std::string>(
+            "--lesson", [options](const std::string& name) { options->lesson = lab::lesson_file(name); },
+            "Open a lesson (see `flipside lessons`) instead of the scene")
+        ->type_name("NAME");
     command.add_option("--report", options->report, "Write the window's state there, a JSON line a frame")
         ->type_name("FILE");
     command.add_option("--screenshots", options->screenshots, "Folder for the pictures that F12 takes")

@@ -39,6 +39,10 @@ App::App(const PlayOptions& options)
       accumulator_(stage_.dt(), most_catch_up) {
     if (!window_.isOpen()) throw std::runtime_error("cannot open a window: is there a display?");
     if (options.report) report_.emplace(*options.report);
+    if (options.lesson) {
+        lessons_.open(*options.lesson, stage_, controls_);
+        controls_.lesson_wanted = true;
+    }
     window_.setFramerateLimit(60);
     window_.setKeyRepeatEnabled(false);
 }
@@ -56,7 +60,9 @@ void App::run() {
         arrange();
         imgui_.begin_frame(seconds);
         draw();
-        if (report_) report_->write(start, stage_, microscope_, state_, controls_, layout_, camera_, places_);
+        if (report_)
+            report_->write(start, stage_, microscope_, lessons_, state_, controls_, layout_, camera_,
+                           places_);
         measure(seconds, clock_.getElapsedTime().asSeconds() - start);
         window_.display();
         ++state_.frame;
@@ -260,7 +266,7 @@ void App::arrange() {
 void App::draw() {
     controls_.look.charge = state_.charge;
     // The panel may change what is on show, so it comes before the picture of it.
-    places_ = draw_panel(layout_.panel, stage_, controls_, load_);
+    places_ = draw_panel(layout_.panel, stage_, controls_, lessons_, load_);
     arrange();
     if (controls_.bar_open) draw_step_bar(layout_.bar, stage_, microscope_, places_);
     const bool inside = controls_.bar_open && microscope_.shows(stage_);

@@ -11,6 +11,7 @@
 #include "app/window/accumulator.hpp"
 #include "app/window/imgui_sfml.hpp"
 #include "app/window/keys.hpp"
+#include "app/window/lesson_tab.hpp"
 #include "app/window/microscope.hpp"
 #include "app/window/mouse.hpp"
 #include "app/window/screen.hpp"
@@ -42,6 +43,7 @@ class App {
 
     Stage stage_;
     Microscope microscope_;
+    Lessons lessons_;
     WindowControls controls_;
     WindowState state_;
     std::filesystem::path screenshots_;

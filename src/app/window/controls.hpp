@@ -16,7 +16,8 @@ struct WindowControls {
     double speed = 1;      ///< simulated seconds per second
     bool panel_open = true;
     bool help_open = false;
-    bool bar_open = false;  ///< the step bar
+    bool bar_open = false;       ///< the step bar
+    bool lesson_wanted = false;  ///< the lessons come to the front of the panel
     int launch_count = 1;
     double launch_size = 1;        ///< radius over that of the launcher's ball
     double launch_strength = 0.7;  ///< 0…1 between the launcher's slowest and fastest

@@ -43,6 +43,11 @@ void set_style(double scale) {
     set(ImGuiCol_Header, colour::table);
     set(ImGuiCol_HeaderHovered, hovered);
     set(ImGuiCol_HeaderActive, active);
+    set(ImGuiCol_Tab, colour::table);
+    set(ImGuiCol_TabHovered, hovered);
+    set(ImGuiCol_TabActive, active);
+    set(ImGuiCol_TabUnfocused, colour::table);
+    set(ImGuiCol_TabUnfocusedActive, active);
     set(ImGuiCol_CheckMark, colour::text);
     set(ImGuiCol_SliderGrab, {0x55, 0x5f, 0x6d});
     set(ImGuiCol_SliderGrabActive, {0x6c, 0x78, 0x88});
@@ -67,7 +72,8 @@ void make_figures_tabular(ImFont& font) {
 }
 
 void load_fonts(double scale) {
-    static constexpr ImWchar ranges[] = {0x20, 0xff, 0x2013, 0x2026, 0x2190, 0x2193, 0x2212, 0x2212, 0};
+    static constexpr ImWchar ranges[] = {0x20,   0xff,   0x2013, 0x2026, 0x2190, 0x2193, 0x2212,
+                                         0x2212, 0x207f, 0x207f, 0x221a, 0x221a, 0};
     ImGuiIO& io = ImGui::GetIO();
     const FontFiles files = find_fonts();
     const auto add = [&](const std::filesystem::path& file, double size) {

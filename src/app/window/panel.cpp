@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/window/keys.hpp"
 #include "app/window/panel_parts.hpp"
@@ -31,6 +32,14 @@ struct PanelParts {
     Stage& stage;
     WindowControls& controls;
     ControlPlaces& places;
+    Lessons& lessons;
+
+    bool tab(const char* words, bool wanted) const {
+        const bool open = ImGui::BeginTabItem(words, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
+        note(places, words);
+        return open;
+    }
+    void all(const Load& load) const;
 
     bool button(const char* words, const char* meaning, double share = 1) const {
         const double room = ImGui::GetContentRegionAvail().x;
@@ -65,6 +74,7 @@ struct PanelParts {
     void open(const std::string& name) const {
         try {
             stage.open(name);
+            lessons.close(controls);
             controls.notice.clear();
         } catch (const std::exception& error) {
             controls.notice = error.what();
@@ -175,15 +185,28 @@ void draw_load(const Load& load) {
     ImGui::ProgressBar(static_cast<float>(load.busy), {-1, 0}, words.c_str());
 }
 
+void PanelParts::all(const Load& load) const {
+    scene_chooser();
+    views();
+    reference();
+    time();
+    if (region("Balls and table")) table();
+    if (region("Show")) shows();
+    draw_settings(stage, places, controls.notice);
+    draw_counts(stage);
+    if (region("Load")) draw_load(load);
+}
+
 }  // namespace
 
-ControlPlaces draw_panel(const Rect& place, Stage& stage, WindowControls& controls, const Load& load) {
+ControlPlaces draw_panel(const Rect& place, Stage& stage, WindowControls& controls, Lessons& lessons,
+                         const Load& load) {
     ControlPlaces places;
     ImGui::SetNextWindowPos(imgui_vector(place.x, place.y));
     ImGui::SetNextWindowSize(imgui_vector(place.width, place.height));
     if (!controls.panel_open) ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {3, 8});
     ImGui::Begin("controls", nullptr, docked & ~ImGuiWindowFlags_NoScrollbar);
-    const PanelParts parts{stage, controls, places};
+    const PanelParts parts{stage, controls, places, lessons};
     if (!controls.panel_open) {
         if (parts.button("«", "Open the controls (F2)")) controls.panel_open = true;
         ImGui::End();
@@ -197,15 +220,17 @@ ControlPlaces draw_panel(const Rect& place, Stage& stage, WindowControls& contro
     if (parts.button("Help", "Every key (F1)", 0.66)) controls.help_open = !controls.help_open;
     ImGui::SameLine();
     if (parts.button("»", "Fold the controls away (F2)")) controls.panel_open = false;
-    parts.scene_chooser();
-    parts.views();
-    parts.reference();
-    parts.time();
-    if (region("Balls and table")) parts.table();
-    if (region("Show")) parts.shows();
-    draw_settings(stage, places, controls.notice);
-    draw_counts(stage);
-    if (region("Load")) draw_load(load);
+    if (ImGui::BeginTabBar("tabs")) {
+        if (parts.tab("Controls", false)) {
+            parts.all(load);
+            ImGui::EndTabItem();
+        }
+        if (parts.tab("Lessons", std::exchange(controls.lesson_wanted, false))) {
+            lessons.draw(stage, controls, places);
+            ImGui::EndTabItem();
+        }
+        ImGui::EndTabBar();
+    }
     ImGui::End();
     return places;
 }

@@ -26,7 +26,7 @@ Stage::Stage(const std::string& scene, const std::string& engine, View view,
     // The reference is to say how far it may be trusted, unless the user will not pay for that.
     std::vector<std::string> all{"reference.twin=on"};
     all.insert(all.end(), settings.begin(), settings.end());
-    changes_ = lab::parse_changes(all, lab::engines());
+    asked_ = changes_ = lab::parse_changes(all, lab::engines());
     load(scene);
     if (script) script_ = load_script(*script, *scene_);
     start();
@@ -43,6 +43,24 @@ void Stage::load(const std::string& scene) {
 
 void Stage::open(const std::string& scene) {
     load(scene);
+    changes_ = asked_;
+    script_.clear();
+    start();
+}
+
+void Stage::open(const lab::Lesson& lesson) {
+    original_ = scene_ = lesson.scene;
+    name_ = "lesson " + lesson.name;
+    gravity_ = true;
+    dt_ = lab::step_for(*scene_);
+    settings_.clear();
+    changes_ = asked_;
+    for (const lab::LessonEngine& on : lesson.engines)
+        for (const auto& [name, value] : on.set) changes_.push_back({on.engine, name, value});
+    engine_ = lesson.engines.front().engine;
+    view_ = lesson.split ? View::split : View::single;
+    reference_ = std::ranges::any_of(lesson.engines,
+                                     [](const lab::LessonEngine& on) { return is_reference(*on.engine); });
     script_.clear();
     start();
 }

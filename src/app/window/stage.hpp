@@ -10,6 +10,7 @@
 #include "app/play.hpp"
 #include "app/window/divergence.hpp"
 #include "lab/engines.hpp"
+#include "lab/lessons/lesson.hpp"
 
 namespace flipside::app {
 
@@ -21,6 +22,8 @@ class Stage {
 
     /// Another scene from its start. The script belongs to the first scene and is dropped.
     void open(const std::string& scene);
+    /// A lesson's scene on its engines, with its settings.
+    void open(const lab::Lesson& lesson);
     void restart();
     void set_view(View view);
     /// Every run goes on with the next engine.
@@ -82,9 +85,10 @@ class Stage {
     [[nodiscard]] bool step_within(double dt, double seconds);
 
     std::string name_;
-    std::shared_ptr<const Scene> original_;  ///< as in the file
-    std::shared_ptr<const Scene> scene_;     ///< as it is run: gravity may be off
-    std::vector<lab::SettingChange> changes_;
+    std::shared_ptr<const Scene> original_;                     ///< as in the file
+    std::shared_ptr<const Scene> scene_;                        ///< as it is run: gravity may be off
+    std::vector<lab::SettingChange> asked_;                     ///< for all scenes
+    std::vector<lab::SettingChange> changes_;                   ///< for this one
     std::vector<std::pair<const Engine*, Settings>> settings_;  ///< of every engine used so far
     Script script_;
     const Engine* engine_;  ///< of the first run

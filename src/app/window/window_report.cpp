@@ -98,6 +98,15 @@ Json json_of(const Run& run, const Rect& pane, const Camera& camera) {
         {"halted", run.halt() ? Json{{"time", run.halt()->time}, {"reason", run.halt()->reason}} : Json()}};
 }
 
+/// The open lesson.
+Json json_of(const Lessons& lessons) {
+    Json j{{"name", lessons.lesson()->name}, {"title", lessons.lesson()->title}};
+    j["answered"] = lessons.answered() ? Json(*lessons.answered()) : Json();
+    if (const auto& checked = lessons.checked())
+        for (const lab::Verified& one : *checked) j["holds"].push_back(one.holds);
+    return j;
+}
+
 /// What is shown of a step.
 Json json_of(const Microscope& microscope, const Stage& stage) {
     const TraceStage& now = microscope.stage();
@@ -131,10 +140,11 @@ WindowReport::WindowReport(const std::filesystem::path& file) : out_(file) {
         lab::throw_path_error(file, "cannot be written", std::error_code(errno, std::generic_category()));
 }
 
-void WindowReport::write(double now, const Stage& stage, const Microscope& microscope,
+void WindowReport::write(double now, const Stage& stage, const Microscope& microscope, const Lessons& lessons,
                          const WindowState& window, const WindowControls& controls, const Layout& layout,
                          const Camera& camera, const ControlPlaces& places) {
     Json j = still(stage, window, controls, layout, places);
+    if (lessons.lesson()) j["lesson"] = json_of(lessons);
     if (controls.bar_open && microscope.shows(stage)) j["inside"] = json_of(microscope, stage);
     std::string state = json_text(j);
     if (state == last_state_ && now < written_ + 0.1) return;

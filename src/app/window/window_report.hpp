@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/window/controls.hpp"
+#include "app/window/lesson_tab.hpp"
 #include "app/window/microscope.hpp"
 #include "app/window/stage.hpp"
 
@@ -27,9 +28,9 @@ class WindowReport {
     explicit WindowReport(const std::filesystem::path& file);
 
     /// `now` is wall time, s.
-    void write(double now, const Stage& stage, const Microscope& microscope, const WindowState& window,
-               const WindowControls& controls, const Layout& layout, const Camera& camera,
-               const ControlPlaces& places);
+    void write(double now, const Stage& stage, const Microscope& microscope, const Lessons& lessons,
+               const WindowState& window, const WindowControls& controls, const Layout& layout,
+               const Camera& camera, const ControlPlaces& places);
 
   private:
     std::ofstream out_;

@@ -1,0 +1,181 @@
+#include "app/window/lesson_tab.hpp"
+
+#include <algorithm>
+
+#include "app/window/panel_parts.hpp"
+#include "lab/failure.hpp"
+#include "world/input_error.hpp"
+#include "world/printable.hpp"
+#include "world/refusal.hpp"
+
+namespace flipside::app {
+
+namespace {
+
+void write(std::string_view words, sf::Color color) {
+    const std::string shown = printable(words);
+    ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(color));
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(shown.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+/// A button as wide as the column that wraps its words.
+bool wide_button(const std::string& words, ControlPlaces& places) {
+    const float room = ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().FramePadding.x;
+    const ImVec2 size = ImGui::CalcTextSize(words.c_str(), nullptr, false, room);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    const bool pressed =
+        ImGui::Button(("##" + words).c_str(), {ImGui::GetContentRegionAvail().x, size.y + 2 * padding.y});
+    note(places, words);
+    ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), ImGui::GetFontSize(),
+                                        {corner.x + padding.x, corner.y + padding.y},
+                                        ImGui::GetColorU32(ImGuiCol_Text), words.c_str(), nullptr, room);
+    return pressed;
+}
+
+}  // namespace
+
+void Lessons::open(const std::filesystem::path& file, Stage& stage, WindowControls& controls) {
+    lab::Lesson lesson = lab::load_lesson(file);
+    stage.open(lesson);
+    if (!lesson_) shows_before_ = controls.look.shows, bar_before_ = controls.bar_open;
+    controls.look.shows = shows_before_;
+    for (const std::string& name : lesson.show)
+        controls.look.shows.set(static_cast<std::size_t>(
+            std::ranges::find(show_specs, name, &ShowSpec::name) - std::begin(show_specs)));
+    controls.bar_open = lesson.inside;
+    controls.paused = lesson.inside;
+    controls.notice.clear();
+    text_ = parse_markdown(lesson.text);
+    lesson_ = std::move(lesson);
+    file_ = file;
+    answer_.reset();
+    checked_.reset();
+    trouble_.clear();
+}
+
+void Lessons::close(WindowControls& controls) {
+    if (!lesson_) return;
+    controls.look.shows = shows_before_;
+    controls.bar_open = bar_before_;
+    lesson_.reset();
+}
+
+void Lessons::check() {
+    try {
+        checked_ = lab::verify(lesson_->claim, lab::measure(lesson_->claim), file_.string());
+    } catch (const Refusal& refusal) {
+        trouble_ = refusal.what();
+    } catch (const std::runtime_error& error) {
+        trouble_ = error.what();
+    }
+}
+
+const std::vector<lab::Lesson>& Lessons::all() {
+    if (looked_) return all_;
+    looked_ = true;
+    try {
+        for (const auto& file : lab::lesson_files()) all_.push_back(lab::load_lesson(file));
+    } catch (const InputError& error) {
+        trouble_ = error.what();
+    }
+    return all_;
+}
+
+const lab::Lesson* Lessons::next() {
+    const auto at = std::ranges::find(all(), lesson_->name, &lab::Lesson::name);
+    return at == all_.end() || at + 1 == all_.end() ? nullptr : &*(at + 1);
+}
+
+void Lessons::go_to(const lab::Lesson& lesson, Stage& stage, WindowControls& controls) {
+    try {
+        open(lab::lesson_file(lesson.name), stage, controls);
+    } catch (const std::runtime_error& error) {
+        trouble_ = error.what();
+    }
+}
+
+void Lessons::draw(Stage& stage, WindowControls& controls, ControlPlaces& places) {
+    if (!trouble_.empty()) write(trouble_, colour::warning);
+    if (lesson_)
+        draw_open(stage, controls, places);
+    else
+        draw_list(stage, controls, places);
+}
+
+void Lessons::draw_list(Stage& stage, WindowControls& controls, ControlPlaces& places) {
+    write(
+        "A course in what happens inside an engine. Each lesson is one idea, with something to do and a "
+        "question.",
+        colour::quiet);
+    // Opening one may not change the list that is gone through.
+    const lab::Lesson* chosen = nullptr;
+    for (const lab::Lesson& lesson : all()) {
+        if (wide_button(printable(lesson.name.substr(0, 2) + "  " + lesson.title), places)) chosen = &lesson;
+        write(lesson.idea, colour::quiet);
+    }
+    if (chosen) go_to(*chosen, stage, controls);
+}
+
+void Lessons::draw_open(Stage& stage, WindowControls& controls, ControlPlaces& places) {
+    const bool leaves = ImGui::Button("All lessons");
+    note(places, "All lessons");
+    ImGui::SameLine();
+    const bool again = ImGui::Button("Begin again");
+    note(places, "Begin again");
+    const lab::Lesson* after = next();
+    bool goes_on = false;
+    if (after) {
+        ImGui::SameLine();
+        goes_on = ImGui::Button("Next");
+        tooltip(after->title);
+        note(places, "Next");
+    }
+    ImGui::Dummy({0, 4});
+    draw_markdown(text_);
+    if (!lesson_->task.empty()) {
+        write("Do", colour::quiet);
+        write(lesson_->task, colour::lit);
+        ImGui::Dummy({0, 4});
+    }
+    if (lesson_->question) draw_question(places);
+    draw_claim(places);
+    if (leaves) return close(controls);
+    if (goes_on) return go_to(*after, stage, controls);
+    if (again) go_to(lab::Lesson(*lesson_), stage, controls);
+}
+
+void Lessons::draw_question(ControlPlaces& places) {
+    const lab::Question& question = *lesson_->question;
+    write("Question", colour::quiet);
+    write(question.asks, colour::text);
+    for (std::size_t i = 0; i < question.answers.size(); ++i) {
+        const bool chosen = answer_ == i, right = i == question.right;
+        const sf::Color color = !answer_ ? colour::rule
+                                : right  ? blend(colour::rule, engine_colour("reference"), 0.7)
+                                : chosen ? blend(colour::rule, colour::warning, 0.7)
+                                         : colour::rule;
+        ImGui::PushStyleColor(ImGuiCol_Button, imgui_color(color));
+        if (wide_button(printable(question.answers[i]), places)) answer(i);
+        ImGui::PopStyleColor();
+    }
+    if (answer_) write((*answer_ == question.right ? "Right. " : "No. ") + question.because, colour::text);
+    ImGui::Dummy({0, 4});
+}
+
+void Lessons::draw_claim(ControlPlaces& places) {
+    write("What this lesson claims", colour::quiet);
+    write(lesson_->claim.says, colour::text);
+    if (ImGui::Button("Check it")) check();
+    note(places, "Check it");
+    tooltip("Makes the runs behind it, now and here");
+    if (!checked_) return;
+    for (const lab::Verified& one : *checked_)
+        write((one.holds ? "holds:  " : "does not hold:  ") + one.statement + "   (" + one.measured + ")",
+              one.holds ? engine_colour("reference") : colour::warning);
+}
+
+}  // namespace flipside::app
