@@ -272,7 +272,7 @@ void App::draw() {
     const bool inside = controls_.bar_open && microscope_.shows(stage_);
     if (controls_.help_open) draw_help({0, 0, layout_.strip.width, state_.height});
     count_up(0);
-    Readings readings{{}, load_.asked, load_.reached};
+    Readings readings{{}, load_.asked, load_.reached, controls_.paused, controls_.speed};
     for (const double score : scores_) readings.scores.push_back(std::lround(std::floor(score)));
     screen_.draw(window_, stage_, layout_, camera_, controls_.look, readings,
                  inside ? &microscope_ : nullptr);

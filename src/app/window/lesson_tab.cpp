@@ -47,7 +47,8 @@ void Lessons::open(const std::filesystem::path& file, Stage& stage, WindowContro
         controls.look.shows.set(static_cast<std::size_t>(
             std::ranges::find(show_specs, name, &ShowSpec::name) - std::begin(show_specs)));
     controls.bar_open = lesson.inside;
-    controls.paused = lesson.inside;
+    controls.paused = lesson.paused;
+    controls.speed = lesson.speed;
     controls.notice.clear();
     text_ = parse_markdown(lesson.text);
     lesson_ = std::move(lesson);
@@ -61,6 +62,7 @@ void Lessons::close(WindowControls& controls) {
     if (!lesson_) return;
     controls.look.shows = shows_before_;
     controls.bar_open = bar_before_;
+    controls.speed = 1;
     lesson_.reset();
 }
 

@@ -55,6 +55,7 @@ void Screen::draw(sf::RenderTarget& target, const Stage& stage, const Layout& la
                   camera, look, inside);
     const sf::Vector2f all(target.getSize());
     target.setView(sf::View({0, 0, all.x, all.y}));
+    for (const Rect& pane : layout.panes) draw_pace(pane, readings);
     const Run& costliest = *std::ranges::max_element(runs, {}, &Run::step_cost);
     const bool slow = readings.reached < 0.95 * readings.asked;
     for (std::size_t i = 0; i < layout.headers.size(); ++i)
@@ -105,6 +106,19 @@ void Screen::draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect&
     for (const Run& run : runs)
         if (run.halt()) draw_halt(stage, place, run, alone);
     canvas_.flush(target);
+}
+
+/// In the corner: why nothing moves, or moves slowly.
+void Screen::draw_pace(const Rect& place, const Readings& readings) {
+    const std::string words = readings.paused      ? "PAUSED   P goes on"
+                              : readings.speed < 1 ? with_unit(readings.speed, 2, "× time")
+                                                   : "";
+    if (words.empty()) return;
+    const double pad = canvas_.scaled(6);
+    const double width = lettering_.width(words, Type::small), height = lettering_.line_height(Type::small);
+    const Vec2 corner{place.x + pad, place.y + pad};
+    canvas_.rectangle(corner, corner + Vec2{width + 2 * pad, height + pad}, with_alpha(colour::raised, 0.85));
+    canvas_.text(corner + Vec2{pad, 0.5 * pad}, words, Type::small, colour::lit);
 }
 
 /// From each run to the reference, or else to the first.

@@ -24,6 +24,8 @@ struct Readings {
     std::vector<long> scores;  ///< one per run, as shown
     double asked = 1;          ///< simulated seconds per second that were due
     double reached = 1;        ///< and that the engines made
+    bool paused = false;
+    double speed = 1;  ///< simulated seconds per second
 };
 
 class Screen {
@@ -39,6 +41,7 @@ class Screen {
     void draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect& place, std::span<const Run> runs,
                    const Camera& camera, const Look& look, const Microscope* inside);
     void draw_links_of(std::span<const Run> runs, const Camera& camera);
+    void draw_pace(const Rect& place, const Readings& readings);
     void draw_halt(const Stage& stage, const Rect& place, const Run& run, bool alone);
 
     Lettering lettering_;

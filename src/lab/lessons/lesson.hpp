@@ -53,6 +53,8 @@ struct Lesson {
     bool split = false;
     std::vector<std::string> show;  ///< overlays, by the names of `flipside render --show`
     bool inside = false;            ///< begins with the step bar open, paused
+    bool paused = false;            ///< begins paused
+    double speed = 1;               ///< simulated seconds per second
     std::string task;               ///< something to do
     std::optional<Question> question;
     Claim claim;

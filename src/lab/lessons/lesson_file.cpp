@@ -128,6 +128,8 @@ Lesson load_lesson(const fs::path& path) {
     lesson.split = node.text("view", "single") == std::string("split");
     for (const Node& show : node.each("show")) lesson.show.push_back(show.json().get<std::string>());
     lesson.inside = node.toggle("inside");
+    lesson.paused = node.toggle("paused", lesson.inside);
+    lesson.speed = node.real("speed", 1);
     lesson.task = node.text("do");
     if (node.has("question")) lesson.question = question_in(node.at("question"));
     lesson.claim = claim_in(node.at("claim"), lesson, file);
