@@ -64,7 +64,7 @@ struct Lesson {
 [[nodiscard]] Settings settings_of(const LessonEngine& on, const Scene& scene);
 
 /// Throws InputError with file, JSON pointer, what is wrong and what is allowed.
-[[nodiscard]] Lesson load_lesson(const std::filesystem::path& file);
+[[nodiscard]] Lesson load_lesson(const std::filesystem::path& path);
 /// In order. Throws InputError where the folder cannot be read.
 [[nodiscard]] std::vector<std::filesystem::path> lesson_files();
 /// By name, by number ("2") or by path. Throws InputError that lists the known ones.

@@ -49,7 +49,7 @@ std::vector<std::pair<std::string, std::string>> changes_in(const Node& node) {
 
 /// Checked against the settings that the engine has.
 LessonEngine lesson_engine_in(const Node& node) {
-    const LessonEngine found{&engine_in(node), changes_in(node)};
+    LessonEngine found{&engine_in(node), changes_in(node)};
     Settings settings(found.engine->settings);
     for (const auto& [name, value] : found.set) {
         try {
