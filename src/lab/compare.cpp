@@ -28,10 +28,10 @@ Comparison compare(CompareInput input, const std::function<void(double)>& watch)
     Comparison result{std::move(input), {}, {}, {}};
     std::vector<Session> sessions;
     std::vector<double> energy_first;
-    for (const Entrant& entrant : result.input.entrants) {
-        sessions.emplace_back(result.input.scene, *entrant.engine, entrant.settings);
+    for (const Contender& contender : result.input.contenders) {
+        sessions.emplace_back(result.input.scene, *contender.engine, contender.settings);
         energy_first.push_back(energy(sessions.back().world(), *result.input.scene));
-        result.runs.push_back({entrant, {}, {}});
+        result.runs.push_back({contender, {}, {}});
     }
     for (std::size_t i = 1; i < sessions.size(); ++i) {
         result.pairs.emplace_back();

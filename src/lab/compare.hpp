@@ -12,31 +12,31 @@
 
 namespace flipside::lab {
 
-struct Entrant {
+struct Contender {
     const Engine* engine;
     Settings settings;
 };
 
 struct CompareInput {
     std::shared_ptr<const Scene> scene;
-    std::vector<Entrant> entrants;  ///< at least one; the others are compared with the first
+    std::vector<Contender> contenders;  ///< at least one; the others are compared with the first
     double seconds = 10;
     double dt = 1.0 / 60;
     Script script;
 };
 
 struct EngineRun {
-    Entrant entrant;
+    Contender contender;
     RunFigures figures;
     std::vector<Event> impacts;
 };
 
-/// The first entrant against another one.
+/// The first contender against another one.
 struct Pair {
     struct Parted {
         double time;
         Spread spread;
-        std::optional<Event> after;  ///< the last impact of that ball until then, in the first entrant
+        std::optional<Event> after;  ///< the last impact of that ball until then, in the first contender
     };
     std::size_t second = 1;  ///< index of the other
     ImpactMatch match;
@@ -52,7 +52,7 @@ struct Comparison {
     std::vector<double> times;  ///< s, after each step
 };
 
-/// Runs all entrants side by side, a step each in turn, so that all meet the same machine. `watch` is
+/// Runs all contenders side by side, a step each in turn, so that all meet the same machine. `watch` is
 /// called after each step with the time.
 [[nodiscard]] Comparison compare(CompareInput input, const std::function<void(double)>& watch = {});
 

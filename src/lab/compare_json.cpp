@@ -26,10 +26,10 @@ Json json_of(const std::optional<Event>& impact, const Scene& scene) {
 
 Json json_of(const EngineRun& run) {
     Json settings = Json::object();
-    for (const SettingSpec& spec : run.entrant.settings.specs())
-        settings[std::string(spec.name)] = run.entrant.settings.text(spec.name);
+    for (const SettingSpec& spec : run.contender.settings.specs())
+        settings[std::string(spec.name)] = run.contender.settings.text(spec.name);
     const RunFigures& figures = run.figures;
-    Json json{{"engine", run.entrant.engine->name}, {"settings", settings}};
+    Json json{{"engine", run.contender.engine->name}, {"settings", settings}};
     json.update(Json::parse(to_json(figures)));
     const Totals& totals = figures.totals;
     json["cpu_seconds_per_step"] = totals.steps > 0 ? totals.step_seconds / double(totals.steps) : 0.0;
@@ -59,8 +59,8 @@ Json json_of(const std::optional<Pair::Parted>& parted, const Scene& scene) {
 
 Json json_of(const Pair& pair, const Comparison& comparison) {
     const Scene& scene = *comparison.input.scene;
-    const Json names{comparison.runs.front().entrant.engine->name,
-                     comparison.runs[pair.second].entrant.engine->name};
+    const Json names{comparison.runs.front().contender.engine->name,
+                     comparison.runs[pair.second].contender.engine->name};
     Json by_ball = Json::object();
     for (const auto& [ball, count] : pair.match.matched) by_ball[std::to_string(ball)] = count;
     return {{"engines", names},

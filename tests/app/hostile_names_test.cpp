@@ -202,7 +202,7 @@ TEST_F(HostileNames, OfArgumentsStayInOneLine) {
                                              "cases --engine " + bad,
                                              "sweep " + bad + " --out x",
                                              "sweep drop --quick --out x --shard " + word("x" + name),
-                                             "sweep drop --quick --out x --entrants " + bad,
+                                             "sweep drop --quick --out x --contenders " + bad,
                                              "report --out " + file("r") + " --from " + bad,
                                              "render drop --engine custom --out x.png --view " + bad,
                                              "render drop --engine custom --out " + bad,
@@ -261,7 +261,7 @@ TEST_F(HostileNames, InAForeignSweepAreRefusedBeforeAnythingIsMeasured) {
         std::string field = "\"";
         for (const char c : name) field.append(c == '"' ? 2 : 1, c);
         write("foreign/plan.json", Json{{"format", name}}.dump() + "\n");
-        write("foreign/runs/x-001.csv", "variant,entrant\n" + field + "\"," + field + "\"\n");
+        write("foreign/runs/x-001.csv", "variant,contender\n" + field + "\"," + field + "\"\n");
         expect_refused("report --quick --out " + file("report") + " --from " + file("foreign"), 2,
                        foreign.string());
         EXPECT_FALSE(fs::exists(file("report")));

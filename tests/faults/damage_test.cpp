@@ -34,8 +34,8 @@ class Damages : public ::testing::Test {
     static void TearDownTestSuite() { fs::remove_all(base); }
 
     static Ended sweep(const fs::path& where, const std::string& seed, const std::string& scene = "drop") {
-        return Child({FLIPSIDE_EXECUTABLE, "sweep", scene, "--entrants", "box2d", "--finest", "30", "--quick",
-                      "--seed", seed, "--out", "sweep-" + seed},
+        return Child({FLIPSIDE_EXECUTABLE, "sweep", scene, "--contenders", "box2d", "--finest", "30",
+                      "--quick", "--seed", seed, "--out", "sweep-" + seed},
                      where)
             .wait();
     }

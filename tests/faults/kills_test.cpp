@@ -93,7 +93,7 @@ class Kills : public ::testing::Test {
 };
 
 TEST_F(Kills, OfASweepChangeNothing) {
-    expect_the_same_after_kills({FLIPSIDE_EXECUTABLE, "sweep", "drop", "--entrants",
+    expect_the_same_after_kills({FLIPSIDE_EXECUTABLE, "sweep", "drop", "--contenders",
                                  "box2d,custom-continuous", "--finest", "60", "--quick", "--out", "sweep"},
                                 12);
 }

@@ -9,8 +9,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::vector<std::string> sweep_command{FLIPSIDE_EXECUTABLE, "sweep", "drop",    "--entrants", "box2d",
-                                             "--finest",          "30",    "--quick", "--out",      "sweep"};
+const std::vector<std::string> sweep_command{
+    FLIPSIDE_EXECUTABLE, "sweep", "drop",    "--contenders", "box2d",
+    "--finest",          "30",    "--quick", "--out",        "sweep"};
 
 }  // namespace
 

@@ -14,8 +14,8 @@ void run_input(std::string_view input) {
     static_cast<void>(accepted([&] {
         const CpuLimit limit(longest_answer);
         const sweep::Plan plan = sweep::parse_plan(input, "input.json");
-        for (const sweep::Entrant* entrant : plan.entrants)
-            for (const double dt : sweep::steps_of(*entrant, plan)) {
+        for (const sweep::Contender* contender : plan.contenders)
+            for (const double dt : sweep::steps_of(*contender, plan)) {
                 require(std::isfinite(dt) && dt > 0, "a step size is no time");
                 require(sweep::thinning(plan, 10, 1, dt) > 0, "every none-th window is run");
             }

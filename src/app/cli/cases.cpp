@@ -51,7 +51,7 @@ void print_case(const lab::CaseRun& run) {
 }
 
 void print_head(const lab::CaseInput& input) {
-    const Engine& engine = *input.entrant.engine;
+    const Engine& engine = *input.contender.engine;
     print("Hard cases on %s%s%s, dt = %.6g s%s\n\n   %-62s %14s %14s %9s %9s  %s\n",
           std::string(engine.name).c_str(), engine.library.empty() ? "" : ", ",
           std::string(engine.library).c_str(), input.dt, input.quick ? ", quick" : "", "quantity", "expected",
@@ -94,9 +94,9 @@ int map_stability(const CasesOptions& options) {
     std::vector<lab::StabilityPoint> points;
     {
         Progress progress(1);
-        points = lab::stability_map(input.entrant, lab::map_steps, [&](double done) { progress.at(done); });
+        points = lab::stability_map(input.contender, lab::map_steps, [&](double done) { progress.at(done); });
     }
-    write_stability(file.out(), input.entrant, points);
+    write_stability(file.out(), input.contender, points);
     file.finish();
     const auto stable =
         std::ranges::count_if(points, [](const lab::StabilityPoint& point) { return point.failure.empty(); });

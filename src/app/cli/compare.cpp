@@ -22,7 +22,7 @@ struct CompareOptions : RunOptions {
 };
 
 std::string name_of(const lab::EngineRun& run) {
-    return std::string(run.entrant.engine->name);
+    return std::string(run.contender.engine->name);
 }
 
 void print_run(const lab::EngineRun& run) {
@@ -114,7 +114,7 @@ int compare(const CompareOptions& options) {
     lab::CompareInput input;
     input.scene = options.load();
     for (const Engine* engine : engines)
-        input.entrants.push_back({engine, lab::settings_for(*engine, *input.scene, changes)});
+        input.contenders.push_back({engine, lab::settings_for(*engine, *input.scene, changes)});
     input.seconds = options.seconds;
     input.dt = options.step(*input.scene);
     input.script = options.load_script(*input.scene);

@@ -21,7 +21,7 @@ namespace sweep = lab::sweep;
 struct SweepOptions {
     std::vector<std::string> scenes;
     int balls = 0;
-    std::vector<std::string> entrants;
+    std::vector<std::string> contenders;
     int finest = sweep::finest_steps;
     bool quick = false;
     std::string shard = "1/1";
@@ -54,11 +54,11 @@ void print_windows(const std::map<std::string, sweep::Windows>& windows) {
 }
 
 void print_figures(const std::vector<sweep::Figures>& all) {
-    print("\n%-10s %-22s %7s %5s %9s %9s %9s %9s %5s %6s %6s %6s %9s\n", "variant", "entrant", "1/dt, Hz",
+    print("\n%-10s %-22s %7s %5s %9s %9s %9s %9s %5s %6s %6s %6s %9s\n", "variant", "contender", "1/dt, Hz",
           "runs", "median", "95 %", "largest", "typical", "exact", "missed", "extra", "failed", "CPU ms/s");
     for (const sweep::Figures& f : all)
         print("%-10s %-22s %7.0f %5zu %9.2e %9.2e %9.2e %9.2e %5zu %6zu %6zu %6zu %9.4g\n",
-              printable(f.variant).c_str(), printable(f.entrant).c_str(), 1 / f.dt, f.windows, f.median,
+              printable(f.variant).c_str(), printable(f.contender).c_str(), 1 / f.dt, f.windows, f.median,
               f.p95, f.max, f.typical_median, f.exact, f.missed, f.spurious, f.failed, 1e3 * f.cpu_min);
     print(
         "\nmedian, 95 %%, largest: error of position at the end of a window, in radii, worst ball. typical: "
@@ -82,8 +82,9 @@ int run_sweep(const SweepOptions& options) {
     sweep::Plan plan = options.quick ? sweep::quick_plan(std::move(variants), options.seed)
                                      : sweep::Plan{.variants = std::move(variants), .seed = options.seed};
     plan.finest = std::min(plan.finest, options.finest);
-    if (!options.entrants.empty()) plan.entrants.clear();
-    for (const std::string& name : options.entrants) plan.entrants.push_back(&sweep::entrant_named(name));
+    if (!options.contenders.empty()) plan.contenders.clear();
+    for (const std::string& name : options.contenders)
+        plan.contenders.push_back(&sweep::contender_named(name));
     const std::filesystem::path folder = options.out;
     require_distinct(files_of(options));
     {
@@ -116,7 +117,8 @@ void add_sweep(CLI::App& program, Action& chosen) {
         ->check(number_from(1, 1e6))
         ->type_name("N");
     command
-        .add_option("--entrants", options->entrants, "Only these (default: all; plan.json describes them)")
+        .add_option("--contenders", options->contenders,
+                    "Only these (default: all; plan.json describes them)")
         ->delimiter(',')
         ->type_name("A,B");
     command.add_option("--finest", options->finest, "Steps per second at most (default 7680)")

@@ -63,7 +63,7 @@ struct CaseResult {
 };
 
 struct CaseInput {
-    Entrant entrant;
+    Contender contender;
     double dt = 1.0 / 60;         ///< s
     bool quick = false;           ///< fewer hits, shorter runs; the rows name the numbers
     std::function<void()> watch;  ///< called after each step where it is given; may throw to stop

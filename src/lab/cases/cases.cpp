@@ -161,16 +161,16 @@ CaseResult run_case(const Case& which, const CaseInput& input) {
 }
 
 CaseRun run_recommended(const Case& which, const CaseInput& input, std::span<const SettingChange> changes) {
-    const Engine& engine = *input.entrant.engine;
+    const Engine& engine = *input.contender.engine;
     CaseInput recommended = input;
     std::vector<SettingChange> others;
     std::istringstream words{std::string(which.recommend)};
     for (std::string word; words >> word;) {
         const Recommended part = parts_of(word);
         const bool said = std::ranges::find(changes, part.name, &SettingChange::name) != changes.end();
-        if (part.engine != engine.name || said || input.entrant.settings.text(part.name) == part.value)
+        if (part.engine != engine.name || said || input.contender.settings.text(part.name) == part.value)
             continue;
-        recommended.entrant.settings.set(part.name, part.value);
+        recommended.contender.settings.set(part.name, part.value);
         others.push_back({&engine, part.name, part.value});
     }
     return {&which, run_case(which, recommended), std::move(others)};

@@ -47,8 +47,8 @@ Json json_of(const CaseRun& run) {
 
 std::string to_json(std::span<const CaseRun> runs, const CaseInput& input) {
     Json settings = Json::object(), verdicts = Json::object(), all = Json::array();
-    for (const SettingSpec& spec : input.entrant.settings.specs())
-        settings[std::string(spec.name)] = input.entrant.settings.text(spec.name);
+    for (const SettingSpec& spec : input.contender.settings.specs())
+        settings[std::string(spec.name)] = input.contender.settings.text(spec.name);
     for (const std::string_view name : verdict_names) verdicts[std::string(name)] = 0;
     for (const CaseRun& run : runs) {
         auto& count = verdicts[std::string(name_of(run.result.verdict))];
@@ -56,7 +56,7 @@ std::string to_json(std::span<const CaseRun> runs, const CaseInput& input) {
         all.push_back(json_of(run));
     }
     const Json json{{"format", "flipside-cases/1"},
-                    {"engine", input.entrant.engine->name},
+                    {"engine", input.contender.engine->name},
                     {"settings", settings},
                     {"dt", input.dt},
                     {"quick", input.quick},

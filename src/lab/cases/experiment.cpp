@@ -136,8 +136,8 @@ CaseResult Experiment::finish() {
 
 Trial::Trial(Experiment& experiment, const Scene& scene)
     : experiment_(&experiment),
-      session_(std::make_shared<const Scene>(scene), *experiment.input().entrant.engine,
-               experiment.input().entrant.settings) {}
+      session_(std::make_shared<const Scene>(scene), *experiment.input().contender.engine,
+               experiment.input().contender.settings) {}
 
 bool Trial::may_step() const {
     const Limits& limits = limits_of(experiment_->input());

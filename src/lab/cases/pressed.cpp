@@ -44,7 +44,7 @@ void wedge_at(Experiment& experiment, double dt, double friction) {
     experiment.exact("height" + at, "m", height, trial.ball(0).position.y, 1e-9);
     experiment.exact("fastest after 0.5 s" + at, "m/s", 0, fastest_late, 0);
     const auto asleep = static_cast<double>(trial.world().statistics().asleep);
-    if (experiment.input().entrant.engine->name == "reference")  // where nothing ever sleeps
+    if (experiment.input().contender.engine->name == "reference")  // where nothing ever sleeps
         experiment.note("asleep" + at, "", asleep);
     else
         experiment.exact("asleep" + at, "", 1, asleep, 0);

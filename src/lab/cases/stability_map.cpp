@@ -33,9 +33,9 @@ Scene thrown_at(double mass_ratio, double speed) {
 }
 
 /// Fills in what happened; the failure is the first one.
-void run_point(const Entrant& entrant, StabilityPoint& point) {
-    Session session(std::make_shared<const Scene>(thrown_at(point.mass_ratio, point.speed)), *entrant.engine,
-                    entrant.settings);
+void run_point(const Contender& contender, StabilityPoint& point) {
+    Session session(std::make_shared<const Scene>(thrown_at(point.mass_ratio, point.speed)),
+                    *contender.engine, contender.settings);
     const double first = energy(session.world(), session.scene());
     const Timeline timeline(0, seconds, point.dt);
     for (std::uint64_t k = 0; k < timeline.steps(); ++k) {
@@ -61,7 +61,7 @@ void run_point(const Entrant& entrant, StabilityPoint& point) {
 
 }  // namespace
 
-std::vector<StabilityPoint> stability_map(const Entrant& entrant, std::span<const double> steps,
+std::vector<StabilityPoint> stability_map(const Contender& contender, std::span<const double> steps,
                                           const std::function<void(double)>& watch) {
     std::vector<StabilityPoint> points;
     for (const double mass_ratio : map_mass_ratios)
@@ -69,7 +69,7 @@ std::vector<StabilityPoint> stability_map(const Entrant& entrant, std::span<cons
             for (const double dt : steps) points.push_back({mass_ratio, speed, dt, "", -1, 0});
     for (std::size_t i = 0; i < points.size(); ++i) {
         try {
-            run_point(entrant, points[i]);
+            run_point(contender, points[i]);
         } catch (const NotANumber&) {
             points[i].failure = "not a number";
         } catch (const Refusal&) {
@@ -80,11 +80,11 @@ std::vector<StabilityPoint> stability_map(const Entrant& entrant, std::span<cons
     return points;
 }
 
-void write_stability(std::ostream& out, const Entrant& entrant, std::span<const StabilityPoint> points) {
+void write_stability(std::ostream& out, const Contender& contender, std::span<const StabilityPoint> points) {
     out << stability_header;
     for (const StabilityPoint& point : points)
         CsvRow()
-            .add(entrant.engine->name)
+            .add(contender.engine->name)
             .add(point.mass_ratio)
             .add(point.speed)
             .add(point.dt)

@@ -32,13 +32,13 @@ inline constexpr double map_steps[] = {1.0 / 30, 1.0 / 60, 1.0 / 120, 1.0 / 240,
 
 /// All combinations, mass ratio by mass ratio, speed by speed, at these steps; some seconds of CPU at
 /// map_steps. `watch` is called after each with the part done, 0 … 1.
-[[nodiscard]] std::vector<StabilityPoint> stability_map(const Entrant& entrant,
+[[nodiscard]] std::vector<StabilityPoint> stability_map(const Contender& contender,
                                                         std::span<const double> steps = map_steps,
                                                         const std::function<void(double)>& watch = {});
 
 inline constexpr std::string_view stability_header =
     "engine,mass_ratio,speed_radii_per_s,dt,stable,failure,energy_gain,overlap_radii\n";
 /// A row per point, under stability_header; `stable` is 0 or 1.
-void write_stability(std::ostream& out, const Entrant& entrant, std::span<const StabilityPoint> points);
+void write_stability(std::ostream& out, const Contender& contender, std::span<const StabilityPoint> points);
 
 }  // namespace flipside::lab

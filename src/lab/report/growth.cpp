@@ -15,7 +15,7 @@ namespace flipside::lab::report {
 
 namespace {
 
-const std::vector<Contender>& entrants() {
+const std::vector<Contender>& those_that_grow() {
     static const std::vector<Contender> all{
         {"custom, at its defaults", "custom", "custom", "", std::string(colour::custom), 1, 7},
         {"box2d, bullets", "box2d-bullets", "box2d", "bullets=on", std::string(colour::box2d), 1, 5},
@@ -76,7 +76,7 @@ Content show_growth(const Effort& effort, const Data& data) {
         {},
         "Beside every speed its error: the overlap at the end of steps of the same runs. Pointing at a point "
         "says how many balls were lost."};
-    for (const Contender& contender : entrants()) {
+    for (const Contender& contender : those_that_grow()) {
         Series times = series_of(contender), overlaps = times;
         for (const int balls : effort.growth_balls) {
             const std::string file = file_of(contender, balls);
@@ -103,7 +103,7 @@ Chapter growth_chapter(const Effort& effort) {
                     {},
                     [effort](const Data& data) { return show_growth(effort, data); }};
     for (const int balls : effort.growth_balls) {
-        for (const Contender& contender : entrants()) {
+        for (const Contender& contender : those_that_grow()) {
             const auto take = [=](const Watch& watch) {
                 const auto rain = std::make_shared<const Scene>(load_scene(scene_file("rain"), balls));
                 return measure({rain, contender, effort.growth_seconds, default_step, effort.growth_limit},

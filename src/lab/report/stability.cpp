@@ -17,10 +17,10 @@ std::string map_file(const Contender& contender) {
 
 Measurement map_measurement(const Contender& contender, const Effort& effort) {
     const auto measure = [contender, steps = effort.map_steps](const Watch& watch) {
-        const Entrant entrant{&engine_named(contender.engine), settings_of(contender, Scene{})};
-        const auto points = stability_map(entrant, steps, watch);
+        const lab::Contender on_map{&engine_named(contender.engine), settings_of(contender, Scene{})};
+        const auto points = stability_map(on_map, steps, watch);
         TextStream file;
-        write_stability(file, entrant, points);
+        write_stability(file, on_map, points);
         return file.str();
     };
     return measurement_of_file(map_file(contender), 0.5 * static_cast<double>(effort.map_steps.size()),

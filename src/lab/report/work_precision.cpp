@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double floor_radii = 1e-16;
 
-/// The engine's colour; dashes and shapes tell its entrants apart.
+/// The engine's colour; dashes and shapes tell its contenders apart.
 Series series_of(const sweep::Figures& first, std::size_t of_engine) {
     constexpr int markers[] = {7, 6, 9, 8, 13, 12}, squares[] = {5, 4, 11, 10, 13, 12};
     const bool is_box2d = first.engine == "box2d";
@@ -27,7 +27,8 @@ Series series_of(const sweep::Figures& first, std::size_t of_engine) {
                                                              : colour::reference;
     const std::size_t look = of_engine % std::size(markers);
     const int dash = 1 + static_cast<int>(of_engine % 5);
-    return {first.entrant, std::string(line), dash, is_box2d ? squares[look] : markers[look], 0.8, true, {}};
+    return {
+        first.contender, std::string(line), dash, is_box2d ? squares[look] : markers[look], 0.8, true, {}};
 }
 
 std::string words_of(const sweep::Figures& f) {
@@ -40,14 +41,14 @@ std::string words_of(const sweep::Figures& f) {
     return words;
 }
 
-/// One series per entrant, in the order of the summary; what x is of a setting is the caller's.
+/// One series per contender, in the order of the summary; what x is of a setting is the caller's.
 template <class X>
 std::vector<Series> curves(const std::vector<sweep::Figures>& all, const std::string& variant, X x_of) {
     std::vector<Series> series;
     std::map<std::string, std::size_t> of_engine;
     for (const sweep::Figures& f : all) {
         if (f.variant != variant) continue;
-        if (series.empty() || series.back().name != f.entrant)
+        if (series.empty() || series.back().name != f.contender)
             series.push_back(series_of(f, of_engine[f.engine]++));
         series.back().points.push_back({x_of(f), f.median, words_of(f)});
     }

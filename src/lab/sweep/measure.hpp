@@ -1,5 +1,5 @@
 #pragma once
-/// One entrant on one window: how far from the exact outcome, and at what cost.
+/// One contender on one window: how far from the exact outcome, and at what cost.
 
 #include "lab/sweep/windows.hpp"
 
@@ -8,14 +8,14 @@ namespace flipside::lab::sweep {
 /// Why a run failed; "" where it did not.
 inline constexpr std::string_view failures[] = {"", "refused", "not a number", "lost ball"};
 
-/// What an entrant made of a window.
+/// What a contender made of a window.
 struct Outcome {
     std::string failure;       ///< one of `failures`; its errors are infinite where it failed
     double error = 0;          ///< radii: position at the end, the worst ball whose end is known
     double typical = 0;        ///< radii: the same, the median over the known balls that were hit
     std::size_t impacts = 0;   ///< of the reference
     std::size_t missed = 0;    ///< of these, without a match
-    std::size_t spurious = 0;  ///< of the entrant, without a match
+    std::size_t spurious = 0;  ///< of the contender, without a match
 };
 
 /// Impacts match when ball and other are the same and the times differ by no more than this: a step, since

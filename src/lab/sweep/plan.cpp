@@ -18,9 +18,9 @@ Plan quick_plan(std::vector<Variant> variants, std::uint64_t seed) {
     return plan;
 }
 
-std::vector<double> steps_of(const Entrant& entrant, const Plan& plan) {
+std::vector<double> steps_of(const Contender& contender, const Plan& plan) {
     std::vector<double> steps;
-    for (int n = entrant.coarsest; n <= std::min(entrant.finest, plan.finest); n *= 2)
+    for (int n = contender.coarsest; n <= std::min(contender.finest, plan.finest); n *= 2)
         steps.push_back(1.0 / n);
     return steps;
 }

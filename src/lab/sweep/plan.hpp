@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "lab/sweep/entrants.hpp"
+#include "lab/sweep/contenders.hpp"
 #include "lab/sweep/variants.hpp"
 
 namespace flipside::lab::sweep {
@@ -13,7 +13,7 @@ inline constexpr double largest_seed = 9007199254740991;
 
 struct Plan {
     std::vector<Variant> variants{};
-    std::vector<const Entrant*> entrants = all_entrants();
+    std::vector<const Contender*> contenders = all_contenders();
     std::uint64_t seed = 1;       ///< at most largest_seed
     std::uint32_t blocks = 20;    ///< per variant
     std::size_t block_size = 25;  ///< windows
@@ -27,11 +27,11 @@ struct Plan {
 /// A plan of fewer windows and no step below 1/960 s, for a first look.
 [[nodiscard]] Plan quick_plan(std::vector<Variant> variants, std::uint64_t seed);
 
-/// Everything that decides what a sweep measures: the plan, what its entrants are, checksums of its scenes
+/// Everything that decides what a sweep measures: the plan, what its contenders are, checksums of its scenes
 /// with their scripts, and the commit of this build. Throws InputError for unknown scenes.
 [[nodiscard]] std::string to_json(const Plan& plan);
 /// The plan of such a text, which another build may have written, where scenes may have differed. Throws
-/// InputError for what is none, and for entrants that are not the same here.
+/// InputError for what is none, and for contenders that are not the same here.
 [[nodiscard]] Plan parse_plan(std::string_view json, const std::string& file);
 
 /// DIR/plan.json, a data file. The text is that of to_json().
@@ -39,8 +39,8 @@ void write_plan(const std::filesystem::path& folder, const std::string& json);
 /// Its text. Throws InputError for what is no whole plan.
 [[nodiscard]] std::string read_plan(const std::filesystem::path& folder);
 
-/// The step sizes at which an entrant is swept, s, the largest first.
-[[nodiscard]] std::vector<double> steps_of(const Entrant& entrant, const Plan& plan);
+/// The step sizes at which a contender is swept, s, the largest first.
+[[nodiscard]] std::vector<double> steps_of(const Contender& contender, const Plan& plan);
 /// Only every n-th window of a variant is run where many balls take many steps: n is a power of two, such
 /// that balls and steps of n windows make no more than n times the plan's most_work.
 [[nodiscard]] std::size_t thinning(const Plan& plan, std::size_t balls, double seconds, double dt);

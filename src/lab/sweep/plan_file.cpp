@@ -18,16 +18,16 @@ namespace fs = std::filesystem;
 namespace {
 
 const fs::path file_name = "plan.json";
-constexpr const char *plan_format = "flipside-sweep/2", *plan_origin = "plan";
+constexpr const char *plan_format = "flipside-sweep/3", *plan_origin = "plan";
 
 /// Numbers stay so small that nothing that is reckoned from them overflows.
 constexpr std::string_view plan_schema = R"({
   "type": "object",
   "additionalProperties": false,
   "required": ["format", "commit", "seed", "blocks", "windows_per_block", "timed_per_block", "repetitions",
-               "finest_steps_per_second", "most_work", "variants", "entrants"],
+               "finest_steps_per_second", "most_work", "variants", "contenders"],
   "properties": {
-    "format": {"const": "flipside-sweep/2"},
+    "format": {"const": "flipside-sweep/3"},
     "commit": {"type": "string"},
     "seed": {"type": "integer", "minimum": 0, "maximum": 9007199254740991},
     "blocks": {"type": "integer", "minimum": 1, "maximum": 10000},
@@ -50,7 +50,7 @@ constexpr std::string_view plan_schema = R"({
         "shortest": {"type": "integer", "minimum": 1, "maximum": 1000},
         "longest": {"type": "integer", "minimum": 1, "maximum": 1000}
       }}},
-    "entrants": {"type": "array", "minItems": 1, "maxItems": 100, "items": {
+    "contenders": {"type": "array", "minItems": 1, "maxItems": 100, "items": {
       "type": "object",
       "additionalProperties": false,
       "required": ["name", "engine", "settings", "about"],
@@ -88,23 +88,23 @@ Variant parse_variant(const Node& node) {
             .longest = static_cast<int>(node.integer("longest"))};
 }
 
-const Entrant* parse_entrant(const Node& node) {
-    const Entrant& entrant = entrant_named(node.text("name"));
-    if (node.text("engine") != entrant.engine || node.text("settings") != entrant.settings)
-        node.fail("is another entrant than " + std::string(entrant.name) +
+const Contender* parse_contender(const Node& node) {
+    const Contender& contender = contender_named(node.text("name"));
+    if (node.text("engine") != contender.engine || node.text("settings") != contender.settings)
+        node.fail("is another contender than " + std::string(contender.name) +
                   " of this version; allowed is the same one");
-    return &entrant;
+    return &contender;
 }
 
 void require_different_names(const Node& root, const Plan& plan) {
     std::vector<std::string_view> names;
     for (const Variant& variant : plan.variants) names.push_back(variant.name);
-    for (const Entrant* entrant : plan.entrants) names.push_back(entrant->name);
+    for (const Contender* contender : plan.contenders) names.push_back(contender->name);
     const auto middle = names.begin() + static_cast<std::ptrdiff_t>(plan.variants.size());
     std::sort(names.begin(), middle);
     std::sort(middle, names.end());
     if (std::adjacent_find(names.begin(), middle) != middle) root.fail("variants", "are there twice");
-    if (std::adjacent_find(middle, names.end()) != names.end()) root.fail("entrants", "are there twice");
+    if (std::adjacent_find(middle, names.end()) != names.end()) root.fail("contenders", "are there twice");
 }
 
 }  // namespace
@@ -120,11 +120,11 @@ std::string to_json(const Plan& plan) {
                             {"until", variant.until},
                             {"shortest", variant.shortest},
                             {"longest", variant.longest}});
-    for (const Entrant* entrant : plan.entrants)
-        all.push_back({{"name", entrant->name},
-                       {"engine", entrant->engine},
-                       {"settings", entrant->settings},
-                       {"about", entrant->about}});
+    for (const Contender* contender : plan.contenders)
+        all.push_back({{"name", contender->name},
+                       {"engine", contender->engine},
+                       {"settings", contender->settings},
+                       {"about", contender->about}});
     const nlohmann::ordered_json json{{"format", plan_format},
                                       {"commit", build_commit()},
                                       {"seed", plan.seed},
@@ -135,7 +135,7 @@ std::string to_json(const Plan& plan) {
                                       {"finest_steps_per_second", plan.finest},
                                       {"most_work", plan.most_work},
                                       {"variants", variants},
-                                      {"entrants", all}};
+                                      {"contenders", all}};
     return json_text(json, 2) + '\n';
 }
 
@@ -152,8 +152,8 @@ Plan parse_plan(std::string_view json, const std::string& file) {
     plan.finest = static_cast<int>(root.integer("finest_steps_per_second"));
     plan.most_work = root.real("most_work");
     for (const Node& node : root.each("variants")) plan.variants.push_back(parse_variant(node));
-    plan.entrants.clear();
-    for (const Node& node : root.each("entrants")) plan.entrants.push_back(parse_entrant(node));
+    plan.contenders.clear();
+    for (const Node& node : root.each("contenders")) plan.contenders.push_back(parse_contender(node));
     require_different_names(root, plan);
     return plan;
 }

@@ -22,7 +22,7 @@ class RunReader {
         Run run;
         run.variant = table_.name(row, "variant");
         if (run.variant != unit_.variant->name) table_.refuse(row, "variant", "the one of this file");
-        run.entrant = table_.name(row, "entrant");
+        run.contender = table_.name(row, "contender");
         run.dt = table_.finite(row, "dt");
         run.window = table_.count(row, "window");
         require_order(row, run);
@@ -36,17 +36,17 @@ class RunReader {
     }
 
   private:
-    /// By entrant, step size and window as measure_unit() makes them, and none twice.
+    /// By contender, step size and window as measure_unit() makes them, and none twice.
     void require_order(std::size_t row, const Run& run) {
-        const auto entrant = std::ranges::find(plan_.entrants, run.entrant, &Entrant::name);
-        if (entrant == plan_.entrants.end()) table_.refuse(row, "entrant", "one of this sweep");
-        const std::vector<double> steps = steps_of(**entrant, plan_);
+        const auto contender = std::ranges::find(plan_.contenders, run.contender, &Contender::name);
+        if (contender == plan_.contenders.end()) table_.refuse(row, "contender", "one of this sweep");
+        const std::vector<double> steps = steps_of(**contender, plan_);
         const auto step = std::ranges::find(steps, run.dt);
-        if (step == steps.end()) table_.refuse(row, "dt", "a step size of this entrant");
+        if (step == steps.end()) table_.refuse(row, "dt", "a step size of this contender");
         const std::size_t first = unit_.block * plan_.block_size;
         if (run.window < first || run.window >= first + plan_.block_size)
             table_.refuse(row, "window", "the number of a window of this file");
-        const Place place{entrant - plan_.entrants.begin(), step - steps.begin(), run.window};
+        const Place place{contender - plan_.contenders.begin(), step - steps.begin(), run.window};
         if (row > 0 && place <= last_) table_.refuse(row, "window", "in order: a row is twice or misplaced");
         last_ = place;
     }
@@ -95,11 +95,11 @@ class RunReader {
 
 std::string to_csv(const std::vector<Run>& runs) {
     TextStream out;
-    out << "variant,entrant,dt,window,seconds,failure,error,typical,impacts,missed,spurious,cpu_min,"
+    out << "variant,contender,dt,window,seconds,failure,error,typical,impacts,missed,spurious,cpu_min,"
            "cpu_median\n";
     CsvRow row;
     for (const Run& run : runs) {
-        row.add(run.variant).add(run.entrant).add(run.dt).add(run.window).add(run.seconds);
+        row.add(run.variant).add(run.contender).add(run.dt).add(run.window).add(run.seconds);
         row.add(run.outcome.failure).add(run.outcome.error).add(run.outcome.typical);
         row.add(run.outcome.impacts).add(run.outcome.missed).add(run.outcome.spurious);
         row.add(run.cpu_min).add(run.cpu_median).write(out);

@@ -1,5 +1,5 @@
 #pragma once
-/// The rows of a sweep: one per variant, entrant, step size and window, as work units write them.
+/// The rows of a sweep: one per variant, contender, step size and window, as work units write them.
 
 #include <filesystem>
 #include <string>
@@ -11,7 +11,7 @@
 namespace flipside::lab::sweep {
 
 struct Run {
-    std::string variant, entrant;
+    std::string variant, contender;
     double dt = 0;           ///< s
     std::size_t window = 0;  ///< of the variant, from 0
     double seconds = 0;      ///< the window's length
@@ -21,9 +21,9 @@ struct Run {
 };
 
 /// CSV; columns named cpu_* hold measurements of time, everything else is the same on every machine:
-/// variant,entrant,dt,window,seconds,failure,error,typical,impacts,missed,spurious,cpu_min,cpu_median
+/// variant,contender,dt,window,seconds,failure,error,typical,impacts,missed,spurious,cpu_min,cpu_median
 [[nodiscard]] std::string to_csv(const std::vector<Run>& runs);
-/// Throws InputError for what are no runs of this unit: each of an entrant of the plan at one of its step
+/// Throws InputError for what are no runs of this unit: each of a contender of the plan at one of its step
 /// sizes, on a window of the unit, once, in this order, with numbers that such a run may have. `file` is for
 /// messages.
 [[nodiscard]] std::vector<Run> parse_runs(const std::string& csv, const std::filesystem::path& file,

@@ -16,13 +16,13 @@ namespace fs = std::filesystem;
 namespace {
 
 auto place(const Run& run) {
-    return std::tie(run.variant, run.entrant, run.dt, run.window);
+    return std::tie(run.variant, run.contender, run.dt, run.window);
 }
 
 /// Largest step first.
 bool before(const Run& a, const Run& b) {
-    return std::tuple(std::string_view(a.variant), std::string_view(a.entrant), -a.dt, a.window) <
-           std::tuple(std::string_view(b.variant), std::string_view(b.entrant), -b.dt, b.window);
+    return std::tuple(std::string_view(a.variant), std::string_view(a.contender), -a.dt, a.window) <
+           std::tuple(std::string_view(b.variant), std::string_view(b.contender), -b.dt, b.window);
 }
 
 /// The smallest value that `share` of the sorted ones do not exceed (nearest rank).
@@ -34,10 +34,10 @@ double quantile(const std::vector<double>& sorted, double share) {
 Figures figures_of(std::span<const Run> runs) {
     Figures figures;
     figures.variant = runs.front().variant;
-    figures.entrant = runs.front().entrant;
-    const Entrant& entrant = entrant_named(figures.entrant);
-    figures.engine = entrant.engine;
-    figures.settings = entrant.settings;
+    figures.contender = runs.front().contender;
+    const Contender& contender = contender_named(figures.contender);
+    figures.engine = contender.engine;
+    figures.settings = contender.settings;
     figures.dt = runs.front().dt;
     figures.windows = runs.size();
     std::vector<double> errors, typical;
@@ -117,7 +117,7 @@ std::vector<Run> gather(std::span<const fs::path> folders) {
 std::vector<Figures> summarize(std::span<const Run> runs) {
     std::vector<Figures> all;
     for (auto begin = runs.begin(); begin != runs.end();) {
-        const auto key = [](const Run& run) { return std::tie(run.variant, run.entrant, run.dt); };
+        const auto key = [](const Run& run) { return std::tie(run.variant, run.contender, run.dt); };
         const auto end =
             std::find_if(begin, runs.end(), [&](const Run& run) { return key(run) != key(*begin); });
         all.push_back(figures_of({begin, end}));
@@ -128,11 +128,11 @@ std::vector<Figures> summarize(std::span<const Run> runs) {
 
 void write_summary(const fs::path& file, std::span<const Figures> all) {
     WholeFile whole(file);
-    whole.out() << "variant,entrant,engine,settings,dt,windows,failed,failures,median,p95,max,"
+    whole.out() << "variant,contender,engine,settings,dt,windows,failed,failures,median,p95,max,"
                    "typical_median,typical_p95,exact,impacts,missed,spurious,timed,cpu_min,cpu_median\n";
     CsvRow row;
     for (const Figures& f : all) {
-        row.add(f.variant).add(f.entrant).add(f.engine).add(f.settings).add(f.dt).add(f.windows);
+        row.add(f.variant).add(f.contender).add(f.engine).add(f.settings).add(f.dt).add(f.windows);
         row.add(f.failed).add(text_of(f.failures)).add(f.median).add(f.p95).add(f.max);
         row.add(f.typical_median)
             .add(f.typical_p95)

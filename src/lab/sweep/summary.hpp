@@ -1,6 +1,6 @@
 #pragma once
 /// A sweep's figures of merit: the rows of any number of folders brought together, one line per variant,
-/// entrant and step size. Figures and report are drawn from this.
+/// contender and step size. Figures and report are drawn from this.
 
 #include <map>
 #include <span>
@@ -10,8 +10,8 @@
 namespace flipside::lab::sweep {
 
 struct Figures {
-    std::string variant, entrant;
-    std::string engine, settings;                 ///< of the entrant
+    std::string variant, contender;
+    std::string engine, settings;                 ///< of the contender
     double dt = 0;                                ///< s
     std::size_t windows = 0;                      ///< runs
     std::size_t failed = 0;                       ///< of these; their errors count as infinite
@@ -28,7 +28,7 @@ struct Figures {
     double cpu_min = 0, cpu_median = 0;
 };
 
-/// All runs of these folders, sorted by variant, entrant, step size (largest first) and window; a run
+/// All runs of these folders, sorted by variant, contender, step size (largest first) and window; a run
 /// that several folders hold counts once. Throws InputError for a folder without runs, for folders of
 /// different plans, and for a file that is damaged or does not belong there.
 [[nodiscard]] std::vector<Run> gather(std::span<const std::filesystem::path> folders);

@@ -80,8 +80,8 @@ double work_of(const Plan& plan, const Variant& variant) {
     const double seconds = 0.5 * window_unit * (variant.shortest + variant.longest);
     constexpr double overhead = 4;  // a step costs about as much as that many balls in it
     double work = 0;
-    for (const Entrant* entrant : plan.entrants)
-        for (const double dt : steps_of(*entrant, plan))
+    for (const Contender* contender : plan.contenders)
+        for (const double dt : steps_of(*contender, plan))
             work += std::min((overhead + balls) * seconds / dt, plan.most_work);
     return work;
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Work-precision data: every entrant of entrants.hpp at every step size on the same windows, with its
+/// Work-precision data: every contender of contenders.hpp at every step size on the same windows, with its
 /// error and its cost. All of it lies in one folder:
 ///
 ///     plan.json                 what is swept (plan.hpp); a folder holds one plan
@@ -7,7 +7,7 @@
 ///     runs/VARIANT-BLOCK.csv       a row per run (runs.hpp)
 ///     sweep.csv                 the figures of merit (summary.hpp), once all runs are there
 ///
-/// A work unit is a block of a variant's windows with all entrants, interleaved. Each unit has its own
+/// A work unit is a block of a variant's windows with all contenders, interleaved. Each unit has its own
 /// trajectories and its own files: units may be made in any order, by any number of processes at once, and a
 /// sweep that was stopped goes on with those that are missing. All but sweep.csv are data files
 /// (data_file.hpp): one that is damaged, or of another sweep, is made again.

@@ -12,10 +12,10 @@ namespace {
 
 constexpr double not_timed = std::numeric_limits<double>::quiet_NaN();
 
-/// An entrant at one step size.
+/// A contender at one step size.
 struct Lane {
-    const Entrant* entrant;
-    World* world;  ///< of the entrant, the same at all its step sizes
+    const Contender* contender;
+    World* world;  ///< of the contender, the same at all its step sizes
     double dt;
 };
 
@@ -54,7 +54,7 @@ std::vector<Task> tasks_of(const Plan& plan, const Unit& unit, const Block& bloc
 
 Run run_of(const Task& task, const Plan& plan, const Unit& unit, const Block& block) {
     const Window& window = block.windows[task.window];
-    Run run{unit.variant->name, std::string(task.lane->entrant->name),
+    Run run{unit.variant->name, std::string(task.lane->contender->name),
             task.lane->dt,      unit.block * plan.block_size + task.window,
             window.seconds,     run_window(*task.lane->world, window, task.lane->dt),
             not_timed,          not_timed};
@@ -75,9 +75,10 @@ std::vector<Run> measure_unit(const Plan& plan, const Unit& unit, const Block& b
                               const std::function<void(double)>& watch) {
     std::vector<std::unique_ptr<World>> worlds;
     std::vector<Lane> lanes;
-    for (const Entrant* entrant : plan.entrants) {
-        worlds.push_back(engine_named(entrant->engine).make(scene, settings_of(*entrant, *scene)));
-        for (const double dt : steps_of(*entrant, plan)) lanes.push_back({entrant, worlds.back().get(), dt});
+    for (const Contender* contender : plan.contenders) {
+        worlds.push_back(engine_named(contender->engine).make(scene, settings_of(*contender, *scene)));
+        for (const double dt : steps_of(*contender, plan))
+            lanes.push_back({contender, worlds.back().get(), dt});
     }
     std::vector<Task> tasks = tasks_of(plan, unit, block, lanes);
     const auto rounds = static_cast<double>(plan.repetitions);
@@ -103,8 +104,8 @@ std::vector<Run> measure_unit(const Plan& plan, const Unit& unit, const Block& b
 void require_all_runs(const std::vector<Run>& runs, const Plan& plan, const Unit& unit, const Block& block,
                       const std::filesystem::path& file) {
     std::size_t wanted = 0;
-    for (const Entrant* entrant : plan.entrants)
-        for (const double dt : steps_of(*entrant, plan)) wanted += windows_at(dt, plan, unit, block).size();
+    for (const Contender* contender : plan.contenders)
+        for (const double dt : steps_of(*contender, plan)) wanted += windows_at(dt, plan, unit, block).size();
     if (runs.size() != wanted)
         throw InputError(
             file.string(), "",

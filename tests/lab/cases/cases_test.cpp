@@ -14,7 +14,7 @@
 namespace flipside::lab {
 namespace {
 
-CaseInput entrant(std::string_view engine, const std::vector<std::string>& settings = {}) {
+CaseInput contender(std::string_view engine, const std::vector<std::string>& settings = {}) {
     const Engine& chosen = engine_named(engine);
     const Engine* const used[] = {&chosen};
     return {{&chosen, settings_for(chosen, Scene{}, parse_changes(settings, used))}, 1.0 / 60, true, {}};
@@ -41,7 +41,7 @@ void expect_pass(const CaseResult& result) {
 }
 
 TEST_P(EveryCase, passesOnTheContinuousSolver) {
-    const CaseResult result = run_case(*GetParam(), entrant("custom", {"solver=continuous"}));
+    const CaseResult result = run_case(*GetParam(), contender("custom", {"solver=continuous"}));
     expect_pass(result);
     // Balls that are pressed together cannot be put in order of time.
     const int number = GetParam()->number;
@@ -51,7 +51,7 @@ TEST_P(EveryCase, passesOnTheContinuousSolver) {
 }
 
 TEST_P(EveryCase, passesAtAnotherStep) {
-    CaseInput input = entrant("custom", {"solver=continuous"});
+    CaseInput input = contender("custom", {"solver=continuous"});
     input.dt = 1.0 / 30;
     expect_pass(run_case(*GetParam(), input));
 }
@@ -68,7 +68,7 @@ INSTANTIATE_TEST_SUITE_P(HardCases, EveryCaseWithAnOrder, ::testing::ValuesIn([]
 
 TEST_P(EveryCaseWithAnOrder, passesOnTheReference) {
     constexpr int deep_overlap = 21;
-    const CaseResult result = run_case(*GetParam(), entrant("reference"));
+    const CaseResult result = run_case(*GetParam(), contender("reference"));
     const int number = GetParam()->number;
     // What it cannot do exactly it refuses, and says why.
     if (result.verdict == Verdict::refused &&
@@ -100,7 +100,7 @@ void expect_whole(const CaseResult& result) {
 constexpr std::string_view tunnels[] = {"thin-wall", "opposed-balls", "crushed-ball", "equipartition"};
 
 TEST_P(EveryCase, isMeasuredOnTheSimpleSolver) {
-    const CaseResult result = run_case(*GetParam(), entrant("custom", {"solver=simple"}));
+    const CaseResult result = run_case(*GetParam(), contender("custom", {"solver=simple"}));
     if (std::ranges::find(tunnels, GetParam()->name) != std::end(tunnels))
         EXPECT_EQ(name_of(result.verdict), "fail");
     else
@@ -108,7 +108,7 @@ TEST_P(EveryCase, isMeasuredOnTheSimpleSolver) {
 }
 
 TEST_P(EveryCase, isMeasuredOnBox2d) {
-    expect_whole(run_case(*GetParam(), entrant("box2d")));
+    expect_whole(run_case(*GetParam(), contender("box2d")));
 }
 
 /// The error of the rows whose quantity begins so; infinite where one was not reached or none is there.
@@ -137,7 +137,7 @@ void expect_within(const CaseInput& input, std::span<const Bound> bounds) {
 
 // What a single impact does it gets right, a motion iteration late; what is fast goes through.
 TEST(Cases, simpleSolverStaysWithinItsBounds) {
-    const CaseInput input = entrant("custom", {"solver=simple"});
+    const CaseInput input = contender("custom", {"solver=simple"});
     const Bound bounds[] = {{"zeno-drop", "speeds", 1e-8},
                             {"zeno-drop", "time of the last impact", 0.5},
                             {"elastic-drop", "energy drift, relative", 1e-9},
@@ -158,20 +158,20 @@ TEST(Cases, box2dStaysWithinItsBounds) {
                             {"friction-bounce", "", 1e-5},
                             {"collinear-segments", "speed along", 1e-3},
                             {"pile", "deepest overlap", 0.05}};
-    expect_within(entrant("box2d"), bounds);
+    expect_within(contender("box2d"), bounds);
 }
 
 // A case whose rows nobody is held to could not fail.
 TEST(Cases, mustJudgeAtLeastOneQuantity) {
     const Case notes{99, "notes", "Notes",
                      "", "",      [](Experiment& experiment) { experiment.note("n", "", 1); }};
-    EXPECT_THROW(static_cast<void>(run_case(notes, entrant("reference"))), std::logic_error);
+    EXPECT_THROW(static_cast<void>(run_case(notes, contender("reference"))), std::logic_error);
 }
 
 // However well the mean fits, a statistic that is noisier than its row allows is no answer.
 TEST(Cases, aStatisticMustBeAsCertainAsItsRowDemands) {
     const auto verdict_of = [](const Case& one) {
-        return name_of(run_case(one, entrant("reference")).verdict);
+        return name_of(run_case(one, contender("reference")).verdict);
     };
     EXPECT_EQ(verdict_of({99, "narrow", "Narrow", "", "",
                           [](Experiment& it) {
@@ -194,7 +194,7 @@ TEST(Cases, aStatisticMustBeAsCertainAsItsRowDemands) {
 TEST(Cases, theGasIsRunAwakeUnlessToldOtherwise) {
     const std::vector<std::string> names{"disc-gas"};
     const Case& gas = *find_cases(names).front();
-    const CaseRun run = run_recommended(gas, entrant("custom"), {});
+    const CaseRun run = run_recommended(gas, contender("custom"), {});
     expect_pass(run.result);
     EXPECT_EQ(run.result.handed_over, 0U);
     const auto sleep = std::ranges::find(run.recommended, "sleep", &SettingChange::name);
@@ -203,7 +203,7 @@ TEST(Cases, theGasIsRunAwakeUnlessToldOtherwise) {
 
     const Engine* const used[] = {&engine_named("custom")};
     const auto changes = parse_changes(std::vector<std::string>{"sleep=on"}, used);
-    const CaseRun told = run_recommended(gas, entrant("custom", {"sleep=on"}), changes);
+    const CaseRun told = run_recommended(gas, contender("custom", {"sleep=on"}), changes);
     EXPECT_TRUE(std::ranges::find(told.recommended, "sleep", &SettingChange::name) == told.recommended.end());
 }
 
@@ -223,7 +223,7 @@ TEST(Cases, areFoundByNameAndNumber) {
 }
 
 TEST(Cases, jsonHasEveryRow) {
-    const CaseInput input = entrant("box2d");
+    const CaseInput input = contender("box2d");
     const std::vector<std::string> names{"zeno-drop"};
     const Case& zeno = *find_cases(names).front();
     const CaseRun runs[] = {{&zeno, run_case(zeno, input)}};

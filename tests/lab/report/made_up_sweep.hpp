@@ -11,10 +11,10 @@
 
 namespace flipside::lab::report {
 
-inline double made_up_error(const std::string& entrant, double dt) {
-    if (entrant == "custom-continuous") return 1e-14;
-    if (entrant == "custom-simple") return 3 * dt;
-    if (entrant == "box2d-no-bullets" && dt > 1. / 50) return std::numeric_limits<double>::infinity();
+inline double made_up_error(const std::string& contender, double dt) {
+    if (contender == "custom-continuous") return 1e-14;
+    if (contender == "custom-simple") return 3 * dt;
+    if (contender == "box2d-no-bullets" && dt > 1. / 50) return std::numeric_limits<double>::infinity();
     return 5 * dt * dt;
 }
 
@@ -29,13 +29,13 @@ inline void make_up_sweep(const std::filesystem::path& folder) {
     const std::string text = sweep::to_json(plan);
     sweep::write_plan(folder, text);
     std::vector<sweep::Run> runs;
-    for (const char* entrant : {"custom-continuous", "custom-simple", "box2d", "box2d-no-bullets"}) {
-        for (const double dt : sweep::steps_of(sweep::entrant_named(entrant), plan)) {
+    for (const char* contender : {"custom-continuous", "custom-simple", "box2d", "box2d-no-bullets"}) {
+        for (const double dt : sweep::steps_of(sweep::contender_named(contender), plan)) {
             for (std::size_t window = 0; window < 3; ++window) {  // the median is the one in the middle
                 sweep::Run run;
-                run.variant = plan.variants.front().name, run.entrant = entrant;
+                run.variant = plan.variants.front().name, run.contender = contender;
                 run.dt = dt, run.window = window, run.seconds = 3 * sweep::window_unit;
-                const double error = made_up_error(entrant, dt);
+                const double error = made_up_error(contender, dt);
                 run.outcome = {std::isinf(error) ? "lost ball" : "",
                                error * (0.5 + 0.5 * static_cast<double>(window)),
                                0.5 * error,

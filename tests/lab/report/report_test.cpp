@@ -146,13 +146,13 @@ TEST_F(Reports, WorkAndPrecisionAreThoseOfTheSweep) {
     const Content content = chapter.show({{}, "", unnoticed});
     ASSERT_EQ(content.figures.size(), 2U);
     const Figure &work = content.figures[0], &order = content.figures[1];
-    for (const char* entrant : {"custom-continuous", "custom-simple", "box2d"}) {
-        const Series& points = series_named(work, entrant);
-        ASSERT_EQ(points.points.size(), 6U) << entrant;
+    for (const char* contender : {"custom-continuous", "custom-simple", "box2d"}) {
+        const Series& points = series_named(work, contender);
+        ASSERT_EQ(points.points.size(), 6U) << contender;
         double dt = 1. / 30;
         for (const Point& point : points.points) {
-            EXPECT_NEAR(point.x, made_up_cost(dt), 1e-12) << entrant;
-            EXPECT_NEAR(point.y, made_up_error(entrant, dt), 1e-15) << entrant;
+            EXPECT_NEAR(point.x, made_up_cost(dt), 1e-12) << contender;
+            EXPECT_NEAR(point.y, made_up_error(contender, dt), 1e-15) << contender;
             EXPECT_NE(point.says.find("dt = " + step_text(dt)), std::string::npos) << point.says;
             dt /= 2;
         }

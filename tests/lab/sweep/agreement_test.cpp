@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "lab/assets.hpp"
-#include "lab/sweep/entrants.hpp"
+#include "lab/sweep/contenders.hpp"
 #include "lab/sweep/measure.hpp"
 
 namespace flipside::lab::sweep {
@@ -31,8 +31,8 @@ std::vector<Event> impacts_of(World& world, const Window& window, double dt) {
     return impacts;
 }
 
-std::unique_ptr<World> world_of(const Entrant& entrant, const std::shared_ptr<const Scene>& scene) {
-    return engine_named(entrant.engine).make(scene, settings_of(entrant, *scene));
+std::unique_ptr<World> world_of(const Contender& contender, const std::shared_ptr<const Scene>& scene) {
+    return engine_named(contender.engine).make(scene, settings_of(contender, *scene));
 }
 
 /// A scene with a few windows of it, made once for all tests.
@@ -59,7 +59,7 @@ class EverySceneAgrees : public testing::TestWithParam<std::string> {
 
 TEST_P(EverySceneAgrees, WithTheContinuousSolver) {
     ASSERT_FALSE(block.windows.empty());
-    const auto custom = world_of(entrant_named("custom-continuous"), scene);
+    const auto custom = world_of(contender_named("custom-continuous"), scene);
     const Truth truth = reference_for(*scene);
     const auto reference = truth.engine->make(scene, truth.trajectory);
     for (const double dt : {1.0 / 30, 1.0 / 60, 1.0 / 960})
@@ -121,7 +121,7 @@ TEST_P(EverySceneAgrees, TheReferenceWithItself) {
 // those of balls that touch something when the window starts.
 TEST_P(EverySceneAgrees, WithBox2dInTheFirstImpact) {
     constexpr double dt = 1.0 / 960, grazing_cosine = 0.35, slops = 3 * 0.005;
-    const auto box2d = world_of(entrant_named("box2d"), scene);
+    const auto box2d = world_of(contender_named("box2d"), scene);
     int compared = 0, left_out = 0;
     for (const Window& window : block.windows) {
         const Event& first = window.impacts.front();
@@ -166,7 +166,7 @@ TEST_P(EverySceneAgrees, WithBox2dInTheContacts) {
     constexpr std::size_t most = 20;                 // impacts of a window
     const Truth truth = reference_for(*scene);
     const auto reference = truth.engine->make(scene, truth.trajectory);
-    const Settings settings = settings_of(entrant_named("box2d"), *scene);
+    const Settings settings = settings_of(contender_named("box2d"), *scene);
     const auto box2d = engine_named("box2d").make(scene, settings);
     const double chords = settings.real("chord_error"), turned = std::sqrt(2 * chords / tightest);
     std::size_t compared = 0;

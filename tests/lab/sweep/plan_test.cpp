@@ -21,26 +21,27 @@ TEST(SweepPlan, AFullOneHasFiveHundredWindowsOfEachVariant) {
 
 TEST(SweepPlan, EveryStepDividesTheUnitOfWindows) {
     for (const bool quick : {false, true})
-        for (const Entrant& entrant : entrants()) {
-            const auto steps = steps_of(entrant, quick ? quick_plan({}, 1) : Plan{});
-            ASSERT_FALSE(steps.empty()) << entrant.name;
+        for (const Contender& contender : contenders()) {
+            const auto steps = steps_of(contender, quick ? quick_plan({}, 1) : Plan{});
+            ASSERT_FALSE(steps.empty()) << contender.name;
             for (const double dt : steps) {
                 const double parts = window_unit / dt;
-                EXPECT_NEAR(parts, std::round(parts), 1e-9) << entrant.name;
+                EXPECT_NEAR(parts, std::round(parts), 1e-9) << contender.name;
             }
         }
 }
 
-TEST(SweepPlan, EntrantsHaveNamesOfTheirOwnAndSettingsThatTheirEnginesKnow) {
+TEST(SweepPlan, ContendersHaveNamesOfTheirOwnAndSettingsThatTheirEnginesKnow) {
     const auto scene = load(standard_variants().front());
     std::set<std::string_view> names;
-    for (const Entrant& entrant : entrants()) {
-        names.insert(entrant.name);
-        EXPECT_EQ(settings_of(entrant, *scene).specs().data(), engine_named(entrant.engine).settings.data());
+    for (const Contender& contender : contenders()) {
+        names.insert(contender.name);
+        EXPECT_EQ(settings_of(contender, *scene).specs().data(),
+                  engine_named(contender.engine).settings.data());
     }
-    EXPECT_EQ(names.size(), entrants().size());
-    EXPECT_EQ(settings_of(entrant_named("box2d-20-10"), *scene).integer("velocity_iterations"), 20);
-    EXPECT_THROW(static_cast<void>(entrant_named("box3d")), InputError);
+    EXPECT_EQ(names.size(), contenders().size());
+    EXPECT_EQ(settings_of(contender_named("box2d-20-10"), *scene).integer("velocity_iterations"), 20);
+    EXPECT_THROW(static_cast<void>(contender_named("box3d")), InputError);
 }
 
 TEST(SweepPlan, ThinsWhereManyBallsTakeManySteps) {

@@ -11,7 +11,7 @@
 
 #include "lab/assets.hpp"
 #include "lab/session.hpp"
-#include "lab/sweep/entrants.hpp"
+#include "lab/sweep/contenders.hpp"
 #include "lab/sweep/windows.hpp"
 #include "world/refusal.hpp"
 #include "world/scene_file.hpp"

@@ -22,8 +22,8 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 
 using Runs = std::vector<Run>;  // within a test, Run is one of gtest's own
 
-Run run(const char* entrant, double dt, std::size_t window, double error) {
-    Run made{"toy", entrant, dt, window, 0.5, {"", error, error / 2, 3, 1, 0}, 1e-3, 2e-3};
+Run run(const char* contender, double dt, std::size_t window, double error) {
+    Run made{"toy", contender, dt, window, 0.5, {"", error, error / 2, 3, 1, 0}, 1e-3, 2e-3};
     if (error == inf) made.outcome.failure = "lost ball";
     return made;
 }
@@ -89,8 +89,9 @@ TEST_F(SweepSummary, RefusesRunsWhoseNamesAreMoreThanNames) {
         const std::string field = in_quotes_of_csv(bad), rest = ",0.1,0.05,3,1,0,nan,nan\n";
         EXPECT_NE(refusal(field + ",box2d,0.016666666666666666,1,0.5," + rest).find(": line 3: variant '"),
                   std::string::npos);
-        EXPECT_NE(refusal("toy," + field + ",0.016666666666666666,1,0.5," + rest).find(": line 3: entrant '"),
-                  std::string::npos);
+        EXPECT_NE(
+            refusal("toy," + field + ",0.016666666666666666,1,0.5," + rest).find(": line 3: contender '"),
+            std::string::npos);
         if (bad.empty()) continue;  // a run that did not fail
         EXPECT_NE(refusal("toy,box2d,0.016666666666666666,1,0.5," + field + rest).find(": line 3: failure '"),
                   std::string::npos);
@@ -178,7 +179,7 @@ TEST_F(SweepSummary, FoldersTogetherAreAsOne) {
     EXPECT_EQ(first.number(0, "median"), 0.2);
     EXPECT_EQ(first.number(1, "max"), inf);
     EXPECT_EQ(first.text(1, "failures"), "1 lost ball");
-    EXPECT_EQ(first.text(2, "entrant"), "custom-simple");
+    EXPECT_EQ(first.text(2, "contender"), "custom-simple");
 }
 
 TEST_F(SweepSummary, RefusesWhatDoesNotBelongTogether) {

@@ -78,19 +78,19 @@ class Sweeps : public ::testing::Test {
     }
 };
 
-TEST_F(Sweeps, MeasureEveryEntrantOnEveryWindow) {
+TEST_F(Sweeps, MeasureEveryContenderOnEveryWindow) {
     const fs::path folder = base / "whole";
     EXPECT_TRUE(is_complete(folder));
     const std::vector<Figures> all = summarize(gather({&folder, 1}));
     std::size_t lanes = 0;
-    for (const Entrant& entrant : entrants()) lanes += steps_of(entrant, small_plan()).size();
+    for (const Contender& contender : contenders()) lanes += steps_of(contender, small_plan()).size();
     ASSERT_EQ(all.size(), lanes);
     for (const Figures& f : all) {
-        EXPECT_EQ(f.windows, small_plan().windows()) << f.entrant;
-        EXPECT_EQ(f.timed, small_plan().blocks) << f.entrant;
-        EXPECT_GT(f.cpu_min, 0) << f.entrant;
-        EXPECT_LE(f.cpu_min, f.cpu_median) << f.entrant;
-        EXPECT_GE(f.impacts, f.windows) << f.entrant;
+        EXPECT_EQ(f.windows, small_plan().windows()) << f.contender;
+        EXPECT_EQ(f.timed, small_plan().blocks) << f.contender;
+        EXPECT_GT(f.cpu_min, 0) << f.contender;
+        EXPECT_LE(f.cpu_min, f.cpu_median) << f.contender;
+        EXPECT_GE(f.impacts, f.windows) << f.contender;
     }
     const Inventory inventory = take_inventory(small_plan(), folder);
     EXPECT_EQ(inventory.windows.at("pinball-1").windows, small_plan().windows());

@@ -1,4 +1,4 @@
-#include "lab/sweep/entrants.hpp"
+#include "lab/sweep/contenders.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int coarse = coarsest_steps, middle = 960, fine = finest_steps;
 
-constexpr Entrant all[] = {
+constexpr Contender all[] = {
     {"custom-continuous", "custom", "solver=continuous", coarse, fine,
      "the bespoke engine from impact to impact"},
     {"custom-simple", "custom", "solver=simple", coarse, fine,
@@ -36,27 +36,27 @@ constexpr Entrant all[] = {
 
 }  // namespace
 
-std::span<const Entrant> entrants() {
+std::span<const Contender> contenders() {
     return all;
 }
 
-std::vector<const Entrant*> all_entrants() {
-    std::vector<const Entrant*> pointers;
-    for (const Entrant& entrant : all) pointers.push_back(&entrant);
+std::vector<const Contender*> all_contenders() {
+    std::vector<const Contender*> pointers;
+    for (const Contender& contender : all) pointers.push_back(&contender);
     return pointers;
 }
 
-const Entrant& entrant_named(std::string_view name) {
-    const auto at = std::ranges::find(all, name, &Entrant::name);
+const Contender& contender_named(std::string_view name) {
+    const auto at = std::ranges::find(all, name, &Contender::name);
     if (at != std::end(all)) return *at;
     std::string known;
-    for (const Entrant& entrant : all) known += (known.empty() ? "" : ", ") + std::string(entrant.name);
-    throw InputError("unknown entrant '" + std::string(name) + "' of a sweep; allowed are " + known);
+    for (const Contender& contender : all) known += (known.empty() ? "" : ", ") + std::string(contender.name);
+    throw InputError("unknown contender '" + std::string(name) + "' of a sweep; allowed are " + known);
 }
 
-Settings settings_of(const Entrant& entrant, const Scene& scene) {
-    const Engine* const engine = &engine_named(entrant.engine);
-    std::istringstream words{std::string(entrant.settings)};
+Settings settings_of(const Contender& contender, const Scene& scene) {
+    const Engine* const engine = &engine_named(contender.engine);
+    std::istringstream words{std::string(contender.settings)};
     const std::vector<std::string> texts{std::istream_iterator<std::string>(words), {}};
     return settings_for(*engine, scene, parse_changes(texts, {&engine, 1}));
 }

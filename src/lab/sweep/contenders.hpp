@@ -11,7 +11,7 @@
 
 namespace flipside::lab::sweep {
 
-struct Entrant {
+struct Contender {
     std::string_view name;
     std::string_view engine;
     std::string_view settings;  ///< what differs from the engine's defaults: "a=1 b=2", see settings_of
@@ -20,11 +20,11 @@ struct Entrant {
 };
 inline constexpr int coarsest_steps = 30, finest_steps = 7680;  ///< per second
 
-[[nodiscard]] std::span<const Entrant> entrants();
-[[nodiscard]] std::vector<const Entrant*> all_entrants();
+[[nodiscard]] std::span<const Contender> contenders();
+[[nodiscard]] std::vector<const Contender*> all_contenders();
 /// Throws InputError for an unknown name.
-[[nodiscard]] const Entrant& entrant_named(std::string_view name);
-/// The engine's defaults, what the scene recommends, and the entrant's own settings.
-[[nodiscard]] Settings settings_of(const Entrant& entrant, const Scene& scene);
+[[nodiscard]] const Contender& contender_named(std::string_view name);
+/// The engine's defaults, what the scene recommends, and the contender's own settings.
+[[nodiscard]] Settings settings_of(const Contender& contender, const Scene& scene);
 
 }  // namespace flipside::lab::sweep
