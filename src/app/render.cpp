@@ -42,8 +42,9 @@ std::vector<std::string> named_settings(const RenderOptions& options) {
 int render(const RenderOptions& options) {
     Look look;
     look.shows = parse_shows(options.show);
-    Stage stage(options.scene, options.engine, options.view, named_settings(options), options.script);
-    stage.run_until(options.at, options.dt);
+    Stage stage(options.scene, options.engine, options.view, named_settings(options), options.script, {},
+                options.dt);
+    stage.run_until(options.at);
     for (const Run& run : stage.runs())
         if (run.halt() && run.engine().name == options.engine) throw Refusal(run.halt()->reason);
 

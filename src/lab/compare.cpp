@@ -25,7 +25,8 @@ void watch_pair(Pair& pair, std::span<const Session> sessions, const std::vector
 }  // namespace
 
 Comparison compare(CompareInput input, const std::function<void(double)>& watch) {
-    Comparison result{std::move(input), {}, {}, {}};
+    Comparison result{std::move(input), {}, {}, 0, {}};
+    result.dt = common_step(result.input.contenders);
     std::vector<Session> sessions;
     std::vector<double> energy_first;
     for (const Contender& contender : result.input.contenders) {
@@ -38,25 +39,30 @@ Comparison compare(CompareInput input, const std::function<void(double)>& watch)
         result.pairs.back().second = i;
     }
 
-    const Timeline timeline(0, result.input.seconds, result.input.dt);
-    const auto after = [&](const Session& session, std::uint64_t, double time) {
-        const auto index = static_cast<std::size_t>(&session - sessions.data());
-        std::ranges::copy_if(session.events(), std::back_inserter(result.runs[index].impacts),
-                             [](const Event& event) { return event.kind == EventKind::impact; });
-        if (index + 1 < sessions.size()) return;
-        result.times.push_back(time);
-        for (Pair& pair : result.pairs) watch_pair(pair, sessions, result.runs, time);
-        if (watch) watch(time);
-    };
-    run(sessions, timeline, result.input.script, after);
+    const Timeline timeline(0, result.input.seconds, result.dt);
+    std::vector<std::size_t> next(sessions.size(), next_control(result.input.script, timeline.start()));
+    for (std::uint64_t k = 0; k < timeline.steps(); ++k) {
+        for (std::size_t i = 0; i < sessions.size(); ++i) {
+            const Timeline own(0, timeline.length(k), result.runs[i].contender.dt);
+            const auto collect = [&](const Session& session, std::uint64_t, double) {
+                std::ranges::copy_if(session.events(), std::back_inserter(result.runs[i].impacts),
+                                     [](const Event& event) { return event.kind == EventKind::impact; });
+            };
+            run_on(sessions[i], own, result.input.script, next[i], collect);
+        }
+        result.times.push_back(k + 1 == timeline.steps() ? timeline.end() : sessions.back().world().time());
+        for (Pair& pair : result.pairs) watch_pair(pair, sessions, result.runs, result.times.back());
+        if (watch) watch(result.times.back());
+    }
 
     for (std::size_t i = 0; i < sessions.size(); ++i)
         result.runs[i].figures = figures_of(sessions[i], result.input.seconds, energy_first[i]);
     // Engines that only know contacts per step give the step's end: one step is what they may differ by.
-    const double tolerance = result.input.dt * (1 + 1e-9);
-    for (Pair& pair : result.pairs)
-        pair.match = match_impacts(result.runs.front().impacts, result.runs[pair.second].impacts, tolerance,
-                                   timeline.end());
+    for (Pair& pair : result.pairs) {
+        const double step = std::max(result.runs.front().contender.dt, result.runs[pair.second].contender.dt);
+        pair.match = match_impacts(result.runs.front().impacts, result.runs[pair.second].impacts,
+                                   step * (1 + 1e-9), timeline.end());
+    }
     return result;
 }
 

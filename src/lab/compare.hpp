@@ -1,27 +1,22 @@
 #pragma once
-/// One scene, one script, one step, several engines: what each does and costs, and where they part.
+/// One scene, one script, several contenders: what each does and costs, and where they part.
 
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "lab/contender.hpp"
 #include "lab/parting.hpp"
 #include "lab/run.hpp"
 #include "lab/run_figures.hpp"
 
 namespace flipside::lab {
 
-struct Contender {
-    const Engine* engine;
-    Settings settings;
-};
-
 struct CompareInput {
     std::shared_ptr<const Scene> scene;
     std::vector<Contender> contenders;  ///< at least one; the others are compared with the first
     double seconds = 10;
-    double dt = 1.0 / 60;
     Script script;
 };
 
@@ -49,11 +44,13 @@ struct Comparison {
     CompareInput input;
     std::vector<EngineRun> runs;
     std::vector<Pair> pairs;
-    std::vector<double> times;  ///< s, after each step
+    double dt = 0;              ///< s: the longest step, after which all are held against each other
+    std::vector<double> times;  ///< s, after each of these
 };
 
-/// Runs all contenders side by side, a step each in turn, so that all meet the same machine. `watch` is
-/// called after each step with the time.
+/// Runs all contenders side by side, each for the longest step of all in turn, so that all meet the same
+/// machine. `watch` is called after each of these with the time. Throws InputError where their steps do not
+/// meet (common_step).
 [[nodiscard]] Comparison compare(CompareInput input, const std::function<void(double)>& watch = {});
 
 [[nodiscard]] std::string to_json(const Comparison& comparison);

@@ -29,7 +29,10 @@ Json json_of(const EngineRun& run) {
     for (const SettingSpec& spec : run.contender.settings.specs())
         settings[std::string(spec.name)] = run.contender.settings.text(spec.name);
     const RunFigures& figures = run.figures;
-    Json json{{"engine", run.contender.engine->name}, {"settings", settings}};
+    Json json{{"name", run.contender.name},
+              {"engine", run.contender.engine->name},
+              {"dt", run.contender.dt},
+              {"settings", settings}};
     json.update(Json::parse(to_json(figures)));
     const Totals& totals = figures.totals;
     json["cpu_seconds_per_step"] = totals.steps > 0 ? totals.step_seconds / double(totals.steps) : 0.0;
@@ -59,8 +62,7 @@ Json json_of(const std::optional<Pair::Parted>& parted, const Scene& scene) {
 
 Json json_of(const Pair& pair, const Comparison& comparison) {
     const Scene& scene = *comparison.input.scene;
-    const Json names{comparison.runs.front().contender.engine->name,
-                     comparison.runs[pair.second].contender.engine->name};
+    const Json names{comparison.runs.front().contender.name, comparison.runs[pair.second].contender.name};
     Json by_ball = Json::object();
     for (const auto& [ball, count] : pair.match.matched) by_ball[std::to_string(ball)] = count;
     return {{"engines", names},
@@ -82,7 +84,7 @@ std::string to_json(const Comparison& comparison) {
     for (const Pair& pair : comparison.pairs) pairs.push_back(json_of(pair, comparison));
     const Json json{{"scene", comparison.input.scene->name},
                     {"seconds", comparison.input.seconds},
-                    {"dt", comparison.input.dt},
+                    {"dt", comparison.dt},
                     {"engines", engines},
                     {"pairs", pairs},
                     {"times", comparison.times}};

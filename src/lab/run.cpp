@@ -35,6 +35,16 @@ void run(std::span<Session> sessions, const Timeline& timeline, const Script& sc
     }
 }
 
+void run_on(Session& session, const Timeline& steps, const Script& script, std::size_t& next,
+            const Watcher& after) {
+    for (std::uint64_t k = 0; k < steps.steps(); ++k) {
+        session.step(steps.length(k), script, next);
+        const double time = session.world().time();
+        check_finite(session, time);
+        after(session, k, time);
+    }
+}
+
 std::uint64_t overlaps(std::span<const Ball> balls) {
     constexpr double same_place = 1e-6;
     std::vector<const Ball*> by_x;

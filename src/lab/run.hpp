@@ -25,6 +25,11 @@ void check_finite(const Session& session, double time);
 /// step. Throws NotANumber as soon as there is one.
 void run(std::span<Session> sessions, const Timeline& timeline, const Script& script, const Watcher& after);
 
+/// The same for one session that is under way: `next` is the index of the script's next control and is moved
+/// on. Of the timeline only its steps count.
+void run_on(Session& session, const Timeline& steps, const Script& script, std::size_t& next,
+            const Watcher& after);
+
 /// Balls whose centre is that of another one, to 1e-6 of a radius: the toy's "overlaps". Cost O(n log n).
 [[nodiscard]] std::uint64_t overlaps(std::span<const Ball> balls);
 

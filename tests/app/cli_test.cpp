@@ -28,6 +28,9 @@ TEST_F(CommandLine, BadUsageIsExitTwoAndOneLine) {
     expect_refused("run drop --engine custom --script " + file("none"), 2, "none");
     expect_refused("compare drop --engines custom,custom", 2, "twice");
     expect_refused("compare drop --set substeps=2", 2, "ENGINE.");
+    expect_refused("compare drop --contender a=custom --contender a=box2d", 2, "twice");
+    expect_refused("compare drop --contender a=custom,dt=1/97 --contender b=box2d", 2, "does not divide");
+    expect_refused("compare drop --contender a=custom --engines box2d", 2, "--engines");
     expect_refused("render drop --engine custom --out x.png --view round", 2, "overlay");
     expect_refused("check " FLIPSIDE_SOURCE_DIR "/CMakeLists.txt", 2, "line 1");
     expect_refused("pairs --most 5", 2, "32");

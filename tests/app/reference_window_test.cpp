@@ -76,18 +76,20 @@ TEST_F(ReferenceWindow, ClicksShowItAndTakeItUpAgain) {
     window->wait("two panes", [](const Json& s) { return s["panes"].size() == 2; });
 }
 
-TEST_F(ReferenceWindow, InTheSingleViewItTakesOverTheRunningBall) {
+TEST_F(ReferenceWindow, InTheSingleViewItGoesAroundTheRunningBall) {
     open("pinball", "single");
     launch();
     wait_for_balls();
     const Json before = pause();
     window->key("e");
-    const Json after =
-        window->wait("the reference", [](const Json& s) { return s["panes"][0]["engine"] == "reference"; });
-    EXPECT_LT(distance(before["panes"][0]["balls"][0]["position"], after["panes"][0]["balls"][0]["position"]),
-              1e-9);
+    const Json after = window->wait("the reference", [](const Json& s) { return s["panes"].size() == 2; });
+    EXPECT_EQ(after["panes"][0]["engine"], "custom");
+    EXPECT_EQ(after["panes"][1]["engine"], "reference");
+    EXPECT_EQ(after["layout"]["panes"].size(), 1U);
+    for (const Json& pane : after["panes"])
+        EXPECT_LT(distance(before["panes"][0]["balls"][0]["position"], pane["balls"][0]["position"]), 1e-9);
     window->key("e");
-    window->wait("custom again", [](const Json& s) { return s["panes"][0]["engine"] == "custom"; });
+    window->wait("custom alone", [](const Json& s) { return s["panes"].size() == 1; });
 }
 
 TEST_F(ReferenceWindow, OnOneTableItsBallsAreGreenRingsAroundTheOthers) {

@@ -47,7 +47,8 @@ Run run_of_doubter() {
                         "bounds": {"min": [-1, -1], "max": [1, 1]}, "gravity": [0, 0],
                         "balls": [{"position": [0, 0], "radius": 0.5, "mass": 1}], "parts": []})",
                     "test"));
-    return {lab::Session(scene, doubter, Settings(doubter.settings)), {}};
+    const lab::Contender contender{&doubter, Settings(doubter.settings), "doubter", 1};
+    return {contender, lab::Session(scene, doubter, contender.settings), {}};
 }
 
 TEST(Run, StaysWhereItsEngineRefusedToGoOnAndSaysWhy) {
@@ -59,8 +60,7 @@ TEST(Run, StaysWhereItsEngineRefusedToGoOnAndSaysWhy) {
     EXPECT_EQ(run.session().world().time(), 1);
     EXPECT_FALSE(run.press(control::Nudge{{1, 0}}));
     EXPECT_EQ(run.energy_history().back().time, 1);
-    const Settings settings = run.session().settings();
-    run.change(run.session().shared_scene(), doubter, settings);
+    run.change(run.session().shared_scene(), {&doubter, Settings(doubter.settings), "doubter", 1});
     EXPECT_FALSE(run.halt());
 }
 
@@ -78,8 +78,7 @@ TEST(Run, PassesTheHorizonWhereTheClaimEnds) {
     EXPECT_EQ(*run.passed_horizon(), 13.0 / 16);
     EXPECT_TRUE(run.step_within(1.0 / 16, {}, 1));
     EXPECT_EQ(*run.passed_horizon(), 13.0 / 16);
-    const Settings settings = run.session().settings();
-    run.change(run.session().shared_scene(), doubter, settings);
+    run.change(run.session().shared_scene(), {&doubter, Settings(doubter.settings), "doubter", 1});
     EXPECT_FALSE(run.passed_horizon());
 }
 

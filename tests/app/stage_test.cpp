@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "world/input_error.hpp"
+
 namespace flipside::app {
 namespace {
 
@@ -22,9 +24,7 @@ Stage stage_of(View view, const std::string& engine = "custom", const std::strin
 
 const Divergence& between(const Stage& stage, std::string_view a, std::string_view b) {
     for (const Divergence& divergence : stage.divergences())
-        if ((divergence.first().name == a && divergence.second().name == b) ||
-            (divergence.first().name == b && divergence.second().name == a))
-            return divergence;
+        if (divergence.is_of(a) && divergence.is_of(b)) return divergence;
     throw std::runtime_error("no such pair");
 }
 
@@ -57,22 +57,124 @@ TEST(Stage, TheReferenceMayLead) {
     stage.show_reference(false);
     EXPECT_EQ(engines_of(stage), (Names{"custom"}));
     stage.show_reference(true);
-    EXPECT_EQ(engines_of(stage), (Names{"reference"}));
+    EXPECT_EQ(engines_of(stage), (Names{"custom", "reference"}));
     stage.switch_engine();
-    EXPECT_EQ(engines_of(stage), (Names{"custom"}));
+    EXPECT_EQ(engines_of(stage), (Names{"box2d", "reference"}));
     stage.set_view(View::overlay);
-    EXPECT_EQ(engines_of(stage), (Names{"custom", "box2d", "reference"}));
+    EXPECT_EQ(engines_of(stage), (Names{"box2d", "custom", "reference"}));
 }
 
-TEST(Stage, EveryRunGoesOnWithTheNextEngine) {
+TEST(Stage, AloneTheReferenceGivesWayToTheNextEngine) {
+    Stage stage = stage_of(View::single, "reference");
+    EXPECT_EQ(engines_of(stage), (Names{"reference"}));
+    for (int i = 0; i < 5; ++i) stage.step();
+    const Vec2 before = stage.runs()[0].session().world().balls()[0].position;
+    stage.switch_engine();
+    EXPECT_EQ(engines_of(stage), (Names{"custom", "reference"}));
+    for (const auto& run : stage.runs())
+        EXPECT_LT(length(run.session().world().balls()[0].position - before), 1e-12);
+}
+
+TEST(Stage, EnginesChangePlacesAndAllGoOnFromTheFirst) {
     Stage stage = stage_of(View::split);
     stage.show_reference(true);
+    for (int i = 0; i < 40; ++i) stage.step();
+    const Vec2 first = stage.runs()[0].session().world().balls()[0].position;
     stage.switch_engine();
-    EXPECT_EQ(engines_of(stage), (Names{"box2d", "reference", "custom"}));
+    EXPECT_EQ(engines_of(stage), (Names{"box2d", "custom", "reference"}));
+    // Whoever parts from the reference now does so by itself.
+    for (const auto& run : stage.runs())
+        EXPECT_LT(length(run.session().world().balls()[0].position - first), 1e-6);
+    stage.step();
+    EXPECT_LT(between(stage, "custom", "reference").history().back().value, 1e-6);
     stage.show_reference(false);
     EXPECT_EQ(engines_of(stage), (Names{"box2d", "custom"}));
     stage.switch_engine();
     EXPECT_EQ(engines_of(stage), (Names{"custom", "box2d"}));
+}
+
+Stage stage_with(const std::vector<std::string>& contenders) {
+    return {"drop", "custom", View::split, {}, {}, contenders};
+}
+
+TEST(Stage, OneEngineTwiceWithItsOwnSettingsAndSteps) {
+    Stage stage = stage_with({"coarse=custom,solver=simple,dt=1/60", "fine=custom,solver=simple,dt=1/240",
+                              "truth=reference,dt=1/60"});
+    ASSERT_EQ(stage.runs().size(), 3U);
+    EXPECT_EQ(stage.dt(), 1.0 / 60);
+    EXPECT_EQ(stage.runs()[0].twin(), 0);
+    EXPECT_EQ(stage.runs()[1].twin(), 1);
+    EXPECT_EQ(stage.runs()[1].session().settings().choice("solver"), "simple");
+    for (int i = 0; i < 12; ++i) stage.step();
+    EXPECT_EQ(stage.runs()[0].session().totals().steps, 12U);
+    EXPECT_EQ(stage.runs()[1].session().totals().steps, 48U);
+    EXPECT_NEAR(stage.runs()[0].session().world().time(), stage.runs()[1].session().world().time(), 1e-15);
+    EXPECT_EQ(stage.divergences().size(), 3U);
+    // As a run of it alone, to the bit.
+    auto alone = lab::Session(stage.runs()[1].session().shared_scene(), stage.runs()[1].engine(),
+                              stage.runs()[1].session().settings());
+    for (int i = 0; i < 48; ++i) alone.step(1.0 / 240);
+    EXPECT_EQ(alone.world().balls()[0].position, stage.runs()[1].session().world().balls()[0].position);
+}
+
+TEST(Stage, ContendersComeGoAndChangeWhileTheyRun) {
+    Stage stage = stage_of(View::split);
+    for (int i = 0; i < 5; ++i) stage.step();
+    stage.add_contender();
+    stage.add_contender();
+    ASSERT_EQ(stage.runs().size(), 4U);
+    EXPECT_EQ(stage.runs()[3].name(), "box2d-3");
+    EXPECT_THROW(stage.add_contender(), InputError);
+    EXPECT_FALSE(stage.show_reference(true));
+    stage.change_engine(2, lab::engine_named("custom"));
+    EXPECT_EQ(stage.runs()[2].name(), "custom-2");
+    stage.change_step(2, 1.0 / 960);
+    EXPECT_EQ(stage.dt(), 1.0 / 60);
+    EXPECT_THROW(stage.change_step(3, 1.0 / 97), InputError);
+    EXPECT_EQ(stage.runs()[3].dt(), 1.0 / 60);
+    const double before = stage.time();
+    stage.step();
+    EXPECT_EQ(stage.runs()[2].session().totals().steps, 16U);
+    for (const auto& run : stage.runs()) EXPECT_NEAR(run.session().world().time(), before + 1.0 / 60, 1e-12);
+    for (int i = 0; i < 3; ++i) stage.remove_contender(0);
+    EXPECT_EQ(engines_of(stage), (Names{"box2d"}));
+    EXPECT_THROW(stage.remove_contender(0), InputError);
+    stage.change_step(0, 1.0 / 15);
+    EXPECT_EQ(stage.dt(), 1.0 / 15);
+    stage.open("box");
+    EXPECT_EQ(engines_of(stage), (Names{"box2d"}));
+    EXPECT_EQ(stage.dt(), 1.0 / 15);
+}
+
+TEST(Stage, AnotherStepTakesBackWhatTheReferenceHasBegun) {
+    Stage stage("box", "custom", View::split, {}, {});
+    stage.show_reference(true);
+    while (stage.step_within(0)) ASSERT_LT(stage.time(), 1);
+    ASSERT_TRUE(stage.under_way());
+    const double before = stage.time();
+    for (std::size_t i = 0; i < 3; ++i) {
+        // Down to the shortest one by one: the longest decides.
+        stage.change_step(i, 1.0 / 120);
+    }
+    stage.step();
+    for (const auto& run : stage.runs()) EXPECT_NEAR(run.session().world().time(), before + 1.0 / 120, 1e-12);
+}
+
+TEST(Stage, ALessonsContendersLeaveWithIt) {
+    Stage stage = stage_of(View::overlay);
+    stage.add_contender();
+    lab::Lesson lesson;
+    lesson.name = "one";
+    lesson.scene = std::make_shared<const Scene>(stage.scene());
+    lesson.engines = {{&lab::engine_named("custom"), {{"solver", "simple"}}}};
+    stage.open(lesson);
+    EXPECT_EQ(engines_of(stage), (Names{"custom"}));
+    stage.switch_engine();
+    EXPECT_EQ(engines_of(stage), (Names{"box2d"}));
+    stage.open("drop");
+    EXPECT_EQ(engines_of(stage), (Names{"custom", "box2d", "box2d"}));
+    EXPECT_EQ(stage.view(), View::overlay);
+    EXPECT_EQ(stage.runs()[0].session().settings().choice("solver"), "continuous");
 }
 
 TEST(Stage, TheReferenceAgreesWithCustomLongerThanBox2d) {
@@ -90,12 +192,12 @@ TEST(Stage, TakingUpAgainStartsTheReferenceFromTheFirstOfTheOthers) {
     Stage stage = stage_of(View::split, "box2d");
     stage.show_reference(true);
     for (int i = 0; i < 30; ++i) stage.step();
-    ASSERT_EQ(engines_of(stage), (Names{"box2d", "reference", "custom"}));
-    const Vec2 other = stage.runs()[2].session().world().balls()[0].position;
+    ASSERT_EQ(engines_of(stage), (Names{"box2d", "custom", "reference"}));
+    const Vec2 other = stage.runs()[1].session().world().balls()[0].position;
     stage.take_up();
-    EXPECT_EQ(stage.runs()[1].session().world().balls()[0].position,
+    EXPECT_EQ(stage.runs()[2].session().world().balls()[0].position,
               stage.runs()[0].session().world().balls()[0].position);
-    EXPECT_EQ(stage.runs()[2].session().world().balls()[0].position, other);
+    EXPECT_EQ(stage.runs()[1].session().world().balls()[0].position, other);
     EXPECT_TRUE(between(stage, "box2d", "reference").history().empty());
     EXPECT_FALSE(between(stage, "box2d", "custom").history().empty());
 }

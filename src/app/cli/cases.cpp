@@ -80,11 +80,9 @@ std::vector<lab::SettingChange> changes_of(const CasesOptions& options) {
 }
 
 lab::CaseInput input_of(const CasesOptions& options, std::span<const lab::SettingChange> changes) {
-    const Engine& engine = lab::engine_named(options.engine);
-    return {{&engine, lab::settings_for(engine, Scene{}, changes)},
-            lab::parse_step(options.dt),
-            options.quick,
-            {}};
+    const double dt = lab::parse_step(options.dt);
+    const lab::ContenderRequest request = lab::plain_contender(lab::engine_named(options.engine));
+    return {lab::contender_for(request, Scene{}, dt, changes), dt, options.quick, {}};
 }
 
 int map_stability(const CasesOptions& options) {

@@ -18,23 +18,31 @@ namespace {
 
 struct CompareOptions : RunOptions {
     std::vector<std::string> engines{"custom", "box2d"};
-    std::string json;  ///< file; "" where not asked for
+    std::vector<std::string> contenders;  ///< as on the command line; none: the engines as they are
+    std::string json;                     ///< file; "" where not asked for
 };
 
 std::string name_of(const lab::EngineRun& run) {
-    return std::string(run.contender.engine->name);
+    return printable(run.contender.name);
 }
 
-void print_run(const lab::EngineRun& run) {
+/// Of the first column, so that every name fits.
+int name_width(const lab::Comparison& comparison) {
+    std::size_t widest = 10;
+    for (const lab::EngineRun& run : comparison.runs) widest = std::max(widest, name_of(run).size());
+    return static_cast<int>(widest);
+}
+
+void print_run(const lab::EngineRun& run, int width) {
     const lab::RunFigures& f = run.figures;
     const lab::Totals& t = f.totals;
     const double per_step = t.steps > 0 ? 1e6 * t.step_seconds / static_cast<double>(t.steps) : 0;
     const double per_second = f.sim_seconds > 0 ? 1e3 * t.step_seconds / f.sim_seconds : 0;
-    print("%-10s %7llu %9.2f %9.3f %11.4g %11.4g %11.3g %8llu %9llu %6llu %8.3g\n", name_of(run).c_str(),
-          static_cast<unsigned long long>(t.steps), per_step, per_second, f.energy_first, f.energy_last,
-          f.energy_last - f.energy_first, static_cast<unsigned long long>(t.impacts),
-          static_cast<unsigned long long>(t.launched), static_cast<unsigned long long>(t.lost),
-          1e3 * t.max_penetration);
+    print("%-*s %9.6g %7llu %9.2f %9.3f %11.4g %11.4g %11.3g %8llu %9llu %6llu %8.3g\n", width,
+          name_of(run).c_str(), 1e3 * run.contender.dt, static_cast<unsigned long long>(t.steps), per_step,
+          per_second, f.energy_first, f.energy_last, f.energy_last - f.energy_first,
+          static_cast<unsigned long long>(t.impacts), static_cast<unsigned long long>(t.launched),
+          static_cast<unsigned long long>(t.lost), 1e3 * t.max_penetration);
 }
 
 void print_impact(const std::string& engine, const std::optional<Event>& impact, const Scene& scene) {
@@ -86,12 +94,14 @@ void print_pair(const lab::Pair& pair, const lab::Comparison& comparison) {
 
 void print_comparison(const lab::Comparison& comparison) {
     const lab::CompareInput& input = comparison.input;
-    print("%s: %g s in steps of %.6g s\n\n", printable(input.scene->name).c_str(), input.seconds, input.dt);
-    print("%-10s %7s %9s %9s %11s %11s %11s %8s %9s %6s %8s\n", "engine", "steps", "CPU/step", "CPU/sim.s",
-          "energy", "energy", "energy", "impacts", "launched", "lost", "deepest");
-    print("%-10s %7s %9s %9s %11s %11s %11s %8s %9s %6s %8s\n", "", "", "us", "ms", "first, J", "last, J",
-          "drift, J", "", "", "", "mm");
-    for (const lab::EngineRun& run : comparison.runs) print_run(run);
+    const int width = name_width(comparison);
+    print("%s: %g s, compared every %.6g s\n\n", printable(input.scene->name).c_str(), input.seconds,
+          comparison.dt);
+    print("%-*s %9s %7s %9s %9s %11s %11s %11s %8s %9s %6s %8s\n", width, "engine", "step", "steps",
+          "CPU/step", "CPU/sim.s", "energy", "energy", "energy", "impacts", "launched", "lost", "deepest");
+    print("%-*s %9s %7s %9s %9s %11s %11s %11s %8s %9s %6s %8s\n", width, "", "ms", "", "us", "ms",
+          "first, J", "last, J", "drift, J", "", "", "", "mm");
+    for (const lab::EngineRun& run : comparison.runs) print_run(run, width);
     print("(%s)\n", lab::libraries().c_str());
     for (const lab::Pair& pair : comparison.pairs) print_pair(pair, comparison);
 }
@@ -107,16 +117,28 @@ std::vector<const Engine*> chosen_engines(const std::vector<std::string>& names)
     return engines;
 }
 
+/// The engines as they are, where no contenders are named.
+std::vector<lab::ContenderRequest> requests_of(const CompareOptions& options) {
+    if (!options.contenders.empty()) return lab::parse_contenders(options.contenders);
+    std::vector<lab::ContenderRequest> requests;
+    for (const Engine* engine : chosen_engines(options.engines))
+        requests.push_back(lab::plain_contender(*engine));
+    return requests;
+}
+
 int compare(const CompareOptions& options) {
-    const std::vector<const Engine*> engines = chosen_engines(options.engines);
+    const std::vector<lab::ContenderRequest> requests = requests_of(options);
+    std::vector<const Engine*> engines;
+    for (const lab::ContenderRequest& request : requests)
+        if (std::ranges::find(engines, request.engine) == engines.end()) engines.push_back(request.engine);
     const auto changes = lab::parse_changes(options.settings, engines);
     require_distinct({options.inputs(), {{"--json", options.json}}, true});
     lab::CompareInput input;
     input.scene = options.load();
-    for (const Engine* engine : engines)
-        input.contenders.push_back({engine, lab::settings_for(*engine, *input.scene, changes)});
+    for (const lab::ContenderRequest& request : requests)
+        input.contenders.push_back(
+            lab::contender_for(request, *input.scene, options.step(*input.scene), changes));
     input.seconds = options.seconds;
-    input.dt = options.step(*input.scene);
     input.script = options.load_script(*input.scene);
 
     const lab::Comparison comparison = [&] {
@@ -136,10 +158,13 @@ void add_compare(CLI::App& program, Action& chosen) {
         "compare", "Run a scene on several engines side by side: cost, energy, and where they part");
     options->add_to(command, "E.K=V");
     options->add_seconds(command);
-    command.add_option("--engines", options->engines, "The engines; the others are held against the first")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->type_name("A,B,...");
+    CLI::Option* engines =
+        command
+            .add_option("--engines", options->engines, "The engines; the others are held against the first")
+            ->delimiter(',')
+            ->allow_extra_args(false)
+            ->type_name("A,B,...");
+    add_contenders(command, options->contenders)->excludes(engines);
     command.add_option("--json", options->json, "Everything found, as JSON")->type_name("FILE");
     command.callback([options, &chosen] { chosen = [options] { return compare(*options); }; });
 }

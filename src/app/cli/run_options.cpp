@@ -21,6 +21,14 @@ CLI::Validator number_from(double min, double max) {
     return {check, "", "number"};
 }
 
+CLI::Option* add_contenders(CLI::App& command, std::vector<std::string>& contenders) {
+    return command
+        .add_option("--contender", contenders,
+                    "An engine with a name, a step and settings of its own; given once for each")
+        ->allow_extra_args(false)
+        ->type_name("NAME=E[,dt=H][,K=V]...");
+}
+
 void RunOptions::add_to(CLI::App& command, const std::string& setting_form) {
     command.add_option("scene", scene, "A name (see `flipside scenes`) or the path of a scene file")
         ->required()

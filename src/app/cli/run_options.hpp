@@ -33,6 +33,9 @@ struct RunOptions {
     [[nodiscard]] Script load_script(const Scene& loaded) const;
 };
 
+/// --contender, repeated; where several run together.
+CLI::Option* add_contenders(CLI::App& command, std::vector<std::string>& contenders);
+
 /// A CLI11 check: a finite number from `min` to `max`.
 [[nodiscard]] CLI::Validator number_from(double min, double max);
 

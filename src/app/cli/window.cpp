@@ -58,8 +58,15 @@ void add_play(CLI::App& program, Action& chosen) {
     CLI::App& command = *program.add_subcommand("play", "Open the window (also without any command)");
     command.add_option("scene", options->scene, "A name (see `flipside scenes`) or a file (default pinball)")
         ->type_name("SCENE");
-    command.add_option("--engine", options->engine, "The engine of the single view (default custom)")
-        ->type_name("E");
+    CLI::Option* engine =
+        command.add_option("--engine", options->engine, "The engine of the single view (default custom)")
+            ->type_name("E");
+    add_contenders(command, options->contenders)->excludes(engine);
+    command
+        .add_option_function<std::string>(
+            "--dt", [options](const std::string& dt) { options->dt = lab::parse_step(dt); },
+            "Step, s, as 0.01 or 1/60 (default: what the scene recommends, or 1/60)")
+        ->type_name("H");
     add_view(command, options->view, "split");
     command.add_option("--set", options->settings, "A setting; may be given several times")
         ->allow_extra_args(false)

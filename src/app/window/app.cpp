@@ -31,7 +31,8 @@ double display_scale() {
 }  // namespace
 
 App::App(const PlayOptions& options)
-    : stage_(options.scene, options.engine, options.view, options.settings, options.script),
+    : stage_(options.scene, options.engine, options.view, options.settings, options.script,
+             options.contenders, options.dt),
       screenshots_(options.screenshots),
       window_(sf::VideoMode(options.width, options.height), "Flipside"),
       screen_(display_scale()),
@@ -167,7 +168,7 @@ void App::act(Action action) {
             stage_.switch_engine();
             break;
         case Action::reference:
-            stage_.show_reference(!stage_.reference());
+            if (!stage_.show_reference(!stage_.reference())) controls_.notice = no_room;
             break;
         case Action::take_up:
             stage_.take_up();

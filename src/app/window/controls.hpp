@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "app/window/layout.hpp"
 #include "app/window/table_view.hpp"
@@ -23,6 +24,8 @@ struct WindowControls {
     double launch_strength = 0.7;  ///< 0…1 between the launcher's slowest and fastest
     std::string notice;            ///< what went wrong last, for the panel to show
 };
+
+inline constexpr std::string_view no_room = "There is room for four panes: take one away first";
 
 /// How busy the program is, over the last second.
 struct Load {

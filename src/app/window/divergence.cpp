@@ -1,15 +1,17 @@
 #include "app/window/divergence.hpp"
 
+#include <algorithm>
+
 #include "lab/csv.hpp"
 
 namespace flipside::app {
 
-void Divergence::observe(const Run& first, const Run& second, double dt) {
+void Divergence::observe(const Run& first, const Run& second) {
     if (first.halt() || second.halt()) return;
     const lab::Session &a = first.session(), &b = second.session();
     const double time = a.world().time();
     // Engines that only know contacts per step give the step's end: one step is what impacts may differ by.
-    match_.observe(a.events(), b.events(), dt * (1 + 1e-9), time);
+    match_.observe(first.events(), second.events(), std::max(first.dt(), second.dt()) * (1 + 1e-9), time);
     const lab::Spread spread = lab::spread(a.world().balls(), b.world().balls());
     if (spread.common > 0) remember(history_, {time, spread.radii});
 }

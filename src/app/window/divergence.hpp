@@ -2,6 +2,9 @@
 /// How two runs that began in one state come apart, at the same simulated times.
 
 #include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "app/window/history.hpp"
 #include "app/window/run.hpp"
@@ -11,14 +14,16 @@ namespace flipside::app {
 
 class Divergence {
   public:
-    /// Of the runs on these engines.
-    Divergence(const Engine& first, const Engine& second) : first_(&first), second_(&second) {}
+    /// Of the runs with these names.
+    Divergence(std::string first, std::string second)
+        : first_(std::move(first)), second_(std::move(second)) {}
 
-    /// After each step of `dt` s. Runs of which one has halted are not compared.
-    void observe(const Run& first, const Run& second, double dt);
+    /// After each span that both have run. Runs of which one has halted are not compared.
+    void observe(const Run& first, const Run& second);
 
-    [[nodiscard]] const Engine& first() const { return *first_; }
-    [[nodiscard]] const Engine& second() const { return *second_; }
+    [[nodiscard]] const std::string& first() const { return first_; }
+    [[nodiscard]] const std::string& second() const { return second_; }
+    [[nodiscard]] bool is_of(std::string_view name) const { return first_ == name || second_ == name; }
     /// Greatest distance between the same ball of both, in its radii; nothing while they share none.
     [[nodiscard]] const std::deque<Sample>& history() const { return history_; }
     /// The first impact that is not the same in both, as `flipside compare` has it.
@@ -28,7 +33,7 @@ class Divergence {
     [[nodiscard]] std::string parted_on(const Scene& scene) const;
 
   private:
-    const Engine *first_, *second_;
+    std::string first_, second_;
     lab::LiveMatch match_;
     std::deque<Sample> history_;
 };

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/window/contender_colour.hpp"
 #include "app/window/led.hpp"
 #include "app/window/words.hpp"
 
@@ -26,6 +27,14 @@ std::string claim_in_words(const Run& run) {
     if (const auto& time = run.passed_horizon()) return "horizon passed at " + with_unit(*time, 2, "s");
     const double worst = run.uncertainty_history().back().value;
     return worst > 0 ? "sure to " + in_radii(worst) : "exact";
+}
+
+/// The solver, or of an engine that has only one the library and its version, whose speed stands below; the
+/// engine first where the contender has another name.
+std::string method(const Run& run) {
+    const std::string_view solver = run.session().world().statistics().solver;
+    const std::string how(solver.empty() ? run.engine().library : solver);
+    return run.name() == run.engine().name ? how : std::string(run.engine().name) + " " + how;
 }
 
 /// What does not fit is left out from the end.
@@ -66,12 +75,12 @@ double draw_score(Canvas& canvas, double left, double right, double y, double he
 
 void draw_header(Canvas& canvas, const Rect& place, const Run& run, long score, std::optional<double> pace) {
     const lab::Session& session = run.session();
-    const sf::Color color = engine_colour(session.engine().name);
+    const sf::Color color = colour_of(run);
     const double margin = canvas.scaled(12), left = place.x + margin;
     canvas.rectangle({place.x, place.y}, {place.x + place.width, place.y + place.height}, colour::raised);
     canvas.rectangle({place.x, place.y}, {place.x + place.width, place.y + canvas.scaled(3)}, color);
 
-    const std::string name(session.engine().name);
+    const std::string& name = run.name();
     canvas.text({left, place.y + canvas.scaled(9)}, name, Type::large, color);
     const double after = left + canvas.lettering().width(name, Type::large) + canvas.scaled(9);
     const double right = place.x + place.width - margin, y = place.y + canvas.scaled(37);
@@ -84,11 +93,13 @@ void draw_header(Canvas& canvas, const Rect& place, const Run& run, long score, 
         free_below = draw_score(canvas, right, right, place.y + canvas.scaled(45),
                                 canvas.scaled(small_led_height), session.game(), score) -
                      margin;
-    // The solver, or of an engine that has only one the library and its version, whose speed stands below.
-    const std::string_view solver = session.world().statistics().solver;
-    const std::string how(solver.empty() ? session.engine().library : solver);
-    if (after + canvas.lettering().width(how, Type::small) < free)
-        canvas.text({after, place.y + canvas.scaled(13)}, how, Type::small, colour::quiet);
+    // As much as there is room for, the step before the solver.
+    const std::string step = step_in_words(run.dt());
+    for (const std::string& how : {method(run) + "  ·  " + step, step})
+        if (after + canvas.lettering().width(how, Type::small) < free) {
+            canvas.text({after, place.y + canvas.scaled(13)}, how, Type::small, colour::quiet);
+            break;
+        }
     if (const auto& halt = run.halt())
         canvas.text({left, y}, "stopped at " + with_unit(halt->time, 2, "s"), Type::small, colour::warning);
     else

@@ -45,7 +45,7 @@ class Microscope {
 
   private:
     struct Traced {
-        const Engine* engine = nullptr;
+        std::string name;         ///< of the contender
         std::uint64_t steps = 0;  ///< of the session, after the step
         Trace trace;
         std::vector<Ball> before, after, now;

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <string>
 
+#include "app/window/contender_colour.hpp"
+
 namespace flipside::app {
 
 namespace {
@@ -126,7 +128,7 @@ struct Geometry {
 };
 
 void draw_tracks(Canvas& canvas, const Camera& camera, const Run& run) {
-    const sf::Color color = engine_colour(run.engine().name);
+    const sf::Color color = colour_of(run);
     for (const auto& [number, track] : run.traces().tracks())
         for (std::size_t i = 1; i < track.size(); ++i)
             canvas.line(camera.to_pixels(track[i - 1]), camera.to_pixels(track[i]), canvas.scaled(1.5),
@@ -168,7 +170,7 @@ void draw_marks(Canvas& canvas, const Camera& camera, const Run& run, const Look
         for (const Ball& ball : world.balls())
             canvas.arrow(camera.to_pixels(ball.position),
                          camera.to_pixels(ball.position + 0.1 * ball.velocity), canvas.scaled(1.5),
-                         engine_colour(run.engine().name));
+                         colour_of(run));
     for (const Hit& hit : run.traces().hits()) {
         const double age = world.time() - hit.time, fade = 1 - age / Traces::hit_seconds;
         const Vec2 at = camera.to_pixels(hit.at);

@@ -100,8 +100,8 @@ struct PanelParts {
         toggle("Reference", on,
                "The exact engine, in green: how far are the others from the truth? Its balls fade as its own "
                "certainty ends, and it stops where it cannot be exact (E)");
-        stage.show_reference(on);
-        if (!on) return;
+        if (!stage.show_reference(on)) controls.notice = no_room;
+        if (!stage.reference()) return;
         ImGui::SameLine();
         if (button("Take up again", "Let the reference go on from the state of the first of the others (T)"))
             stage.take_up();

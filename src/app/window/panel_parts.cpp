@@ -4,6 +4,8 @@
 #include <cmath>
 #include <functional>
 
+#include "app/window/contender_choice.hpp"
+#include "app/window/contender_colour.hpp"
 #include "app/window/words.hpp"
 #include "world/input_error.hpp"
 
@@ -95,13 +97,18 @@ bool edit(const SettingSpec& spec, const Settings& settings, double& value) {
                                    (wide ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None));
 }
 
-void draw_run_settings(Stage& stage, std::size_t index, ControlPlaces& places, std::string& notice) {
-    const lab::Session& session = stage.runs()[index].session();
-    const std::string engine(session.engine().name);
-    ImGui::PushID(engine.c_str());
-    ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(engine_colour(engine)));
-    const bool open = region((engine + " settings").c_str());
+/// False once the contender is gone.
+bool draw_run_settings(Stage& stage, std::size_t index, ControlPlaces& places, std::string& notice) {
+    const std::string contender = stage.runs()[index].name();
+    ImGui::PushID(contender.c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(colour_of(stage.runs()[index])));
+    const bool open = region((contender + " settings").c_str());
     ImGui::PopStyleColor();
+    if (open && !choose_contender(stage, index, places, notice)) {
+        ImGui::PopID();
+        return false;
+    }
+    const lab::Session& session = stage.runs()[index].session();
     // The description outlives the settings, which a change replaces.
     for (const SettingSpec& spec : session.settings().specs()) {
         if (!open) break;
@@ -113,7 +120,7 @@ void draw_run_settings(Stage& stage, std::size_t index, ControlPlaces& places, s
         double value = 0;
         const bool changed = edit(spec, session.settings(), value);
         tooltip(meaning);
-        note(places, engine + "." + name);
+        note(places, contender + "." + name);
         ImGui::PopID();
         if (!changed) continue;
         try {
@@ -124,6 +131,7 @@ void draw_run_settings(Stage& stage, std::size_t index, ControlPlaces& places, s
         }
     }
     ImGui::PopID();
+    return true;
 }
 
 using Value = std::function<std::string(const Run&)>;
@@ -150,10 +158,10 @@ bool begin_table(const Stage& stage, const char* id) {
     ImGui::TableNextColumn();
     for (const Run& run : stage.runs()) {
         ImGui::TableNextColumn();
-        const std::string name(run.engine().name);
+        const std::string& name = run.name();
         const float slack = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(name.c_str()).x;
         ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, slack));
-        ImGui::TextColored(imgui_color(engine_colour(name)), "%s", name.c_str());
+        ImGui::TextColored(imgui_color(colour_of(run)), "%s", name.c_str());
     }
     return true;
 }
@@ -221,7 +229,9 @@ void broad_phase(const Stage& stage) {
 }  // namespace
 
 void draw_settings(Stage& stage, ControlPlaces& places, std::string& notice) {
-    for (std::size_t i = 0; i < stage.runs().size(); ++i) draw_run_settings(stage, i, places, notice);
+    for (std::size_t i = 0; i < stage.runs().size(); ++i)
+        if (!draw_run_settings(stage, i, places, notice)) break;
+    add_contender(stage, places, notice);
 }
 
 void draw_counts(const Stage& stage) {

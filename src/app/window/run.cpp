@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/window/claim.hpp"
+#include "lab/timeline.hpp"
 #include "world/refusal.hpp"
 
 namespace flipside::app {
@@ -23,29 +24,41 @@ std::size_t count_overlaps(std::span<const Ball> balls) {
 
 }  // namespace
 
-Run::Run(lab::Session session, const Script& script)
-    : session_(std::move(session)),
+Run::Run(const lab::Contender& contender, lab::Session session, const Script& script)
+    : name_(contender.name),
+      dt_(contender.dt),
+      session_(std::move(session)),
       next_control_(lab::next_control(script, session_.world().time())),
       traces_(session_.scene().parts.size()),
       counted_(session_.totals()) {
     measure_energy(true);
 }
 
-bool Run::step_within(double dt, const Script& script, double seconds) {
+bool Run::step_within(double span, const Script& script, double seconds) {
     if (halt_) return true;
+    if (!under_way()) events_.clear();
+    const lab::Timeline steps(0, span, dt_);
+    const double share = seconds / static_cast<double>(std::max<std::uint64_t>(1, steps.steps()));
     try {
-        if (!session_.step_within(dt, script, next_control_, seconds)) return false;
+        for (; done_ < steps.steps(); ++done_) {
+            if (!session_.step_within(steps.length(done_), script, next_control_, share)) return false;
+            observe_step();
+        }
     } catch (const Refusal& refusal) {
         halt_ = Halt{session_.world().time(), refusal.what()};
-        return true;
     }
+    done_ = 0;
+    return true;
+}
+
+void Run::observe_step() {
+    events_.insert(events_.end(), session_.events().begin(), session_.events().end());
     const double cost = session_.totals().step_seconds - spent_;
     spent_ += cost;
     step_cost_ = step_cost_ == 0 ? cost : step_cost_ + 0.05 * (cost - step_cost_);
     traces_.observe(session_.events(), session_.world().balls(), session_.world().time());
     measure_energy(false);
     measure_uncertainty();
-    return true;
 }
 
 void Run::measure_uncertainty() {
@@ -69,8 +82,11 @@ void Run::measure_energy(bool start_anew) {
     remember(history_, {world.time(), energy_});
 }
 
-void Run::change(std::shared_ptr<const Scene> scene, const Engine& engine, Settings settings) {
-    session_.change(std::move(scene), engine, std::move(settings));
+void Run::change(std::shared_ptr<const Scene> scene, const lab::Contender& contender) {
+    session_.change(std::move(scene), *contender.engine, contender.settings);
+    name_ = contender.name;
+    dt_ = contender.dt;
+    done_ = 0;
     halt_.reset();
     uncertainty_.clear();
     passed_horizon_.reset();

@@ -1,11 +1,15 @@
 #pragma once
-/// One engine's run of the scene in the window: the session and what the window remembers of it.
+/// A contender's run of the scene in the window: the session and what the window remembers of it.
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "app/window/history.hpp"
 #include "app/window/traces.hpp"
+#include "lab/contender.hpp"
 #include "lab/session.hpp"
 
 namespace flipside::app {
@@ -26,20 +30,20 @@ struct Halt {
 
 class Run {
   public:
-    /// The script is taken up at the session's time.
-    Run(lab::Session session, const Script& script);
+    /// The script is taken up at the session's time. The session is on the contender's engine.
+    Run(const lab::Contender& contender, lab::Session session, const Script& script);
 
-    /// In portions, as World::step_within has it: true once the step is done. Does nothing, and is done, once
-    /// the run has halted.
-    [[nodiscard]] bool step_within(double dt, const Script& script, double seconds);
+    /// On by `span` s in steps of its own, in portions, as World::step_within has it: true once that is done.
+    /// Does nothing, and is done, once the run has halted.
+    [[nodiscard]] bool step_within(double span, const Script& script, double seconds);
     /// Whatever its world does in a step is written there from now on; null: nowhere.
     void trace(Trace* trace) { session_.world().trace(trace); }
-    /// A step has begun and not ended.
-    [[nodiscard]] bool under_way() const { return session_.under_way(); }
+    /// A span has begun and not ended.
+    [[nodiscard]] bool under_way() const { return session_.under_way() || done_ > 0; }
     /// What the player does, as far as the rules permit it; false if they do not.
     bool press(const Control& control) { return !halt_ && session_.press(control); }
-    /// Continues on another engine, with other settings or on a changed scene, from the state as it is.
-    void change(std::shared_ptr<const Scene> scene, const Engine& engine, Settings settings);
+    /// Continues as another contender or on a changed scene, from the state as it is.
+    void change(std::shared_ptr<const Scene> scene, const lab::Contender& contender);
     /// Takes every ball off the table, and those that wait to be launched.
     void clear();
     /// Once per wall second: `seconds` since the last call.
@@ -47,6 +51,13 @@ class Run {
 
     [[nodiscard]] const lab::Session& session() const { return session_; }
     [[nodiscard]] const Engine& engine() const { return session_.engine(); }
+    [[nodiscard]] const std::string& name() const { return name_; }
+    [[nodiscard]] double dt() const { return dt_; }  ///< its own step, s
+    /// How many runs before it on show are on the same engine.
+    [[nodiscard]] int twin() const { return twin_; }
+    void set_twin(int twin) { twin_ = twin; }
+    /// Everything that happened in the last span.
+    [[nodiscard]] std::span<const Event> events() const { return events_; }
     [[nodiscard]] const Traces& traces() const { return traces_; }
     [[nodiscard]] const Rates& rates() const { return rates_; }
     [[nodiscard]] double energy() const { return energy_; }  ///< J
@@ -64,11 +75,17 @@ class Run {
     [[nodiscard]] const std::optional<double>& passed_horizon() const { return passed_horizon_; }
 
   private:
+    void observe_step();
     void measure_energy(bool start_anew);
     void measure_uncertainty();
 
+    std::string name_;
+    double dt_;
+    int twin_ = 0;
     lab::Session session_;
     std::size_t next_control_;  ///< of the script
+    std::uint64_t done_ = 0;    ///< steps of the span that is under way
+    std::vector<Event> events_;
     Traces traces_;
     Rates rates_;
     lab::Totals counted_;  ///< at the last refresh

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "app/window/contender_colour.hpp"
 #include "app/window/header.hpp"
 #include "app/window/overlays.hpp"
 #include "app/window/stage_view.hpp"
@@ -96,7 +97,7 @@ void Screen::draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect&
         if (seen(run) && !inside) draw_marks(canvas_, camera, run, look);
     if (looked_into)
         draw_stage_items(canvas_, camera, inside->stage(), inside->item(), inside->balls(inside->run()),
-                         engine_colour(stage.runs()[inside->run()].engine().name));
+                         colour_of(stage.runs()[inside->run()]));
     if (look.charge == 0 && !inside) {
         const std::string words = advice(front.session());
         const bool wide = lettering_.width(words, Type::large) > 0.8 * place.width;
@@ -127,8 +128,7 @@ void Screen::draw_links_of(std::span<const Run> runs, const Camera& camera) {
     const Run& base = exact == runs.end() ? runs.front() : *exact;
     for (const Run& run : runs)
         if (&run != &base && !run.halt() && !base.halt())
-            draw_links(canvas_, camera, run, base,
-                       exact == runs.end() ? colour::text : engine_colour(run.engine().name));
+            draw_links(canvas_, camera, run, base, exact == runs.end() ? colour::text : colour_of(run));
 }
 
 /// Why the run has halted, and what can be done, at the foot of the pane, where it hides least.

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "lab/assets.hpp"
+#include "lab/timeline.hpp"
+#include "world/input_error.hpp"
 #include "world/scene_file.hpp"
 #include "world/script_file.hpp"
 
@@ -14,6 +16,26 @@ namespace {
 
 constexpr std::string_view reference_name = "reference";
 
+std::shared_ptr<const Scene> scene_of(const std::string& name) {
+    return std::make_shared<const Scene>(load_scene(lab::scene_file(name)));
+}
+
+std::string_view name_of(const lab::Contender* contender) {
+    return contender->name;
+}
+
+/// Every engine as it is but for the reference, in the order of the list, round from `first`; the reference
+/// where it is the first.
+std::vector<lab::ContenderRequest> everybody(const Engine& first) {
+    std::vector<const Engine*> engines;
+    std::ranges::copy_if(lab::engines(), std::back_inserter(engines),
+                         [&](const Engine* engine) { return engine == &first || !is_reference(*engine); });
+    std::rotate(engines.begin(), std::ranges::find(engines, &first), engines.end());
+    std::vector<lab::ContenderRequest> requests;
+    for (const Engine* engine : engines) requests.push_back(lab::plain_contender(*engine));
+    return requests;
+}
+
 }  // namespace
 
 bool is_reference(const Engine& engine) {
@@ -21,47 +43,61 @@ bool is_reference(const Engine& engine) {
 }
 
 Stage::Stage(const std::string& scene, const std::string& engine, View view,
-             const std::vector<std::string>& settings, const std::optional<std::filesystem::path>& script)
-    : engine_(&lab::engine_named(engine)), view_(view), reference_(engine == reference_name) {
+             const std::vector<std::string>& settings, const std::optional<std::filesystem::path>& script,
+             const std::vector<std::string>& contenders, std::optional<double> dt)
+    : line_up_(lab::parse_contenders(contenders)), asked_dt_(dt), view_(view) {
     // The reference is to say how far it may be trusted, unless the user will not pay for that.
     std::vector<std::string> all{"reference.twin=on"};
     all.insert(all.end(), settings.begin(), settings.end());
-    asked_ = changes_ = lab::parse_changes(all, lab::engines());
-    load(scene);
+    changes_ = lab::parse_changes(all, lab::engines());
+    if (line_up_.size() > most_contenders)
+        throw InputError(std::to_string(line_up_.size()) + " contenders; the window has room for " +
+                         std::to_string(most_contenders));
+    if (line_up_.empty()) line_up_ = everybody(lab::engine_named(engine));
+    show_scene(scene, scene_of(scene), line_up_);
     if (script) script_ = load_script(*script, *scene_);
     start();
 }
 
-void Stage::load(const std::string& scene) {
-    original_ = std::make_shared<const Scene>(load_scene(lab::scene_file(scene)));
-    scene_ = original_;
-    name_ = scene;
+void Stage::show_scene(std::string name, std::shared_ptr<const Scene> scene,
+                       std::vector<lab::ContenderRequest> line_up) {
+    std::vector<lab::Contender> contenders;
+    for (const lab::ContenderRequest& request : line_up)
+        contenders.push_back(
+            lab::contender_for(request, *scene, asked_dt_.value_or(lab::step_for(*scene)), changes_));
+    dt_ = lab::common_step(contenders);
+    contenders_ = std::move(contenders);
+    line_up_ = std::move(line_up);
+    original_ = scene_ = std::move(scene);
+    name_ = std::move(name);
     gravity_ = true;
-    dt_ = lab::step_for(*scene_);
-    settings_.clear();
+    script_.clear();
 }
 
 void Stage::open(const std::string& scene) {
-    load(scene);
-    changes_ = asked_;
-    script_.clear();
+    show_scene(scene, scene_of(scene), before_lesson_ ? before_lesson_->line_up : line_up_);
+    if (before_lesson_) view_ = before_lesson_->view;
+    before_lesson_.reset();
     start();
 }
 
 void Stage::open(const lab::Lesson& lesson) {
-    original_ = scene_ = lesson.scene;
-    name_ = "lesson " + lesson.name;
-    gravity_ = true;
-    dt_ = lab::step_for(*scene_);
-    settings_.clear();
-    changes_ = asked_;
-    for (const lab::LessonEngine& on : lesson.engines)
-        for (const auto& [name, value] : on.set) changes_.push_back({on.engine, name, value});
-    engine_ = lesson.engines.front().engine;
+    std::vector<lab::ContenderRequest> requests;
+    for (const lab::LessonEngine& on : lesson.engines) {
+        lab::ContenderRequest request = lab::plain_contender(*on.engine);
+        request.name = lab::free_name(request.name, requests);
+        request.set = on.set;
+        requests.push_back(std::move(request));
+    }
+    // In the single view the others wait for Tab.
+    if (!lesson.split)
+        for (const lab::ContenderRequest& other : everybody(*lesson.engines.front().engine))
+            if (std::ranges::find(requests, other.engine, &lab::ContenderRequest::engine) == requests.end())
+                requests.push_back(other);
+    Before before = before_lesson_.value_or(Before{line_up_, view_});
+    show_scene("lesson " + lesson.name, lesson.scene, std::move(requests));
+    before_lesson_ = std::move(before);
     view_ = lesson.split ? View::split : View::single;
-    reference_ = std::ranges::any_of(lesson.engines,
-                                     [](const lab::LessonEngine& on) { return is_reference(*on.engine); });
-    script_.clear();
     start();
 }
 
@@ -71,27 +107,20 @@ void Stage::restart() {
 
 void Stage::start() {
     runs_.clear();
-    for (const Engine* engine : line_up(*engine_)) {
-        runs_.emplace_back(lab::Session(scene_, *engine, settings_of(*engine)), script_);
-        if (view_ == View::single) break;
-    }
+    for (const lab::Contender* contender : on_show())
+        runs_.emplace_back(*contender, lab::Session(scene_, *contender->engine, contender->settings),
+                           script_);
     divergences_.clear();
     pressed_.clear();
     pair_up();
 }
 
-std::vector<const Engine*> Stage::line_up(const Engine& first) const {
-    std::vector<const Engine*> engines;
-    std::ranges::copy_if(lab::engines(), std::back_inserter(engines),
-                         [this](const Engine* engine) { return reference_ || !is_reference(*engine); });
-    std::rotate(engines.begin(), std::ranges::find(engines, &first), engines.end());
-    return engines;
-}
-
-const Settings& Stage::settings_of(const Engine& engine) {
-    for (const auto& [owner, settings] : settings_)
-        if (owner == &engine) return settings;
-    return settings_.emplace_back(&engine, lab::settings_for(engine, *original_, changes_)).second;
+std::vector<const lab::Contender*> Stage::on_show() const {
+    std::vector<const lab::Contender*> shown;
+    for (const lab::Contender& contender : contenders_)
+        if (view_ != View::single || &contender == &contenders_.front() || is_reference(*contender.engine))
+            shown.push_back(&contender);
+    return shown;
 }
 
 void Stage::set_view(View view) {
@@ -100,19 +129,27 @@ void Stage::set_view(View view) {
 }
 
 void Stage::arrange() {
-    std::vector<const Engine*> engines = line_up(*engine_);
-    if (view_ == View::single) engines.resize(1);
-    for (const Engine* engine : engines)
-        if (!run_on(*engine)) runs_.push_back(taken_up(lead(), *engine, settings_of(*engine)));
-    const auto place = [&](const Run& run) { return std::ranges::find(engines, &run.engine()); };
-    std::erase_if(runs_, [&](const Run& run) { return place(run) == engines.end(); });
+    const std::vector<const lab::Contender*> shown = on_show();
+    for (const lab::Contender* contender : shown)
+        if (find_run(contender->name) == nullptr) runs_.push_back(taken_up(lead(), *contender));
+    const auto place = [&](const Run& run) { return std::ranges::find(shown, run.name(), &name_of); };
+    std::erase_if(runs_, [&](const Run& run) { return place(run) == shown.end(); });
     std::ranges::sort(runs_, {}, place);
     pair_up();
 }
 
-Run* Stage::run_on(const Engine& engine) {
-    const auto at = std::ranges::find_if(runs_, [&](const Run& run) { return &run.engine() == &engine; });
+Run* Stage::find_run(std::string_view name) {
+    const auto at = std::ranges::find(runs_, name, &Run::name);
     return at == runs_.end() ? nullptr : &*at;
+}
+
+const Run& Stage::run_named(std::string_view name) const {
+    return *std::ranges::find(runs_, name, &Run::name);
+}
+
+std::size_t Stage::place_of(const Run& run) const {
+    const auto at = std::ranges::find(contenders_, run.name(), &lab::Contender::name);
+    return static_cast<std::size_t>(at - contenders_.begin());
 }
 
 const Run& Stage::lead() const {
@@ -120,42 +157,62 @@ const Run& Stage::lead() const {
     return at == runs_.end() ? runs_.front() : *at;
 }
 
-Run Stage::taken_up(const Run& from, const Engine& engine, const Settings& settings) const {
-    lab::Session fork = from.session().fork();
-    fork.change(scene_, engine, settings);
-    return {std::move(fork), script_};
+bool Stage::reference() const {
+    return std::ranges::any_of(contenders_,
+                               [](const lab::Contender& one) { return is_reference(*one.engine); });
 }
 
-void Stage::change(Run& run, const Engine& engine, const Settings& settings) {
+Run Stage::taken_up(const Run& from, const lab::Contender& contender) const {
+    lab::Session fork = from.session().fork();
+    fork.change(scene_, *contender.engine, contender.settings);
+    return {contender, std::move(fork), script_};
+}
+
+void Stage::change(Run& run, const lab::Contender& contender) {
     if (run.halt() && !lead().halt()) {
-        run = taken_up(lead(), engine, settings);
-        compare_anew(engine);
+        run = taken_up(lead(), contender);
+        compare_anew(run.name());
     } else {
-        run.change(scene_, engine, settings);
+        run.change(scene_, contender);
     }
 }
 
 void Stage::switch_engine() {
-    for (Run& run : runs_) {
-        const std::vector<const Engine*> engines = line_up(run.engine());
-        const Engine& next = *engines[1 % engines.size()];
-        change(run, next, settings_of(next));
+    // The reference keeps its place, for it is what the others are held against; alone it gives way.
+    std::vector<std::size_t> places;
+    const bool reference_alone = view_ == View::single && is_reference(*contenders_.front().engine);
+    for (std::size_t i = 0; i < contenders_.size(); ++i)
+        if (reference_alone || !is_reference(*contenders_[i].engine)) places.push_back(i);
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        std::swap(contenders_[places[i - 1]], contenders_[places[i]]);
+        std::swap(line_up_[places[i - 1]], line_up_[places[i]]);
     }
-    engine_ = &runs_.front().engine();
+    const std::vector<const lab::Contender*> shown = on_show();
+    change(runs_.front(), *shown.front());
+    runs_.erase(runs_.begin() + 1, runs_.end());
     divergences_.clear();
-    pair_up();
+    arrange();
 }
 
-void Stage::show_reference(bool on) {
-    if (on == reference_) return;
+bool Stage::show_reference(bool on) {
+    if (on == reference()) return true;
     const Engine& exact = lab::engine_named(reference_name);
-    if (!on && engine_ == &exact) engine_ = line_up(exact).at(1);
-    reference_ = on;
-    if (view_ == View::single) {
-        if (on) engine_ = &exact;
-        change(runs_.front(), *engine_, settings_of(*engine_));
+    if (on) {
+        if (contenders_.size() == most_contenders) return false;
+        line_up_.push_back(lab::plain_contender(exact));
+        line_up_.back().name = lab::free_name(line_up_.back().name, {line_up_.data(), line_up_.size() - 1});
+        line_up_.back().dt = dt_;
+        contenders_.push_back(lab::contender_for(line_up_.back(), *original_, dt_, changes_));
+    } else {
+        if (std::ranges::all_of(contenders_, [](const auto& one) { return is_reference(*one.engine); })) {
+            line_up_.push_back(everybody(*lab::engines().front()).front());
+            contenders_.push_back(lab::contender_for(line_up_.back(), *original_, dt_, changes_));
+        }
+        std::erase_if(line_up_, [](const auto& one) { return is_reference(*one.engine); });
+        std::erase_if(contenders_, [](const auto& one) { return is_reference(*one.engine); });
     }
     arrange();
+    return true;
 }
 
 const Run* Stage::guide() const {
@@ -168,52 +225,50 @@ void Stage::take_up() {
     const Run* from = guide();
     for (Run& run : runs_) {
         if (!from || !(run.halt() || is_reference(run.engine()))) continue;
-        const Engine& engine = run.engine();
-        run = taken_up(*from, engine, settings_of(engine));
-        compare_anew(engine);
+        run = taken_up(*from, contenders_[place_of(run)]);
+        compare_anew(run.name());
     }
 }
 
-void Stage::compare_anew(const Engine& engine) {
-    std::erase_if(divergences_, [&](const Divergence& divergence) {
-        return &divergence.first() == &engine || &divergence.second() == &engine;
-    });
+void Stage::compare_anew(std::string_view name) {
+    std::erase_if(divergences_, [&](const Divergence& divergence) { return divergence.is_of(name); });
     pair_up();
 }
 
 void Stage::pair_up() {
+    for (auto run = runs_.begin(); run != runs_.end(); ++run)
+        run->set_twin(static_cast<int>(
+            std::count_if(runs_.begin(), run, [&](const Run& r) { return &r.engine() == &run->engine(); })));
     std::erase_if(divergences_, [this](const Divergence& divergence) {
-        return !run_on(divergence.first()) || !run_on(divergence.second());
+        return find_run(divergence.first()) == nullptr || find_run(divergence.second()) == nullptr;
     });
     for (std::size_t i = 0; i < runs_.size(); ++i)
         for (std::size_t j = i + 1; j < runs_.size(); ++j) {
-            const Engine &a = runs_[i].engine(), &b = runs_[j].engine();
+            const std::string &a = runs_[i].name(), &b = runs_[j].name();
             const bool there = std::ranges::any_of(divergences_, [&](const Divergence& divergence) {
-                return (&divergence.first() == &a && &divergence.second() == &b) ||
-                       (&divergence.first() == &b && &divergence.second() == &a);
+                return divergence.is_of(a) && divergence.is_of(b);
             });
             if (!there) divergences_.emplace_back(a, b);
         }
 }
 
-void Stage::run_until(double end, double dt) {
-    // Not by adding up dt: the number of whole steps must not depend on rounding.
-    const auto whole = static_cast<std::uint64_t>(std::floor(end / dt + 1e-9));
+void Stage::run_until(double end) {
+    const lab::Timeline timeline(0, end, dt_);
     constexpr double for_ever = std::numeric_limits<double>::infinity();
-    for (std::uint64_t i = 0; i < whole; ++i) static_cast<void>(step_within(dt, for_ever));
-    const double rest = end - static_cast<double>(whole) * dt;
-    if (rest > 1e-9 * dt) static_cast<void>(step_within(rest, for_ever));
+    for (std::uint64_t k = 0; k < timeline.steps(); ++k)
+        static_cast<void>(step_within(timeline.length(k), for_ever));
 }
 
-bool Stage::step_within(double dt, double seconds) {
+bool Stage::step_within(double span, double seconds) {
     // The exact engine may need long for a step. It goes first, and the others wait for it: so all that is on
     // show is at one time.
     for (Run& run : runs_)
-        if (is_reference(run.engine()) && !run.step_within(dt, script_, seconds)) return false;
+        if (is_reference(run.engine()) && !run.step_within(span, script_, seconds)) return false;
     for (Run& run : runs_)
-        if (!is_reference(run.engine())) static_cast<void>(run.step_within(dt, script_, seconds));
+        if (!is_reference(run.engine()))
+            static_cast<void>(run.step_within(span, script_, std::numeric_limits<double>::infinity()));
     for (Divergence& divergence : divergences_)
-        divergence.observe(*run_on(divergence.first()), *run_on(divergence.second()), dt);
+        divergence.observe(run_named(divergence.first()), run_named(divergence.second()));
     for (const Control& control : std::exchange(pressed_, {})) press(control);
     return true;
 }
@@ -234,7 +289,7 @@ void Stage::clear() {
     for (Run& run : runs_)
         if (!run.halt() || all_halted) run.clear();
     for (Run& run : runs_)
-        if (run.halt()) change(run, run.engine(), run.session().settings());
+        if (run.halt()) change(run, contenders_[place_of(run)]);
     divergences_.clear();
     pair_up();
 }
@@ -245,18 +300,7 @@ void Stage::set_gravity(bool on) {
     Scene changed = *original_;
     if (!on) changed.gravity = {};
     scene_ = std::make_shared<const Scene>(std::move(changed));
-    for (Run& run : runs_) change(run, run.engine(), run.session().settings());
-}
-
-void Stage::change_setting(std::size_t run, std::string_view name, double value) {
-    const Engine& engine = runs_[run].engine();
-    for (auto& [owner, settings] : settings_)
-        if (owner == &engine) {
-            Settings changed = settings;
-            changed.set(name, value);
-            change(runs_[run], engine, changed);
-            settings = std::move(changed);
-        }
+    for (Run& run : runs_) change(run, contenders_[place_of(run)]);
 }
 
 }  // namespace flipside::app

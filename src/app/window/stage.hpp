@@ -1,6 +1,6 @@
 #pragma once
-/// What is on show: a scene, one or more runs of it under the same script and controls and the same step,
-/// each on another engine, and how far these are apart. Knows no screen.
+/// What is on show: a scene, and one to four contenders' runs of it under the same script and controls, and
+/// how far these are apart. Knows no screen.
 
 #include <limits>
 #include <optional>
@@ -16,21 +16,28 @@ namespace flipside::app {
 
 class Stage {
   public:
-    /// `settings` as in PlayOptions. Throws InputError.
-    Stage(const std::string& scene, const std::string& engine, View view,
-          const std::vector<std::string>& settings, const std::optional<std::filesystem::path>& script);
+    static constexpr std::size_t most_contenders = 4;
 
-    /// Another scene from its start. The script belongs to the first scene and is dropped.
+    /// `settings` and `contenders` as in PlayOptions; without contenders, every engine but the reference
+    /// takes part as it is, `engine` first. `dt`, s, for those that have none of their own; nothing: the
+    /// scene's. Throws InputError.
+    Stage(const std::string& scene, const std::string& engine, View view,
+          const std::vector<std::string>& settings, const std::optional<std::filesystem::path>& script,
+          const std::vector<std::string>& contenders = {}, std::optional<double> dt = {});
+
+    /// Another scene from its start, with the contenders of before any lesson. The script belongs to the
+    /// first scene and is dropped.
     void open(const std::string& scene);
-    /// A lesson's scene on its engines, with its settings.
+    /// A lesson's scene with its contenders.
     void open(const lab::Lesson& lesson);
     void restart();
+    /// The single view shows the first contender, with the reference around its balls if that takes part.
     void set_view(View view);
-    /// Every run goes on with the next engine.
+    /// The contenders change places, the reference stays; all go on from the state of the first.
     void switch_engine();
-    /// Whether the exact engine takes part. In the single view it takes over the running balls, or hands them
-    /// on; in the others its run joins, from the state of the first, or leaves.
-    void show_reference(bool on);
+    /// Whether the exact engine takes part; its run joins from the state of the lead. False where there is no
+    /// room for it.
+    bool show_reference(bool on);
     /// The reference, and any run that has halted, goes on from the state of the guide.
     void take_up();
     /// Where take_up goes on from: the first run that has not halted and is not the reference, if any.
@@ -40,63 +47,87 @@ class Stage {
     /// Until then all of them show what was before.
     [[nodiscard]] bool step_within(double seconds) { return step_within(dt_, seconds); }
     [[nodiscard]] bool under_way() const;
-    /// In steps of dt and one shorter one, so that it ends there exactly.
-    void run_until(double end, double dt);
+    /// In steps and one shorter one, so that it ends there exactly.
+    void run_until(double end);
     /// What the player does, as far as each run's rules permit it; after the step that is under way.
     void press(const Control& control);
     void clear();
     void set_gravity(bool on);
-    /// Rebuilds the run's world from its state at once. Throws InputError, and changes nothing, where the
-    /// engine refuses it.
+
+    /// What follows changes the contender of a run. Each throws InputError, and changes nothing, where that
+    /// cannot be.
+    /// Rebuilds the run's world from its state at once.
     void change_setting(std::size_t run, std::string_view name, double value);
+    /// Its own step, s; see lab::common_step.
+    void change_step(std::size_t run, double dt);
+    /// The run goes on with that engine as the scene recommends it.
+    void change_engine(std::size_t run, const Engine& engine);
+    /// One more, like the last one, from its state.
+    void add_contender();
+    /// The last one stays.
+    void remove_contender(std::size_t run);
 
     [[nodiscard]] View view() const { return view_; }
     [[nodiscard]] std::vector<Run>& runs() { return runs_; }
     [[nodiscard]] const std::vector<Run>& runs() const { return runs_; }
+    /// Of that name, which is on show.
+    [[nodiscard]] const Run& run_named(std::string_view name) const;
+    /// All that take part; in the single view not all of them are on show.
+    [[nodiscard]] const std::vector<lab::Contender>& contenders() const { return contenders_; }
     [[nodiscard]] const Scene& scene() const { return *scene_; }
     [[nodiscard]] const std::string& scene_name() const { return name_; }
+    /// The longest of the contenders' steps, after which all of them meet, s.
     [[nodiscard]] double dt() const { return dt_; }
     [[nodiscard]] double time() const { return lead().session().world().time(); }
     /// The first run that has not halted, or the first of all.
     [[nodiscard]] const Run& lead() const;
-    [[nodiscard]] bool reference() const { return reference_; }
+    [[nodiscard]] bool reference() const;
     [[nodiscard]] bool gravity() const { return gravity_; }
     [[nodiscard]] bool has_gravity() const { return !(original_->gravity == Vec2{}); }
     /// Of every two runs, since they last began in one state.
     [[nodiscard]] const std::vector<Divergence>& divergences() const { return divergences_; }
 
   private:
-    void load(const std::string& scene);
+    /// Throws InputError, and changes nothing, where the scene does not suit the line-up.
+    void show_scene(std::string name, std::shared_ptr<const Scene> scene,
+                    std::vector<lab::ContenderRequest> line_up);
     void start();
-    /// The engines that take part, in the order of the list, round from `first`.
-    [[nodiscard]] std::vector<const Engine*> line_up(const Engine& first) const;
-    /// Brings in the runs that the view and the reference's switch ask for, and takes out the others.
+    /// Brings in the runs that the view asks for, and takes out the others.
     void arrange();
-    [[nodiscard]] Run* run_on(const Engine& engine);
+    [[nodiscard]] std::vector<const lab::Contender*> on_show() const;
+    [[nodiscard]] Run* find_run(std::string_view name);
+    [[nodiscard]] std::size_t place_of(const Run& run) const;
     /// A run that goes on from the state of another, score and all.
-    [[nodiscard]] Run taken_up(const Run& from, const Engine& engine, const Settings& settings) const;
+    [[nodiscard]] Run taken_up(const Run& from, const lab::Contender& contender) const;
     /// The run goes on so; from the state of the lead if it has halted.
-    void change(Run& run, const Engine& engine, const Settings& settings);
-    /// Forgets how runs on this engine came apart from others.
-    void compare_anew(const Engine& engine);
+    void change(Run& run, const lab::Contender& contender);
+    /// The contender at that place is another one from now on, and its run goes on so.
+    void replace(std::size_t place, const lab::Contender& contender);
+    /// What was under way in steps of another length is taken back.
+    void set_step(double dt);
+    /// Forgets how this run came apart from others.
+    void compare_anew(std::string_view name);
     /// Every two of the runs on show are compared, and no others.
     void pair_up();
-    [[nodiscard]] const Settings& settings_of(const Engine& engine);
-    [[nodiscard]] bool step_within(double dt, double seconds);
+    [[nodiscard]] bool step_within(double span, double seconds);
 
     std::string name_;
-    std::shared_ptr<const Scene> original_;                     ///< as in the file
-    std::shared_ptr<const Scene> scene_;                        ///< as it is run: gravity may be off
-    std::vector<lab::SettingChange> asked_;                     ///< for all scenes
-    std::vector<lab::SettingChange> changes_;                   ///< for this one
-    std::vector<std::pair<const Engine*, Settings>> settings_;  ///< of every engine used so far
+    std::shared_ptr<const Scene> original_;    ///< as in the file
+    std::shared_ptr<const Scene> scene_;       ///< as it is run: gravity may be off
+    std::vector<lab::SettingChange> changes_;  ///< for all scenes and contenders
+    std::vector<lab::ContenderRequest> line_up_;
+    struct Before {
+        std::vector<lab::ContenderRequest> line_up;
+        View view;
+    };
+    std::optional<Before> before_lesson_;
+    std::vector<lab::Contender> contenders_;  ///< one for each of the line-up
+    std::optional<double> asked_dt_;          ///< s
     Script script_;
-    const Engine* engine_;  ///< of the first run
     View view_;
     std::vector<Run> runs_;
-    double dt_ = 1.0 / 60;
+    double dt_ = lab::default_step;
     bool gravity_ = true;
-    bool reference_ = false;
     std::vector<Divergence> divergences_;
     std::vector<Control> pressed_;  ///< during the step that is under way
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "app/window/contender_colour.hpp"
 #include "app/window/panel_parts.hpp"
 #include "app/window/words.hpp"
 #include "world/printable.hpp"
@@ -44,8 +45,8 @@ struct StepBar {
     }
     void engines() const {
         for (std::size_t i = 0; i < stage.runs().size(); ++i) {
-            const std::string name(stage.runs()[i].engine().name);
-            const sf::Color color = engine_colour(name);
+            const std::string& name = stage.runs()[i].name();
+            const sf::Color color = colour_of(stage.runs()[i]);
             const bool current = i == microscope.run();
             ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(current ? colour::text : color));
             if (chip(name + "##inside", current, color)) microscope.look_at(i);
@@ -66,7 +67,7 @@ struct StepBar {
     }
     /// Those around the current one, as many as go into a line.
     void stages() const {
-        const sf::Color color = engine_colour(stage.runs()[microscope.run()].engine().name);
+        const sf::Color color = colour_of(stage.runs()[microscope.run()]);
         const auto words = [&](std::size_t i) {
             return std::to_string(i + 1) + "  " + microscope.stages()[i].name;
         };

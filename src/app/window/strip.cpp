@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "app/window/contender_colour.hpp"
 #include "app/window/words.hpp"
 
 namespace flipside::app {
@@ -80,7 +81,7 @@ void level(Canvas& canvas, const Axes& axes, double value, const std::string& wo
 }
 
 sf::Color color_of(const Run& run) {
-    return engine_colour(run.engine().name);
+    return colour_of(run);
 }
 
 void draw_energy(Canvas& canvas, const Rect& place, const Stage& stage) {
@@ -124,8 +125,9 @@ std::string distance_now(const Divergence& divergence, const Stage& stage) {
     return in_radii(history.back().value);
 }
 
-bool with_reference(const Divergence& divergence) {
-    return is_reference(divergence.first()) || is_reference(divergence.second());
+bool with_reference(const Stage& stage, const Divergence& divergence) {
+    return is_reference(stage.run_named(divergence.first()).engine()) ||
+           is_reference(stage.run_named(divergence.second()).engine());
 }
 
 /// Two engines of which none is the measure of the other.
@@ -157,12 +159,12 @@ void moment(Canvas& canvas, const Axes& axes, double time, const std::string& wo
 void draw_error(Canvas& canvas, const Rect& place, const Stage& stage, const Run& exact) {
     std::vector<const Divergence*> errors;
     std::vector<Figure> figures;
-    const auto other = [](const Divergence& divergence) {
-        return engine_colour(is_reference(divergence.first()) ? divergence.second().name
-                                                              : divergence.first().name);
+    const auto other = [&](const Divergence& divergence) {
+        return color_of(
+            stage.run_named(divergence.first() == exact.name() ? divergence.second() : divergence.first()));
     };
     for (const Divergence& divergence : stage.divergences()) {
-        if (!with_reference(divergence)) continue;
+        if (!divergence.is_of(exact.name())) continue;
         errors.push_back(&divergence);
         figures.push_back({distance_now(divergence, stage), other(divergence)});
     }
@@ -181,7 +183,7 @@ void draw_error(Canvas& canvas, const Rect& place, const Stage& stage, const Run
 void draw_strip(Canvas& canvas, const Rect& place, const Stage& stage) {
     std::vector<std::function<void(const Rect&)>> plots;
     for (const Divergence& divergence : stage.divergences())
-        if (!with_reference(divergence))
+        if (!with_reference(stage, divergence))
             plots.emplace_back([&](const Rect& at) { draw_apart(canvas, at, stage, divergence); });
     for (const Run& run : stage.runs())
         if (is_reference(run.engine()) && stage.runs().size() > 1)

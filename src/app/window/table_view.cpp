@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "app/window/claim.hpp"
+#include "app/window/contender_colour.hpp"
 #include "app/window/draw_shapes.hpp"
 
 namespace flipside::app {
@@ -83,7 +84,7 @@ void draw_launcher(Canvas& canvas, const Camera& camera, const Run& run, const L
         const Vec2 foot = at + (radius + canvas.scaled(5)) * perp(way);
         canvas.line(foot, foot + reach * way, canvas.scaled(6), colour::rule);
         canvas.line(foot, foot + look.charge * reach * way, canvas.scaled(6),
-                    blend(engine_colour(session.engine().name), colour::lit, look.charge));
+                    blend(colour_of(run), colour::lit, look.charge));
     }
 }
 
@@ -126,7 +127,7 @@ void draw_table(Canvas& canvas, const Camera& camera, const Run& run, const Look
 
 void draw_balls(Canvas& canvas, const Camera& camera, const Run& run, std::span<const Ball> balls,
                 const Look& look) {
-    const sf::Color rim = engine_colour(run.engine().name);
+    const sf::Color rim = colour_of(run);
     for (std::size_t i = 0; i < balls.size(); ++i) {
         const Ball& ball = balls[i];
         const Vec2 at = camera.to_pixels(ball.position);
@@ -150,7 +151,7 @@ void draw_balls(Canvas& canvas, const Camera& camera, const Run& run, std::span<
 }
 
 void draw_halos(Canvas& canvas, const Camera& camera, const Run& run, std::span<const Ball> balls) {
-    const sf::Color color = engine_colour(run.engine().name);
+    const sf::Color color = colour_of(run);
     for (std::size_t i = 0; i < balls.size(); ++i) {
         const Vec2 at = camera.to_pixels(balls[i].position);
         const double radius = camera.scale * balls[i].radius, width = canvas.scaled(2);

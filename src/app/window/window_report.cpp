@@ -61,8 +61,10 @@ Json still(const Stage& stage, const WindowState& window, const WindowControls& 
     j["controls"] = Json::object();
     for (const auto& [name, place] : places) j["controls"][name] = json_of(place);
     for (const Run& run : stage.runs())
-        j["engines"].push_back(
-            {{"engine", run.engine().name}, {"settings", settings_of(run.session().settings())}});
+        j["engines"].push_back({{"name", run.name()},
+                                {"engine", run.engine().name},
+                                {"dt", run.dt()},
+                                {"settings", settings_of(run.session().settings())}});
     return j;
 }
 
@@ -86,7 +88,9 @@ Json json_of(const Run& run, const Rect& pane, const Camera& camera) {
                                 {"side", flip->side == Side::left ? "left" : "right"},
                                 {"angle", session.world().parts()[i].angle}});
     return {
+        {"name", run.name()},
         {"engine", session.engine().name},
+        {"dt", run.dt()},
         {"time", session.world().time()},
         {"steps", session.totals().steps},
         {"launched", session.totals().launched},
@@ -113,7 +117,7 @@ Json json_of(const Microscope& microscope, const Stage& stage) {
     Json balls = Json::array();
     for (const Ball& ball : microscope.balls(microscope.run()))
         balls.push_back({{"number", ball.number}, {"position", {ball.position.x, ball.position.y}}});
-    return {{"engine", stage.runs()[microscope.run()].engine().name},
+    return {{"engine", stage.runs()[microscope.run()].name()},
             {"stage", microscope.at()},
             {"stages", microscope.stages().size()},
             {"name", now.name},
@@ -126,7 +130,7 @@ Json json_of(const Microscope& microscope, const Stage& stage) {
 }
 
 Json json_of(const Divergence& divergence, const Scene& scene) {
-    Json j{{"first", divergence.first().name}, {"second", divergence.second().name}};
+    Json j{{"first", divergence.first()}, {"second", divergence.second()}};
     j["radii"] = divergence.history().empty() ? Json() : Json(divergence.history().back().value);
     if (const auto& parting = divergence.parting())
         j["parted"] = {{"time", parting->time}, {"ball", parting->ball}, {"on", divergence.parted_on(scene)}};

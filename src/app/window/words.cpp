@@ -54,6 +54,13 @@ std::string in_radii(double radii) {
     return with_unit(radii, exponent < 0 ? 2 : exponent < 2 ? 1 : 0, "r");
 }
 
+std::string step_in_words(double dt) {
+    const double rate = 1 / dt;
+    if (dt < 1 && std::abs(rate - std::round(rate)) < 1e-9 * rate)
+        return "1/" + grouped(static_cast<std::uint64_t>(std::llround(rate))) + " s";
+    return engineering(dt, "s");
+}
+
 std::string balls_in_words(std::size_t balls, std::size_t asleep) {
     if (balls == 0) return "no balls";
     std::string words = grouped(balls) + (balls == 1 ? " ball" : " balls");

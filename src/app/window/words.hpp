@@ -19,6 +19,8 @@ namespace flipside::app {
 [[nodiscard]] std::string power_of_ten(int exponent);
 /// A length in radii of its ball: "12.1 r", "0.31 r", "2.1·10⁻⁹ r", "0 r".
 [[nodiscard]] std::string in_radii(double radii);
+/// A step: "1/60 s", "0.01 s", "1/97 s".
+[[nodiscard]] std::string step_in_words(double dt);
 /// "1 ball", "11 balls, 2 asleep", "no balls".
 [[nodiscard]] std::string balls_in_words(std::size_t balls, std::size_t asleep);
 

@@ -1,0 +1,17 @@
+#pragma once
+/// Who takes part: the engine and the step of each contender, one more, one less.
+
+#include <string>
+
+#include "app/window/controls.hpp"
+#include "app/window/stage.hpp"
+
+namespace flipside::app {
+
+/// The engine and the step of the run at `index`, and a button that takes it away; false if that was pressed.
+/// What cannot be becomes the `notice`.
+bool choose_contender(Stage& stage, std::size_t index, ControlPlaces& places, std::string& notice);
+/// A button for one more, where there is room.
+void add_contender(Stage& stage, ControlPlaces& places, std::string& notice);
+
+}  // namespace flipside::app
