@@ -36,6 +36,7 @@ bool choose_contender(Stage& stage, std::size_t index, ControlPlaces& places, st
             const bool chosen = engine == &stage.runs()[index].engine();
             if (ImGui::Selectable(std::string(engine->name).c_str(), chosen) && !chosen)
                 done(notice, [&] { stage.change_engine(index, *engine); });
+            note(places, "Engine " + std::string(engine->name));
         }
         ImGui::EndCombo();
     }
@@ -48,6 +49,7 @@ bool choose_contender(Stage& stage, std::size_t index, ControlPlaces& places, st
             const bool chosen = std::abs(dt * rate - 1) < 1e-9;
             if (ImGui::Selectable(step_in_words(1.0 / rate).c_str(), chosen) && !chosen)
                 done(notice, [&] { stage.change_step(index, 1.0 / rate); });
+            note(places, "Step " + step_in_words(1.0 / rate));
         }
         ImGui::EndCombo();
     }
