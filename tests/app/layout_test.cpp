@@ -23,11 +23,12 @@ std::vector<Rect> all_of(const Layout& layout) {
 TEST(Layout, NothingOverlapsAndAllIsInsideTheWindow) {
     const double sizes[][2] = {{1024, 640}, {1280, 800}, {1920, 1080}, {3840, 2160}};
     for (const auto& size : sizes)
-        for (const int panes : {1, 2, 3})
-            for (const int headers : {panes, 3})
+        for (const auto& [panes, headers] : {std::pair(1, 1), {1, 4}, {2, 2}, {3, 3}, {4, 4}})
+            for (const double aspect : {0.5, 1.0, 3.0})
                 for (const auto& [column, bar] :
                      {std::pair(Column::none, false), {Column::folded, true}, {Column::open, true}}) {
-                    const auto all = all_of(lay_out(size[0], size[1], 1, panes, headers, column, bar));
+                    const auto all =
+                        all_of(lay_out(size[0], size[1], 1, {panes, headers, aspect, column, bar}));
                     for (std::size_t i = 0; i < all.size(); ++i) {
                         EXPECT_GE(all[i].x, 0);
                         EXPECT_GE(all[i].y, 0);
@@ -40,8 +41,8 @@ TEST(Layout, NothingOverlapsAndAllIsInsideTheWindow) {
 }
 
 TEST(Layout, PanesAreEqualAndOnWholePixels) {
-    for (const int panes : {2, 3}) {
-        const Layout layout = lay_out(1281, 797, 1, panes, panes, Column::open, false);
+    for (const int panes : {2, 3, 4}) {
+        const Layout layout = lay_out(1281, 797, 1, {panes, panes, 1.3, Column::open, false});
         ASSERT_EQ(layout.panes.size(), static_cast<std::size_t>(panes));
         for (const Rect& pane : layout.panes) {
             EXPECT_EQ(pane.width, layout.panes[0].width);
@@ -53,16 +54,29 @@ TEST(Layout, PanesAreEqualAndOnWholePixels) {
 }
 
 TEST(Layout, ThePanesAreTheLargestThing) {
-    const Layout layout = lay_out(1024, 640, 1, 2, 2, Column::open, false);
+    const Layout layout = lay_out(1024, 640, 1, {2, 2, 0.5, Column::open, false});
     const double panes = 2 * layout.panes[0].width * layout.panes[0].height;
     EXPECT_GT(panes, layout.panel.width * layout.panel.height);
     EXPECT_GT(panes, 0.45 * 1024 * 640);
 }
 
 TEST(Layout, FoldingThePanelGivesItsRoomToThePanes) {
-    const Layout open = lay_out(1280, 800, 1, 2, 2, Column::open, false);
-    const Layout folded = lay_out(1280, 800, 1, 2, 2, Column::folded, false);
+    const Layout open = lay_out(1280, 800, 1, {2, 2, 0.5, Column::open, false});
+    const Layout folded = lay_out(1280, 800, 1, {2, 2, 0.5, Column::folded, false});
     EXPECT_GT(folded.panes[0].width, open.panes[0].width + 100);
+}
+
+TEST(Layout, PortraitTablesStandSideBySideAndLandscapeOnesOneBelowTheOther) {
+    const auto panes_of = [](int panes, double aspect) {
+        return lay_out(1280, 800, 1, {panes, panes, aspect, Column::open, false}).panes;
+    };
+    EXPECT_EQ(panes_of(2, 0.5)[0].y, panes_of(2, 0.5)[1].y);
+    EXPECT_EQ(panes_of(2, 2.5)[0].x, panes_of(2, 2.5)[1].x);
+    EXPECT_EQ(panes_of(4, 0.5)[0].y, panes_of(4, 0.5)[3].y);
+    const auto square = panes_of(4, 1.3);
+    EXPECT_EQ(square[0].y, square[1].y);
+    EXPECT_EQ(square[0].x, square[2].x);
+    EXPECT_LT(square[0].y, square[2].y);
 }
 
 }  // namespace

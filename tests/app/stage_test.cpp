@@ -166,7 +166,7 @@ TEST(Stage, ALessonsContendersLeaveWithIt) {
     lab::Lesson lesson;
     lesson.name = "one";
     lesson.scene = std::make_shared<const Scene>(stage.scene());
-    lesson.engines = {{&lab::engine_named("custom"), {{"solver", "simple"}}}};
+    lesson.engines = {{"custom", &lab::engine_named("custom"), {}, {{"solver", "simple"}}}};
     stage.open(lesson);
     EXPECT_EQ(engines_of(stage), (Names{"custom"}));
     stage.switch_engine();

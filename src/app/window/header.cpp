@@ -53,7 +53,7 @@ std::string facts(const Canvas& canvas, const Run& run, std::optional<double> pa
         if (canvas.lettering().width(longer, Type::small) > room && !line.empty()) break;
         line = longer;
     }
-    return line;
+    return canvas.lettering().cut(line, Type::small, room);
 }
 
 /// The score in figures of that height and, where there is room from `left` on, the balls left: flush right
@@ -80,7 +80,7 @@ void draw_header(Canvas& canvas, const Rect& place, const Run& run, long score, 
     canvas.rectangle({place.x, place.y}, {place.x + place.width, place.y + place.height}, colour::raised);
     canvas.rectangle({place.x, place.y}, {place.x + place.width, place.y + canvas.scaled(3)}, color);
 
-    const std::string& name = run.name();
+    const std::string name = canvas.lettering().cut(run.name(), Type::large, place.width - 2 * margin);
     canvas.text({left, place.y + canvas.scaled(9)}, name, Type::large, color);
     const double after = left + canvas.lettering().width(name, Type::large) + canvas.scaled(9);
     const double right = place.x + place.width - margin, y = place.y + canvas.scaled(37);
@@ -94,8 +94,9 @@ void draw_header(Canvas& canvas, const Rect& place, const Run& run, long score, 
                                 canvas.scaled(small_led_height), session.game(), score) -
                      margin;
     // As much as there is room for, the step before the solver.
-    const std::string step = step_in_words(run.dt());
-    for (const std::string& how : {method(run) + "  ·  " + step, step})
+    const std::string step = step_in_words(run.dt()), engine(run.engine().name);
+    for (const std::string& how :
+         {method(run) + "  ·  " + step, (run.name() == engine ? "" : engine + "  ·  ") + step})
         if (after + canvas.lettering().width(how, Type::small) < free) {
             canvas.text({after, place.y + canvas.scaled(13)}, how, Type::small, colour::quiet);
             break;

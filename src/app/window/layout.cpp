@@ -15,30 +15,64 @@ double column_of(Column column, double scale) {
     return std::round(scale * (column == Column::open ? column_width : folded_width));
 }
 
+/// Panes in rows and columns.
+struct Grid {
+    int columns = 1, rows = 1;
+    double width = 0, height = 0;  ///< of a pane, px
+
+    /// What a table of that aspect would be wide in a pane, px.
+    [[nodiscard]] double table(double aspect) const { return std::min(width, aspect * height); }
+};
+
+/// Of `count` panes of which each row has a header of `head` px.
+Grid grid_of(int columns, int count, double width, double height, double head, double space) {
+    Grid grid{columns, (count + columns - 1) / columns};
+    grid.width = std::max(1.0, std::floor((width - space * (columns - 1)) / columns));
+    grid.height = std::max(1.0, std::floor((height - space * (grid.rows - 1)) / grid.rows) - head);
+    return grid;
+}
+
+Grid best_grid(int count, double aspect, double width, double height, double head, double space) {
+    Grid best = grid_of(count, count, width, height, head, space);
+    for (int columns = count - 1; columns >= 1; --columns) {
+        const Grid other = grid_of(columns, count, width, height, head, space);
+        if (other.table(aspect) > best.table(aspect)) best = other;
+    }
+    return best;
+}
+
 }  // namespace
 
-Layout lay_out(double width, double height, double scale, int panes, int headers, Column column,
-               bool step_bar) {
+Layout lay_out(double width, double height, double scale, const LayoutNeeds& needs) {
     Layout layout;
     const double space = std::round(scale * gap);
-    const double panel = std::min(column_of(column, scale), width);
+    const double panel = std::min(column_of(needs.column, scale), width);
     layout.panel = {width - panel, 0, panel, height};
 
     const double head = std::round(scale * header_height);
     // On a small display the table keeps most of the height.
     const double strip = std::round(std::min(scale * strip_height, 0.18 * height));
     const double room = std::max(1.0, width - panel - (panel > 0 ? space : 0));
-    const double bar = step_bar ? std::round(std::min(scale * bar_height, 0.3 * height)) : 0;
-    const double below = strip + space + (step_bar ? bar + space : 0);
-    const double pane_height = std::max(1.0, height - head - below - space);
-    const auto column_at = [&](int index, int count, double y, double h) {
-        const double each = std::floor(std::max(1.0, room - space * (count - 1)) / count);
-        return Rect{index * (each + space), y, each, h};
-    };
-    for (int i = 0; i < headers; ++i) layout.headers.push_back(column_at(i, headers, 0, head));
-    for (int i = 0; i < panes; ++i) layout.panes.push_back(column_at(i, panes, head, pane_height));
-    layout.bar = {0, head + pane_height + space, room, bar};
-    layout.strip = {0, head + pane_height + space + (step_bar ? bar + space : 0), room, strip};
+    const double bar = needs.step_bar ? std::round(std::min(scale * bar_height, 0.3 * height)) : 0;
+    const double below = strip + space + (needs.step_bar ? bar + space : 0);
+    const double tables = std::max(1.0, height - below - space);
+    const Grid grid = best_grid(needs.panes, needs.aspect, room, tables, head, space);
+    for (int i = 0; i < needs.panes; ++i) {
+        const double x = i % grid.columns * (grid.width + space);
+        const double y = std::floor(i / grid.columns) * (head + grid.height + space);
+        layout.panes.push_back({x, y + head, grid.width, grid.height});
+    }
+    const double each = std::max(1.0, std::floor((room - space * (needs.headers - 1)) / needs.headers));
+    for (int i = 0; i < needs.headers; ++i) {
+        if (needs.panes == needs.headers) {
+            const Rect& pane = layout.panes[static_cast<std::size_t>(i)];
+            layout.headers.push_back({pane.x, pane.y - head, pane.width, head});
+        } else {
+            layout.headers.push_back({i * (each + space), 0, each, head});
+        }
+    }
+    layout.bar = {0, tables + space, room, bar};
+    layout.strip = {0, tables + space + (needs.step_bar ? bar + space : 0), room, strip};
     return layout;
 }
 

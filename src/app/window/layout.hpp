@@ -24,9 +24,16 @@ struct Layout {
 
 enum class Column { none, folded, open };
 
-/// One header per pane, or several over a single pane (overlay). `scale` is 1 on an ordinary display. All
-/// corners are whole pixels.
-[[nodiscard]] Layout lay_out(double width, double height, double scale, int panes, int headers, Column column,
-                             bool step_bar);
+struct LayoutNeeds {
+    int panes = 1;
+    int headers = 1;    ///< one per pane, or several over a single one (overlay)
+    double aspect = 1;  ///< width of what the panes show over its height
+    Column column = Column::open;
+    bool step_bar = false;
+};
+
+/// In rows and columns so that the table is as large as can be: portrait ones side by side, landscape ones
+/// one below the other. `scale` is 1 on an ordinary display. All corners are whole pixels.
+[[nodiscard]] Layout lay_out(double width, double height, double scale, const LayoutNeeds& needs);
 
 }  // namespace flipside::app

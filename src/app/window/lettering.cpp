@@ -67,6 +67,18 @@ std::vector<std::string> Lettering::lines(std::string_view utf8, Type type, doub
     return lines;
 }
 
+std::string Lettering::cut(std::string_view utf8, Type type, double room) const {
+    if (width(utf8, type) <= room) return std::string(utf8);
+    constexpr std::string_view rest = "…";
+    std::string kept(utf8);
+    while (!kept.empty() && width(kept + std::string(rest), type) > room) {
+        // The bytes that go on with a letter go with it.
+        while ((static_cast<unsigned char>(kept.back()) & 0xC0) == 0x80) kept.pop_back();
+        kept.pop_back();
+    }
+    return kept + std::string(rest);
+}
+
 const sf::Texture& Lettering::texture(Type type) const {
     return font(type).getTexture(pixels(type));
 }

@@ -25,6 +25,8 @@ class Lettering {
     [[nodiscard]] double line_height(Type type) const;
     /// Broken between words into lines of at most `room` px; a longer word has a line of its own.
     [[nodiscard]] std::vector<std::string> lines(std::string_view utf8, Type type, double room) const;
+    /// As much of it as `room` px hold, with "…" where the end is missing.
+    [[nodiscard]] std::string cut(std::string_view utf8, Type type, double room) const;
     /// Adds the letters' rectangles (triangles, to be drawn with texture(type)). `at` is the top left of
     /// the line.
     void write(sf::VertexArray& out, Vec2 at, std::string_view utf8, Type type, sf::Color color) const;

@@ -44,7 +44,9 @@ const Box& sight_of(const Scene& scene) {
 Layout layout_of(const Stage& stage, double width, double height, double scale, Column column,
                  bool step_bar) {
     const int runs = static_cast<int>(stage.runs().size());
-    return lay_out(width, height, scale, stage.view() == View::split ? runs : 1, runs, column, step_bar);
+    const Vec2 sight = sight_of(stage.scene()).max - sight_of(stage.scene()).min;
+    const int panes = stage.view() == View::split ? runs : 1;
+    return lay_out(width, height, scale, {panes, runs, sight.x / sight.y, column, step_bar});
 }
 
 void Screen::draw(sf::RenderTarget& target, const Stage& stage, const Layout& layout, const Camera& camera,
@@ -56,7 +58,7 @@ void Screen::draw(sf::RenderTarget& target, const Stage& stage, const Layout& la
                   camera, look, inside);
     const sf::Vector2f all(target.getSize());
     target.setView(sf::View({0, 0, all.x, all.y}));
-    for (const Rect& pane : layout.panes) draw_pace(pane, readings);
+    draw_pace(layout.panes.front(), readings);
     const Run& costliest = *std::ranges::max_element(runs, {}, &Run::step_cost);
     const bool slow = readings.reached < 0.95 * readings.asked;
     for (std::size_t i = 0; i < layout.headers.size(); ++i)

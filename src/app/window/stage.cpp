@@ -82,18 +82,14 @@ void Stage::open(const std::string& scene) {
 }
 
 void Stage::open(const lab::Lesson& lesson) {
-    std::vector<lab::ContenderRequest> requests;
-    for (const lab::LessonEngine& on : lesson.engines) {
-        lab::ContenderRequest request = lab::plain_contender(*on.engine);
-        request.name = lab::free_name(request.name, requests);
-        request.set = on.set;
-        requests.push_back(std::move(request));
-    }
+    std::vector<lab::ContenderRequest> requests = lesson.engines;
     // In the single view the others wait for Tab.
     if (!lesson.split)
         for (const lab::ContenderRequest& other : everybody(*lesson.engines.front().engine))
             if (std::ranges::find(requests, other.engine, &lab::ContenderRequest::engine) == requests.end())
                 requests.push_back(other);
+    for (std::size_t i = lesson.engines.size(); i < requests.size(); ++i)
+        requests[i].name = lab::free_name(requests[i].name, {requests.data(), i});
     Before before = before_lesson_.value_or(Before{line_up_, view_});
     show_scene("lesson " + lesson.name, lesson.scene, std::move(requests));
     before_lesson_ = std::move(before);

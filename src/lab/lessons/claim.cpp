@@ -25,19 +25,19 @@ class RunMeasure {
     RunMeasure(const ClaimRun& run, Figures& figures)
         : run_(run),
           figures_(figures),
-          session_(run.scene, *run.on.engine, settings_of(run.on, *run.scene)) {}
+          session_(run.scene, *run.on.engine, contender_for(run.on, *run.scene, default_step).settings) {}
 
     void measure() {
         set("pieces", static_cast<double>(surface_of(*run_.scene).size()));
         set("energy_first", energy(session_.world(), *run_.scene));
         if (run_.trace) trace();
-        const Timeline timeline(session_.world().time(), run_.seconds - session_.world().time(), run_.dt);
+        const Timeline timeline(session_.world().time(), run_.seconds - session_.world().time(), *run_.on.dt);
         Totals before;
         const Script nothing;
         std::size_t next = 0;
         double highest = -INFINITY;
         for (std::uint64_t k = 0; k < timeline.steps(); ++k) {
-            if (session_.world().time() < run_.from + 0.5 * run_.dt) before = session_.totals();
+            if (session_.world().time() < run_.from + 0.5 * *run_.on.dt) before = session_.totals();
             session_.step(timeline.length(k), nothing, next);
             for (const Ball& ball : session_.world().balls()) highest = std::max(highest, ball.position.y);
         }
@@ -88,7 +88,7 @@ class RunMeasure {
     void trace() {
         const Script nothing;
         std::size_t next = 0;
-        const TracedStep step = trace_step(session_, run_.dt, nothing, next);
+        const TracedStep step = trace_step(session_, *run_.on.dt, nothing, next);
         for (const TraceStage& stage : step.trace.stages) {
             std::string name = "moves_in_" + stage.name;
             std::ranges::replace_if(
@@ -112,7 +112,7 @@ class RunMeasure {
     [[nodiscard]] double error() const {
         const Engine& exact = engine_named("reference");
         Session truth(run_.scene, exact, settings_for(exact, *run_.scene));
-        const Timeline timeline(0, run_.seconds, run_.dt);
+        const Timeline timeline(0, run_.seconds, *run_.on.dt);
         for (std::uint64_t k = 0; k < timeline.steps(); ++k) truth.step(timeline.length(k));
         double most = 0;
         const auto balls = session_.world().balls(), true_balls = truth.world().balls();

@@ -9,25 +9,19 @@
 #include <string>
 #include <vector>
 
-#include "lab/run_settings.hpp"
+#include "lab/contender.hpp"
 #include "world/engine.hpp"
 
 namespace flipside::lab {
-
-/// An engine with its settings.
-struct LessonEngine {
-    const Engine* engine = nullptr;
-    std::vector<std::pair<std::string, std::string>> set;
-};
 
 /// What is measured for a claim.
 struct ClaimRun {
     std::string name;  ///< of its figures: NAME.steps
     std::shared_ptr<const Scene> scene;
-    LessonEngine on;
-    double dt = 0, seconds = 0, from = 0;  ///< s; counts are from `from` on
-    bool against_reference = false;        ///< how far it is from the reference at the end
-    bool trace = false;                    ///< its first step is traced
+    ContenderRequest on;             ///< with its step
+    double seconds = 0, from = 0;    ///< s; counts are from `from` on
+    bool against_reference = false;  ///< how far it is from the reference at the end
+    bool trace = false;              ///< its first step is traced
 };
 
 struct Claim {
@@ -49,7 +43,7 @@ struct Lesson {
     std::string title, idea;
     std::string text;  ///< Markdown
     std::shared_ptr<const Scene> scene;
-    std::vector<LessonEngine> engines;  ///< the first is shown; all are where it is a split view
+    std::vector<ContenderRequest> engines;  ///< the first is shown; all are where it is a split view
     bool split = false;
     std::vector<std::string> show;  ///< overlays, by the names of `flipside render --show`
     bool inside = false;            ///< begins with the step bar open, paused
@@ -59,9 +53,6 @@ struct Lesson {
     std::optional<Question> question;
     Claim claim;
 };
-
-/// What the scene recommends, and then what the lesson sets.
-[[nodiscard]] Settings settings_of(const LessonEngine& on, const Scene& scene);
 
 /// Throws InputError with file, JSON pointer, what is wrong and what is allowed.
 [[nodiscard]] Lesson load_lesson(const std::filesystem::path& path);

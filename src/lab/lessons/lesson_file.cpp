@@ -3,6 +3,7 @@
 #include "lab/assets.hpp"
 #include "lab/engines.hpp"
 #include "lab/lessons/lesson.hpp"
+#include "lab/plain_name.hpp"
 #include "world/input_error.hpp"
 #include "world/json_file.hpp"
 #include "world/printable.hpp"
@@ -47,9 +48,19 @@ std::vector<std::pair<std::string, std::string>> changes_in(const Node& node) {
     return changes;
 }
 
+std::optional<double> step_in(const Node& node) {
+    if (!node.has("dt")) return std::nullopt;
+    try {
+        return parse_step(node.text("dt"));
+    } catch (const InputError& error) {
+        node.fail("dt", error.what());
+    }
+}
+
 /// Checked against the settings that the engine has.
-LessonEngine lesson_engine_in(const Node& node) {
-    LessonEngine found{&engine_in(node), changes_in(node)};
+ContenderRequest contender_in(const Node& node) {
+    const Engine& engine = engine_in(node);
+    ContenderRequest found{std::string(engine.name), &engine, step_in(node), changes_in(node)};
     Settings settings(found.engine->settings);
     for (const auto& [name, value] : found.set) {
         try {
@@ -61,16 +72,34 @@ LessonEngine lesson_engine_in(const Node& node) {
     return found;
 }
 
+/// Those of the panes, each with a name of its own and a step that meets the others'.
+std::vector<ContenderRequest> contenders_in(const Node& node, const Scene& scene) {
+    std::vector<ContenderRequest> found;
+    std::vector<Contender> contenders;
+    for (const Node& one : node.each("engines")) {
+        ContenderRequest request = contender_in(one);
+        if (one.has("name")) request.name = one.text("name");
+        if (!is_plain_name(request.name))
+            one.fail("name", "is no name; allowed are " + std::string(plain_name_rule));
+        if (std::ranges::find(found, request.name, &ContenderRequest::name) != found.end())
+            one.fail("the name '" + request.name + "' is there twice; each needs a \"name\" of its own");
+        contenders.push_back(contender_for(request, scene, step_for(scene)));
+        found.push_back(std::move(request));
+    }
+    try {
+        static_cast<void>(common_step(contenders));
+    } catch (const InputError& error) {
+        node.fail("engines", error.what());
+    }
+    return found;
+}
+
 ClaimRun run_in(const Node& node, const std::string& name, const Lesson& lesson, const std::string& file) {
     ClaimRun run;
     run.name = name;
     run.scene = node.has("scene") ? scene_in(node, file) : lesson.scene;
-    run.on = lesson_engine_in(node);
-    try {
-        run.dt = node.has("dt") ? parse_step(node.text("dt")) : step_for(*run.scene);
-    } catch (const InputError& error) {
-        node.fail("dt", error.what());
-    }
+    run.on = contender_in(node);
+    if (!run.on.dt) run.on.dt = step_for(*run.scene);
     run.seconds = node.real("seconds");
     run.from = node.real("from", 0);
     if (run.from >= run.seconds)
@@ -107,12 +136,6 @@ fs::path lessons_folder() {
 
 }  // namespace
 
-Settings settings_of(const LessonEngine& on, const Scene& scene) {
-    Settings settings = settings_for(*on.engine, scene);
-    for (const auto& [name, value] : on.set) settings.set(name, value);
-    return settings;
-}
-
 Lesson load_lesson(const fs::path& path) {
     const std::string file = path.string();
     const Json document = parse_json(read_file(path, largest_file), file);
@@ -124,7 +147,7 @@ Lesson load_lesson(const fs::path& path) {
     lesson.idea = node.text("idea");
     lesson.text = read_file(fs::path(path).replace_extension(".md"), largest_file);
     lesson.scene = scene_in(node, file);
-    for (const Node& engine : node.each("engines")) lesson.engines.push_back(lesson_engine_in(engine));
+    lesson.engines = contenders_in(node, *lesson.scene);
     lesson.split = node.text("view", "single") == std::string("split");
     for (const Node& show : node.each("show")) lesson.show.push_back(show.json().get<std::string>());
     lesson.inside = node.toggle("inside");

@@ -117,6 +117,24 @@ TEST_F(LessonFile, UnknownEnginesAndSettingsAreRefusedByPlace) {
     expect_refused("/engines/0/set/solver", "continuous");
 }
 
+TEST_F(LessonFile, AnEngineThatIsThereTwiceNeedsNamesAndStepsThatMeet) {
+    const std::string once = R"({"engine": "custom", "set": {"solver": "simple"}})";
+    replace(once, once + R"(, {"engine": "custom", "dt": "1/240"})");
+    expect_refused("/engines/1", "a \"name\" of its own");
+    replace(R"("dt": "1/240")", R"("dt": "1/240", "name": "fine")");
+    const Lesson lesson = load_lesson(write());
+    ASSERT_EQ(lesson.engines.size(), 2U);
+    EXPECT_EQ(lesson.engines[1].name, "fine");
+    EXPECT_EQ(lesson.engines[1].dt, 1.0 / 240);
+    replace(R"("1/240")", R"("1/97")");
+    expect_refused("/engines", "does not divide");
+    replace(R"("1/97")", R"("a while")");
+    expect_refused("/engines/1/dt", "is not allowed");
+    replace(R"("a while")", R"("1/60")");
+    replace(R"("fine")", R"("fi\u001b[2Jne")");
+    expect_refused("/engines/1/name", "no name");
+}
+
 TEST_F(LessonFile, AnAnswerThatIsNotThereIsNotTheRightOne) {
     replace(R"("right": 1)", R"("right": 2)");
     expect_refused("/question/right", "0 to 1");
