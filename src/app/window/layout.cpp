@@ -22,6 +22,7 @@ struct Grid {
 
     /// What a table of that aspect would be wide in a pane, px.
     [[nodiscard]] double table(double aspect) const { return std::min(width, aspect * height); }
+    [[nodiscard]] int cells() const { return columns * rows; }
 };
 
 /// Of `count` panes of which each row has a header of `head` px.
@@ -36,7 +37,8 @@ Grid best_grid(int count, double aspect, double width, double height, double hea
     Grid best = grid_of(count, count, width, height, head, space);
     for (int columns = count - 1; columns >= 1; --columns) {
         const Grid other = grid_of(columns, count, width, height, head, space);
-        if (other.table(aspect) > best.table(aspect)) best = other;
+        const double gain = other.table(aspect) - best.table(aspect);
+        if (gain > 0 || (gain == 0 && other.cells() < best.cells())) best = other;
     }
     return best;
 }
