@@ -1,5 +1,6 @@
 #include "app/window/stage.hpp"
 
+#include <algorithm>
 #include <fstream>
 
 #include <gtest/gtest.h>
@@ -234,6 +235,31 @@ TEST(Stage, HidesTheReferenceInTheMiddleOfItsStep) {
     EXPECT_FALSE(stage.under_way());
     stage.step();
     for (const auto& run : stage.runs()) EXPECT_EQ(run.session().recording().size(), 1U);
+}
+
+TEST(Stage, TheNextBallPartsAnew) {
+    Stage stage = stage_of(View::split, "custom", "pinball");
+    const auto play = [&](auto until) {
+        for (int i = 0; i < 60 * 120 && !until(); ++i) stage.step();
+        return until();
+    };
+    const auto empty = [&] {
+        return std::ranges::all_of(stage.runs(),
+                                   [](const auto& run) { return run.session().world().balls().empty(); });
+    };
+    const auto parted = [&] { return stage.divergences()[0].parting().has_value(); };
+    ASSERT_TRUE(play([&] { return stage.time() > 0.5; }));
+    stage.press(control::Launch{0.8, 1, 1});
+    ASSERT_TRUE(play(parted));
+    ASSERT_TRUE(play(empty));
+    EXPECT_TRUE(parted());
+    const double first = stage.divergences()[0].parting()->time;
+    stage.press(control::Launch{0.8, 1, 1});
+    stage.step();
+    stage.step();
+    EXPECT_FALSE(parted());
+    ASSERT_TRUE(play(parted));
+    EXPECT_GT(stage.divergences()[0].parting()->time, first + 1);
 }
 
 class RefusedStage : public testing::Test {

@@ -1,6 +1,7 @@
 #include "app/window/divergence.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "lab/csv.hpp"
 
@@ -10,6 +11,10 @@ void Divergence::observe(const Run& first, const Run& second) {
     if (first.halt() || second.halt()) return;
     const lab::Session &a = first.session(), &b = second.session();
     const double time = a.world().time();
+    const bool empty = a.world().balls().empty() && b.world().balls().empty();
+    // What comes onto two empty tables begins alike on both.
+    if (!empty && std::exchange(was_empty_, false)) match_ = {};
+    was_empty_ = empty;
     // Engines that only know contacts per step give the step's end: one step is what impacts may differ by.
     match_.observe(first.events(), second.events(), std::max(first.dt(), second.dt()) * (1 + 1e-9), time);
     const lab::Spread spread = lab::spread(a.world().balls(), b.world().balls());

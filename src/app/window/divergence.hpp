@@ -26,7 +26,8 @@ class Divergence {
     [[nodiscard]] bool is_of(std::string_view name) const { return first_ == name || second_ == name; }
     /// Greatest distance between the same ball of both, in its radii; nothing while they share none.
     [[nodiscard]] const std::deque<Sample>& history() const { return history_; }
-    /// The first impact that is not the same in both, as `flipside compare` has it.
+    /// The first impact that is not the same in both, as `flipside compare` has it, since both tables were
+    /// last empty.
     [[nodiscard]] const std::optional<lab::Parting>& parting() const { return match_.parting(); }
 
     /// What the ball hit then; "" before that.
@@ -35,6 +36,7 @@ class Divergence {
   private:
     std::string first_, second_;
     lab::LiveMatch match_;
+    bool was_empty_ = false;
     std::deque<Sample> history_;
 };
 
