@@ -135,6 +135,21 @@ void Session::restore(const State& state) {
     game_.resume(state.balls.size(), state.clock.time);
 }
 
+void Session::restore(const Snapshot& snapshot) {
+    if (snapshot.scene != scene_ || snapshot.engine != engine_ || !(snapshot.settings == settings_)) {
+        world_ = snapshot.engine->make(snapshot.scene, snapshot.settings);
+        scene_ = snapshot.scene;
+        engine_ = snapshot.engine;
+        settings_ = snapshot.settings;
+    }
+    world_->restore(snapshot.state);
+    under_way_.reset();
+    game_ = snapshot.game;
+    recording_ = snapshot.recording;
+    totals_ = snapshot.totals;
+    events_ = snapshot.events;
+}
+
 std::size_t next_control(const Script& script, double time) {
     constexpr double same_time = 1e-9;
     const auto at = std::ranges::find_if(

@@ -50,6 +50,24 @@ class Session {
     void change(std::shared_ptr<const Scene> scene, const Engine& engine, Settings settings);
     /// Continues from a state of the same scene. The game goes on with the balls that it has.
     void restore(const State& state);
+    /// All of a session at a moment between steps.
+    struct Snapshot {
+        std::shared_ptr<const Scene> scene;
+        const Engine* engine;
+        Settings settings;
+        State state;
+        Game game;
+        Script recording;
+        Totals totals;
+        std::vector<Event> events;  ///< to be read as those of the last step
+    };
+    [[nodiscard]] Snapshot snapshot(std::span<const Event> events) const {
+        return {scene_, engine_,    settings_, world_->save(),
+                game_,  recording_, totals_,   {events.begin(), events.end()}};
+    }
+    void restore(const Snapshot& snapshot);
+    /// Of a session that has been run again: what was counted the first time, work and CPU time included.
+    void recount(const Totals& totals) { totals_ = totals; }
     /// Another session in the same state, score and all, whose totals start at 0.
     [[nodiscard]] Session fork() const {
         Session copy(scene_, *engine_, settings_);

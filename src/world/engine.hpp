@@ -20,6 +20,8 @@ struct Engine {
     /// Name and version of the library that it is, as "Box2D 2.4.1"; empty where it is ours. Belongs beside
     /// every figure of its speed.
     std::string_view library{};
+    /// A world that a state is restored into goes on with the same bits as the one that saved it.
+    bool restores_exactly = false;
 };
 
 }  // namespace flipside

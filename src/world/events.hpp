@@ -43,6 +43,8 @@ struct Event {
     Vec2 normal;         ///< unit, from other to ball
     double speed = 0;    ///< m/s, approach along the normal before the hit, ≥ 0
     double impulse = 0;  ///< N·s along the normal, ≥ 0
+
+    friend bool operator==(const Event&, const Event&) = default;
 };
 
 /// Two surfaces in touch at this instant: what cross-validation compares.
