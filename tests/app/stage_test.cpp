@@ -262,6 +262,66 @@ TEST(Stage, TheNextBallPartsAnew) {
     EXPECT_GT(stage.divergences()[0].parting()->time, first + 1);
 }
 
+/// What is on show of every run.
+std::vector<std::vector<Ball>> balls_of(const Stage& stage) {
+    std::vector<std::vector<Ball>> all;
+    for (const auto& run : stage.runs()) {
+        const auto balls = run.session().world().balls();
+        all.emplace_back(balls.begin(), balls.end());
+    }
+    return all;
+}
+
+TEST(Stage, GoesBackStepByStepOnAllRunsToTheBit) {
+    Stage stage("pinball", "custom", View::split, {}, {}, {"a=custom", "b=box2d,dt=1/120", "c=reference"});
+    stage.press(control::Launch{0.8, 2, 1});
+    std::vector<std::vector<std::vector<Ball>>> shown{balls_of(stage)};
+    for (int i = 0; i < 130; ++i) {
+        if (i == 60) stage.press(control::Nudge{{0.1, 0}});
+        if (i == 90) stage.change_setting(1, "velocity_iterations", 3);
+        if (i == 100) stage.set_gravity(false);
+        stage.step();
+        shown.push_back(balls_of(stage));
+    }
+    const double end = stage.time();
+    for (std::size_t i = shown.size() - 1; i-- > 0;) {
+        ASSERT_TRUE(stage.step_back());
+        ASSERT_EQ(balls_of(stage), shown[i]) << i;
+        EXPECT_TRUE(stage.in_past());
+        EXPECT_EQ(stage.gravity(), i < 100);
+    }
+    EXPECT_FALSE(stage.step_back());
+    EXPECT_EQ(stage.time(), 0);
+    for (std::size_t i = 1; i < shown.size(); ++i) {
+        ASSERT_TRUE(stage.step_forward());
+        ASSERT_EQ(balls_of(stage), shown[i]) << i;
+    }
+    EXPECT_FALSE(stage.step_forward());
+    EXPECT_FALSE(stage.in_past());
+    EXPECT_EQ(stage.time(), end);
+}
+
+TEST(Stage, WhatIsDoneInThePastForgetsWhatCameAfter) {
+    Stage stage("toy", "custom", View::split, {}, {});
+    stage.press(control::Launch{0.8, 1, 1});
+    for (int i = 0; i < 60; ++i) stage.step();
+    const auto end = balls_of(stage);
+    stage.go_to(0.5);
+    EXPECT_NEAR(stage.time(), 0.5, 1e-9);
+    EXPECT_NEAR(stage.record_end(), 1, 1e-9);
+    stage.step();
+    EXPECT_NEAR(stage.record_end(), stage.time(), 1e-9);
+    EXPECT_FALSE(stage.in_past());
+    for (int i = 0; i < 29; ++i) stage.step();
+    EXPECT_EQ(balls_of(stage)[0], end[0]);  // the same ball falls the same way on custom
+    stage.go_to(0.5);
+    stage.press(control::Nudge{{0.3, 0.1}});
+    EXPECT_NEAR(stage.record_end(), 0.5, 1e-9);
+    for (int i = 0; i < 30; ++i) stage.step();
+    EXPECT_NE(balls_of(stage)[0], end[0]);
+    EXPECT_LE(stage.divergences()[0].history().size(), 61U);
+}
+
 class RefusedStage : public testing::Test {
   protected:
     void SetUp() override {
@@ -289,6 +349,14 @@ TEST_F(RefusedStage, TheOthersGoOnAndTheReferenceIsTakenUpWhereTheyAre) {
     EXPECT_NEAR(stage.time(), 1, 1e-9);
     EXPECT_LE(between(stage, "custom", "reference").history().back().time, exact.halt()->time + 1e-9);
     EXPECT_NEAR(between(stage, "custom", "box2d").history().back().time, 1, 1e-9);
+    const double halted = exact.halt()->time;
+    stage.go_to(0);
+    EXPECT_FALSE(exact.halt());
+    EXPECT_EQ(exact.session().world().time(), 0);
+    stage.go_to(0.9);
+    ASSERT_TRUE(exact.halt());
+    EXPECT_EQ(exact.halt()->time, halted);
+    stage.go_to(1);
     stage.take_up();
     EXPECT_FALSE(stage.runs()[2].halt());
     EXPECT_NEAR(stage.runs()[2].session().world().time(), 1, 1e-9);

@@ -21,6 +21,11 @@ void Divergence::observe(const Run& first, const Run& second) {
     if (spread.common > 0) remember(history_, {time, spread.radii});
 }
 
+void Divergence::forget_after(double time) {
+    flipside::app::forget_after(history_, time);
+    if (!parting() || parting()->time > time) match_ = {};
+}
+
 std::string Divergence::parted_on(const Scene& scene) const {
     if (!parting()) return "";
     const auto& [time, ball, index, first, second] = *parting();

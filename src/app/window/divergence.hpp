@@ -21,6 +21,9 @@ class Divergence {
     /// After each span that both have run. Runs of which one has halted are not compared.
     void observe(const Run& first, const Run& second);
 
+    /// The runs went back to `time` and go on from there.
+    void forget_after(double time);
+
     [[nodiscard]] const std::string& first() const { return first_; }
     [[nodiscard]] const std::string& second() const { return second_; }
     [[nodiscard]] bool is_of(std::string_view name) const { return first_ == name || second_ == name; }

@@ -18,4 +18,8 @@ inline void remember(std::deque<Sample>& history, Sample sample) {
     while (history.front().time < sample.time - history_seconds) history.pop_front();
 }
 
+inline void forget_after(std::deque<Sample>& history, double time) {
+    while (!history.empty() && history.back().time > time) history.pop_back();
+}
+
 }  // namespace flipside::app

@@ -1,6 +1,7 @@
 #include "app/window/run.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "app/window/claim.hpp"
@@ -31,6 +32,7 @@ Run::Run(const lab::Contender& contender, lab::Session session, const Script& sc
       next_control_(lab::next_control(script, session_.world().time())),
       traces_(session_.scene().parts.size()),
       counted_(session_.totals()) {
+    recorder_.start(session_, next_control_);
     measure_energy(true);
 }
 
@@ -44,11 +46,44 @@ bool Run::step_within(double span, const Script& script, double seconds) {
             if (!session_.step_within(steps.length(done_), script, next_control_, share)) return false;
             observe_step();
         }
+        recorder_.record(session_, {span, dt_, std::exchange(pressed_, {})}, events_, next_control_);
     } catch (const Refusal& refusal) {
-        halt_ = Halt{session_.world().time(), refusal.what()};
+        halt_ = recorded_halt_ = Halt{session_.world().time(), refusal.what()};
     }
     done_ = 0;
     return true;
+}
+
+bool Run::press(const Control& control) {
+    if (halt_ || !session_.press(control)) return false;
+    pressed_.push_back(control);
+    return true;
+}
+
+void Run::go_to(double time, const Script& script) {
+    const std::size_t moment = recorder_.at(time);
+    events_ = recorder_.restore(moment, session_, script);
+    next_control_ = recorder_.next_control(moment);
+    done_ = 0;
+    pressed_.clear();
+    traces_ = Traces(session_.scene().parts.size());
+    halt_ = recorded_halt_ && time >= recorded_halt_->time ? recorded_halt_ : std::nullopt;
+    if (passed_horizon_ && *passed_horizon_ > time) passed_horizon_.reset();
+    energy_ = lab::energy(session_.world(), session_.scene());
+    count_from_here();
+}
+
+void Run::go_on_from_here() {
+    const double now = session_.world().time();
+    recorder_.forget_after(recorder_.at(now));
+    recorded_halt_ = halt_;
+    forget_after(history_, now);
+    forget_after(uncertainty_, now);
+}
+
+void Run::count_from_here() {
+    spent_ = session_.totals().step_seconds;
+    counted_ = session_.totals();
 }
 
 void Run::observe_step() {
@@ -83,16 +118,23 @@ void Run::measure_energy(bool start_anew) {
 }
 
 void Run::change(std::shared_ptr<const Scene> scene, const lab::Contender& contender) {
+    const bool another = contender.engine != &session_.engine();
     session_.change(std::move(scene), *contender.engine, contender.settings);
     name_ = contender.name;
     dt_ = contender.dt;
     done_ = 0;
     halt_.reset();
+    recorded_halt_.reset();
     uncertainty_.clear();
     passed_horizon_.reset();
     step_cost_ = 0;
     spent_ = session_.totals().step_seconds;
     measure_energy(true);
+    // Of another engine the past is another's.
+    if (another)
+        recorder_.start(session_, next_control_);
+    else
+        recorder_.changed(session_, events_);
 }
 
 void Run::clear() {
@@ -101,7 +143,9 @@ void Run::clear() {
     state.launches.clear();
     session_.restore(state);
     halt_.reset();
+    recorded_halt_.reset();
     measure_energy(true);
+    recorder_.changed(session_, events_);
 }
 
 void Run::refresh(double seconds) {

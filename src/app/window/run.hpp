@@ -10,6 +10,7 @@
 #include "app/window/history.hpp"
 #include "app/window/traces.hpp"
 #include "lab/contender.hpp"
+#include "lab/recorder.hpp"
 #include "lab/session.hpp"
 
 namespace flipside::app {
@@ -41,11 +42,18 @@ class Run {
     /// A span has begun and not ended.
     [[nodiscard]] bool under_way() const { return session_.under_way() || done_ > 0; }
     /// What the player does, as far as the rules permit it; false if they do not.
-    bool press(const Control& control) { return !halt_ && session_.press(control); }
+    bool press(const Control& control);
     /// Continues as another contender or on a changed scene, from the state as it is.
     void change(std::shared_ptr<const Scene> scene, const lab::Contender& contender);
     /// Takes every ball off the table, and those that wait to be launched.
     void clear();
+    /// Its last half minute, and where in it the run stands.
+    [[nodiscard]] const lab::Recorder& recorder() const { return recorder_; }
+    /// Shows the last recorded moment at or before `time` as it was, or the first one. What came after it
+    /// stays recorded.
+    void go_to(double time, const Script& script);
+    /// What was recorded after the moment on show is forgotten: the run goes on from here.
+    void go_on_from_here();
     /// Once per wall second: `seconds` since the last call.
     void refresh(double seconds);
 
@@ -76,6 +84,8 @@ class Run {
 
   private:
     void observe_step();
+    /// Sums and rates go on from the session as it is.
+    void count_from_here();
     void measure_energy(bool start_anew);
     void measure_uncertainty();
 
@@ -86,6 +96,9 @@ class Run {
     std::size_t next_control_;  ///< of the script
     std::uint64_t done_ = 0;    ///< steps of the span that is under way
     std::vector<Event> events_;
+    lab::Recorder recorder_;
+    std::vector<Control> pressed_;       ///< since the last span
+    std::optional<Halt> recorded_halt_;  ///< at the end of what is recorded
     Traces traces_;
     Rates rates_;
     lab::Totals counted_;  ///< at the last refresh

@@ -102,6 +102,7 @@ void Stage::restart() {
 }
 
 void Stage::start() {
+    in_past_ = false;
     runs_.clear();
     for (const lab::Contender* contender : on_show())
         runs_.emplace_back(*contender, lab::Session(scene_, *contender->engine, contender->settings),
@@ -120,6 +121,7 @@ std::vector<const lab::Contender*> Stage::on_show() const {
 }
 
 void Stage::set_view(View view) {
+    go_on_from_here();
     view_ = view;
     arrange();
 }
@@ -174,6 +176,7 @@ void Stage::change(Run& run, const lab::Contender& contender) {
 }
 
 void Stage::switch_engine() {
+    go_on_from_here();
     // The reference keeps its place, for it is what the others are held against; alone it gives way.
     std::vector<std::size_t> places;
     const bool reference_alone = view_ == View::single && is_reference(*contenders_.front().engine);
@@ -192,6 +195,7 @@ void Stage::switch_engine() {
 
 bool Stage::show_reference(bool on) {
     if (on == reference()) return true;
+    go_on_from_here();
     const Engine& exact = lab::engine_named(reference_name);
     if (on) {
         if (contenders_.size() == most_contenders) return false;
@@ -218,6 +222,7 @@ const Run* Stage::guide() const {
 }
 
 void Stage::take_up() {
+    go_on_from_here();
     const Run* from = guide();
     for (Run& run : runs_) {
         if (!from || !(run.halt() || is_reference(run.engine()))) continue;
@@ -256,6 +261,7 @@ void Stage::run_until(double end) {
 }
 
 bool Stage::step_within(double span, double seconds) {
+    go_on_from_here();
     // The exact engine may need long for a step. It goes first, and the others wait for it: so all that is on
     // show is at one time.
     for (Run& run : runs_)
@@ -274,6 +280,7 @@ bool Stage::under_way() const {
 }
 
 void Stage::press(const Control& control) {
+    go_on_from_here();
     if (under_way())
         pressed_.push_back(control);
     else
@@ -281,6 +288,7 @@ void Stage::press(const Control& control) {
 }
 
 void Stage::clear() {
+    go_on_from_here();
     const bool all_halted = lead().halt().has_value();
     for (Run& run : runs_)
         if (!run.halt() || all_halted) run.clear();
@@ -292,6 +300,7 @@ void Stage::clear() {
 
 void Stage::set_gravity(bool on) {
     if (on == gravity_) return;
+    go_on_from_here();
     gravity_ = on;
     Scene changed = *original_;
     if (!on) changed.gravity = {};

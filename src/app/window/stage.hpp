@@ -67,6 +67,18 @@ class Stage {
     /// The last one stays.
     void remove_contender(std::size_t run);
 
+    /// The times that can be gone back to, of all runs on show, s.
+    [[nodiscard]] double record_begin() const;
+    [[nodiscard]] double record_end() const;
+    /// All runs show the last recorded moment at or before `time`, as it was. Nothing happens in the middle
+    /// of a step. Whatever is done next forgets what came after it.
+    void go_to(double time);
+    /// To the recorded moment before the one on show, or after it; false where there is none.
+    bool step_back();
+    bool step_forward();
+    /// Whether the moment on show is not the last recorded one.
+    [[nodiscard]] bool in_past() const { return in_past_; }
+
     [[nodiscard]] View view() const { return view_; }
     [[nodiscard]] std::vector<Run>& runs() { return runs_; }
     [[nodiscard]] const std::vector<Run>& runs() const { return runs_; }
@@ -107,6 +119,8 @@ class Stage {
     void set_step(double dt);
     /// Forgets how this run came apart from others.
     void compare_anew(std::string_view name);
+    /// Whatever is done to the runs begins with this: the future of a moment of the past is forgotten.
+    void go_on_from_here();
     /// Every two of the runs on show are compared, and no others.
     void pair_up();
     [[nodiscard]] bool step_within(double span, double seconds);
@@ -128,6 +142,7 @@ class Stage {
     std::vector<Run> runs_;
     double dt_ = lab::default_step;
     bool gravity_ = true;
+    bool in_past_ = false;
     std::vector<Divergence> divergences_;
     std::vector<Control> pressed_;  ///< during the step that is under way
 };

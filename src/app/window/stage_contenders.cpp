@@ -12,6 +12,7 @@ void Stage::replace(std::size_t place, const lab::Contender& contender) {
     std::vector<lab::Contender> all = contenders_;
     all[place] = contender;
     const double dt = lab::common_step(all);
+    go_on_from_here();
     if (Run* run = find_run(contenders_[place].name)) change(*run, contender);
     contenders_ = std::move(all);
     set_step(dt);
@@ -56,6 +57,7 @@ void Stage::change_engine(std::size_t run, const Engine& engine) {
 void Stage::add_contender() {
     if (contenders_.size() == most_contenders)
         throw InputError("there is room for " + std::to_string(most_contenders) + " contenders");
+    go_on_from_here();
     lab::ContenderRequest request = line_up_.back();
     lab::Contender contender = contenders_.back();
     request.name = contender.name = lab::free_name(std::string(contender.engine->name), line_up_);
@@ -66,6 +68,7 @@ void Stage::add_contender() {
 
 void Stage::remove_contender(std::size_t run) {
     if (contenders_.size() == 1) throw InputError("the last contender stays");
+    go_on_from_here();
     const auto place = static_cast<std::ptrdiff_t>(place_of(runs_[run]));
     line_up_.erase(line_up_.begin() + place);
     contenders_.erase(contenders_.begin() + place);
