@@ -16,6 +16,7 @@ std::vector<Rect> all_of(const Layout& layout) {
     all.insert(all.end(), layout.headers.begin(), layout.headers.end());
     all.push_back(layout.strip);
     if (layout.bar.height > 0) all.push_back(layout.bar);
+    if (layout.scrubber.height > 0) all.push_back(layout.scrubber);
     if (layout.panel.width > 0) all.push_back(layout.panel);
     return all;
 }
@@ -28,7 +29,7 @@ TEST(Layout, NothingOverlapsAndAllIsInsideTheWindow) {
                 for (const auto& [column, bar] :
                      {std::pair(Column::none, false), {Column::folded, true}, {Column::open, true}}) {
                     const auto all =
-                        all_of(lay_out(size[0], size[1], 1, {panes, headers, aspect, column, bar}));
+                        all_of(lay_out(size[0], size[1], 1, {panes, headers, aspect, column, bar, bar}));
                     for (std::size_t i = 0; i < all.size(); ++i) {
                         EXPECT_GE(all[i].x, 0);
                         EXPECT_GE(all[i].y, 0);

@@ -10,6 +10,7 @@
 
 #include "app/window/panel.hpp"
 #include "app/window/png_file.hpp"
+#include "app/window/scrubber.hpp"
 #include "app/window/step_bar.hpp"
 
 namespace flipside::app {
@@ -144,11 +145,21 @@ void App::act(Action action) {
             break;
         case Action::step_once:
             if (controls_.bar_open) return act_inside(action);
+            if (controls_.paused && stage_.step_forward()) break;
             controls_.paused = true;
             ++controls_.single_steps;
             break;
-        case Action::step_whole:
         case Action::stage_back:
+            if (controls_.bar_open) return act_inside(action);
+            controls_.paused = true;
+            stage_.step_back();
+            break;
+        case Action::to_record_begin:
+        case Action::to_record_end:
+            controls_.paused = true;
+            stage_.go_to(action == Action::to_record_end ? stage_.record_end() : stage_.record_begin());
+            break;
+        case Action::step_whole:
         case Action::item_next:
         case Action::item_back:
         case Action::look_at_next:
@@ -269,11 +280,17 @@ void App::draw() {
     // The panel may change what is on show, so it comes before the picture of it.
     places_ = draw_panel(layout_.panel, stage_, controls_, lessons_, load_);
     arrange();
+    draw_scrubber(layout_.scrubber, stage_, controls_, places_);
     if (controls_.bar_open) draw_step_bar(layout_.bar, stage_, microscope_, places_);
     const bool inside = controls_.bar_open && microscope_.shows(stage_);
     if (controls_.help_open) draw_help({0, 0, layout_.strip.width, state_.height});
     count_up(0);
-    Readings readings{{}, load_.asked, load_.reached, controls_.paused, controls_.speed};
+    Readings readings{{},
+                      load_.asked,
+                      load_.reached,
+                      controls_.paused,
+                      controls_.speed,
+                      stage_.record_end() - stage_.time()};
     for (const double score : scores_) readings.scores.push_back(std::lround(std::floor(score)));
     screen_.draw(window_, stage_, layout_, camera_, controls_.look, readings,
                  inside ? &microscope_ : nullptr);

@@ -19,6 +19,8 @@ enum class Action {
     pause,
     step_once,
     step_whole,
+    to_record_begin,
+    to_record_end,
     stage_back,
     item_next,
     item_back,

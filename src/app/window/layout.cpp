@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace flipside::app {
 
 namespace {
 
-constexpr double header_height = 62, strip_height = 104, bar_height = 216, column_width = 316,
-                 folded_width = 30, gap = 6;
+constexpr double header_height = 62, strip_height = 104, bar_height = 216, scrubber_height = 20,
+                 column_width = 316, folded_width = 30, gap = 6;
 
 double column_of(Column column, double scale) {
     if (column == Column::none) return 0;
@@ -56,7 +57,9 @@ Layout lay_out(double width, double height, double scale, const LayoutNeeds& nee
     const double strip = std::round(std::min(scale * strip_height, 0.18 * height));
     const double room = std::max(1.0, width - panel - (panel > 0 ? space : 0));
     const double bar = needs.step_bar ? std::round(std::min(scale * bar_height, 0.3 * height)) : 0;
-    const double below = strip + space + (needs.step_bar ? bar + space : 0);
+    const double scrubber = needs.scrubber ? std::round(scale * scrubber_height) : 0;
+    const double below =
+        (needs.scrubber ? scrubber + space : 0) + (needs.step_bar ? bar + space : 0) + strip + space;
     const double tables = std::max(1.0, height - below - space);
     const Grid grid = best_grid(needs.panes, needs.aspect, room, tables, head, space);
     for (int i = 0; i < needs.panes; ++i) {
@@ -73,8 +76,12 @@ Layout lay_out(double width, double height, double scale, const LayoutNeeds& nee
             layout.headers.push_back({i * (each + space), 0, each, head});
         }
     }
-    layout.bar = {0, tables + space, room, bar};
-    layout.strip = {0, tables + space + (needs.step_bar ? bar + space : 0), room, strip};
+    double y = tables + space;
+    for (const auto& [rect, h] :
+         {std::pair(&layout.scrubber, scrubber), {&layout.bar, bar}, {&layout.strip, strip}}) {
+        *rect = {0, y, room, h};
+        if (h > 0) y += h + space;
+    }
     return layout;
 }
 

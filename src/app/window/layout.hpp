@@ -17,7 +17,8 @@ struct Rect {
 struct Layout {
     std::vector<Rect> headers;  ///< one over each pane
     std::vector<Rect> panes;    ///< of equal size
-    Rect bar;                   ///< the step bar, below the panes; no height where there is none
+    Rect scrubber;              ///< the line of time, below the panes; no height where there is none
+    Rect bar;                   ///< the step bar, below that; no height where there is none
     Rect strip;                 ///< plots, below that
     Rect panel;                 ///< the control column; no width where there is none
 };
@@ -30,6 +31,7 @@ struct LayoutNeeds {
     double aspect = 1;  ///< width of what the panes show over its height
     Column column = Column::open;
     bool step_bar = false;
+    bool scrubber = false;
 };
 
 /// In rows and columns so that the table is as large as can be: portrait ones side by side, landscape ones

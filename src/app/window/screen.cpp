@@ -46,7 +46,8 @@ Layout layout_of(const Stage& stage, double width, double height, double scale, 
     const int runs = static_cast<int>(stage.runs().size());
     const Vec2 sight = sight_of(stage.scene()).max - sight_of(stage.scene()).min;
     const int panes = stage.view() == View::split ? runs : 1;
-    return lay_out(width, height, scale, {panes, runs, sight.x / sight.y, column, step_bar});
+    return lay_out(width, height, scale,
+                   {panes, runs, sight.x / sight.y, column, step_bar, column != Column::none});
 }
 
 void Screen::draw(sf::RenderTarget& target, const Stage& stage, const Layout& layout, const Camera& camera,
@@ -113,9 +114,11 @@ void Screen::draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect&
 
 /// In the corner: why nothing moves, or moves slowly.
 void Screen::draw_pace(const Rect& place, const Readings& readings) {
-    const std::string words = readings.paused      ? "PAUSED   P goes on"
-                              : readings.speed < 1 ? with_unit(readings.speed, 2, "× time")
-                                                   : "";
+    const std::string words =
+        readings.past > 0    ? "PAUSED   " + with_unit(readings.past, 2, "s") + " back   P goes on from here"
+        : readings.paused    ? "PAUSED   P goes on"
+        : readings.speed < 1 ? with_unit(readings.speed, 2, "× time")
+                             : "";
     if (words.empty()) return;
     const double pad = canvas_.scaled(6);
     const double width = lettering_.width(words, Type::small), height = lettering_.line_height(Type::small);

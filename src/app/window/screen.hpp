@@ -26,6 +26,7 @@ struct Readings {
     double reached = 1;        ///< and that the engines made
     bool paused = false;
     double speed = 1;  ///< simulated seconds per second
+    double past = 0;   ///< how far the moment on show lies back, s
 };
 
 class Screen {

@@ -57,7 +57,8 @@ Json still(const Stage& stage, const WindowState& window, const WindowControls& 
         j["show"][std::string(show_specs[i].name)] = bool(controls.look.shows[i]);
     j["layout"] = {{"window", {window.width, window.height}}, {"headers", json_of(layout.headers)},
                    {"panes", json_of(layout.panes)},          {"bar", json_of(layout.bar)},
-                   {"strip", json_of(layout.strip)},          {"panel", json_of(layout.panel)}};
+                   {"scrubber", json_of(layout.scrubber)},    {"strip", json_of(layout.strip)},
+                   {"panel", json_of(layout.panel)}};
     j["controls"] = Json::object();
     for (const auto& [name, place] : places) j["controls"][name] = json_of(place);
     for (const Run& run : stage.runs())
@@ -157,6 +158,8 @@ void WindowReport::write(double now, const Stage& stage, const Microscope& micro
     j["frame"] = window.frame;
     j["time"] = stage.time();
     j["under_way"] = stage.under_way();
+    j["record"] = {stage.record_begin(), stage.record_end()};
+    j["in_past"] = stage.in_past();
     j["charge"] = window.charge;
     j["scale"] = camera.scale;
     j["center"] = {camera.center.x, camera.center.y};
