@@ -19,6 +19,7 @@ void CustomWorld::restore(const State& state) {
     record_.events.clear();
     record_.statistics = {};
     search_contacts();
+    fill_statistics(0);
     record_.trace = trace;
 }
 

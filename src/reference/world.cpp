@@ -104,12 +104,17 @@ void ReferenceWorld::load() {
     }
 }
 
+void ReferenceWorld::begin_statistics() {
+    statistics_ = {};
+    statistics_.solver = bits_ == 53 ? "53 bits" : "113 bits";
+}
+
 void ReferenceWorld::restore(const State& state) {
     table_.restore(state);
     balls_ = state.balls;
     for (Ball& ball : balls_) ball.asleep = false;
     events_.clear();
-    statistics_ = {};
+    begin_statistics();
     load();
 }
 
@@ -244,8 +249,7 @@ void ReferenceWorld::read_out(double started) {
     if (with_twin_) measure_uncertainty();
 
     const Counts& counts = exact_->counts();
-    statistics_ = {};
-    statistics_.solver = bits_ == 53 ? "53 bits" : "113 bits";
+    begin_statistics();
     statistics_.pair_tests = counts.pair_tests;
     statistics_.narrow_tests = counts.narrow_tests;
     statistics_.impacts = counts.impacts;

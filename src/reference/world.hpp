@@ -47,6 +47,7 @@ class ReferenceWorld final : public World {
     void report_touches();
     void trace_step();
     void measure_uncertainty();
+    void begin_statistics();
     void load();
     void load_once() const;
 

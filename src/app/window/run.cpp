@@ -70,6 +70,9 @@ void Run::go_to(double time, const Script& script) {
     halt_ = recorded_halt_ && time >= recorded_halt_->time ? recorded_halt_ : std::nullopt;
     if (passed_horizon_ && *passed_horizon_ > time) passed_horizon_.reset();
     energy_ = lab::energy(session_.world(), session_.scene());
+    for (const Sample& baseline : baselines_)
+        if (baseline.time <= session_.world().time()) energy_before_ = baseline.value;
+    balls_ = session_.world().balls().size();
     count_from_here();
 }
 
@@ -77,6 +80,7 @@ void Run::go_on_from_here() {
     const double now = session_.world().time();
     recorder_.forget_after(recorder_.at(now));
     recorded_halt_ = halt_;
+    std::erase_if(baselines_, [now](const Sample& later) { return later.time > now; });
     forget_after(history_, now);
     forget_after(uncertainty_, now);
 }
@@ -112,7 +116,12 @@ void Run::measure_uncertainty() {
 void Run::measure_energy(bool start_anew) {
     const World& world = session_.world();
     energy_ = lab::energy(world, session_.scene());
-    if (start_anew || world.balls().size() != balls_) energy_before_ = energy_;
+    if (start_anew || world.balls().size() != balls_) {
+        energy_before_ = energy_;
+        baselines_.push_back({world.time(), energy_});
+        while (baselines_.size() > 1 && baselines_[1].time < world.time() - lab::Recorder::longest)
+            baselines_.pop_front();
+    }
     balls_ = world.balls().size();
     remember(history_, {world.time(), energy_});
 }

@@ -103,6 +103,7 @@ class Run {
     Rates rates_;
     lab::Totals counted_;  ///< at the last refresh
     double energy_ = 0, energy_before_ = 0;
+    std::deque<Sample> baselines_;  ///< of energy_before_, since when
     std::size_t balls_ = 0;
     double step_cost_ = 0;
     double spent_ = 0;  ///< CPU time on all steps that are done, s
