@@ -27,7 +27,7 @@ void Box2dWorld::step(double dt) {
 
 void Box2dWorld::make_step(double dt) {
     events_.clear();
-    statistics_ = {};
+    statistics_ = uncounted();
     if (trace_) trace_->stages.clear();
     for (std::size_t i = 0; i < std::size(stages); ++i) statistics_.stages[i].name = stages[i];
     rules_.clear();

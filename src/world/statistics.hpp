@@ -25,6 +25,7 @@ struct BroadPhaseFacts {
 struct Statistics {
     std::string_view solver;         ///< the one that made the step; empty where there is only one
     std::uint64_t pair_tests = 0;    ///< tests of one box against another, insertion included
+    bool counts_pair_tests = true;   ///< whether the engine counts these; a library may not say
     std::uint64_t narrow_tests = 0;  ///< tests of one shape against another
     std::uint64_t contacts = 0;      ///< pairs found in touch, counted once per collision iteration
     std::uint64_t impacts = 0;       ///< impact events

@@ -59,7 +59,7 @@ TEST(Run, StaysWhereItsEngineRefusedToGoOnAndSaysWhy) {
     EXPECT_EQ(run.halt()->reason, "doubter: it is not sure any more");
     EXPECT_EQ(run.session().world().time(), 1);
     EXPECT_FALSE(run.press(control::Nudge{{1, 0}}));
-    EXPECT_EQ(run.energy_history().back().time, 1);
+    EXPECT_EQ(run.numbers().back().time, 1);
     run.change(run.session().shared_scene(), {&doubter, Settings(doubter.settings), "doubter", 1});
     EXPECT_FALSE(run.halt());
 }

@@ -2,16 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 #include <SFML/Graphics/Image.hpp>
 #include <SFML/Graphics/Texture.hpp>
 #include <SFML/Window/Event.hpp>
+#include <SFML/Window/Mouse.hpp>
 
 #include "app/window/panel.hpp"
+#include "app/window/plot_export.hpp"
 #include "app/window/png_file.hpp"
 #include "app/window/scrubber.hpp"
 #include "app/window/step_bar.hpp"
+#include "lab/whole_file.hpp"
 
 namespace flipside::app {
 
@@ -196,11 +200,17 @@ void App::act(Action action) {
         case Action::view_overlay:
             stage_.set_view(View::overlay);
             break;
+        case Action::next_plots:
+            controls_.plots = static_cast<PlotChoice>((static_cast<int>(controls_.plots) + 1) % plot_choices);
+            break;
         case Action::fold_panel:
             controls_.panel_open = !controls_.panel_open;
             break;
         case Action::screenshot:
             screenshot_wanted_ = true;
+            break;
+        case Action::export_plots:
+            export_wanted_ = true;
             break;
         case Action::help:
             controls_.help_open = !controls_.help_open;
@@ -290,27 +300,67 @@ void App::draw() {
                       load_.reached,
                       controls_.paused,
                       controls_.speed,
+                      controls_.plots,
+                      {double(sf::Mouse::getPosition(window_).x), double(sf::Mouse::getPosition(window_).y)},
                       stage_.record_end() - stage_.time()};
     for (const double score : scores_) readings.scores.push_back(std::lround(std::floor(score)));
     screen_.draw(window_, stage_, layout_, camera_, controls_.look, readings,
                  inside ? &microscope_ : nullptr);
     imgui_.end_frame();
     if (screenshot_wanted_) save_screenshot();
+    if (export_wanted_) export_plots();
+}
+
+/// "flipside-1.png", or the next number for which there is none of these files.
+std::filesystem::path App::free_name(const std::string& stem,
+                                     std::initializer_list<std::string_view> endings) const {
+    std::filesystem::path file;
+    std::error_code ignored;  // writing says what is wrong with the folder
+    const auto taken = [&] {
+        return std::ranges::any_of(endings, [&](std::string_view ending) {
+            return exists(std::filesystem::path(file).replace_extension(ending), ignored);
+        });
+    };
+    for (int i = 1; file.empty() || taken(); ++i) file = screenshots_ / (stem + std::to_string(i) + ".png");
+    create_directories(screenshots_, ignored);
+    return file;
+}
+
+sf::Image App::picture() const {
+    sf::Texture texture;
+    texture.create(window_.getSize().x, window_.getSize().y);
+    texture.update(window_);
+    return texture.copyToImage();
 }
 
 void App::save_screenshot() {
     screenshot_wanted_ = false;
-    std::filesystem::path file;
-    std::error_code ignored;  // writing says what is wrong with the folder
-    for (int i = 1; file.empty() || exists(file, ignored); ++i)
-        file = screenshots_ / ("flipside-" + std::to_string(i) + ".png");
-    sf::Texture texture;
-    texture.create(window_.getSize().x, window_.getSize().y);
-    texture.update(window_);
-    create_directories(screenshots_, ignored);
+    const std::filesystem::path file = free_name("flipside-", {".png"});
     try {
-        write_png(texture.copyToImage(), file);
+        write_png(picture(), file);
         state_.last_screenshot = file.string();
+    } catch (const std::runtime_error& error) {
+        controls_.notice = error.what();
+    }
+}
+
+void App::export_plots() {
+    export_wanted_ = false;
+    const std::filesystem::path file = free_name("flipside-plots-", {".png", ".csv"});
+    const sf::Image all = picture();
+    const Rect& strip = layout_.strip;
+    sf::Image cut;
+    cut.create(static_cast<unsigned>(strip.width), static_cast<unsigned>(strip.height));
+    cut.copy(all, 0, 0,
+             {static_cast<int>(strip.x), static_cast<int>(strip.y), static_cast<int>(strip.width),
+              static_cast<int>(strip.height)});
+    try {
+        write_png(cut, file);
+        std::ostringstream csv;
+        write_numbers(csv, stage_);
+        lab::write_whole_file(std::filesystem::path(file).replace_extension(".csv"), csv.str());
+        state_.last_export = std::filesystem::path(file).replace_extension(".csv").string();
+        controls_.notice = "Saved " + file.filename().string() + " and its numbers as .csv";
     } catch (const std::runtime_error& error) {
         controls_.notice = error.what();
     }

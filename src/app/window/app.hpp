@@ -1,10 +1,12 @@
 #pragma once
 /// The window: reads keys and mouse, lets the stage run in time, and draws it.
 
+#include <initializer_list>
 #include <optional>
 #include <set>
 #include <vector>
 
+#include <SFML/Graphics/Image.hpp>
 #include <SFML/Graphics/RenderWindow.hpp>
 #include <SFML/System/Clock.hpp>
 
@@ -39,6 +41,10 @@ class App {
     void measure(double frame, double busy);
     void count_up(double seconds);
     void save_screenshot();
+    void export_plots();
+    [[nodiscard]] sf::Image picture() const;
+    [[nodiscard]] std::filesystem::path free_name(const std::string& stem,
+                                                  std::initializer_list<std::string_view> endings) const;
     [[nodiscard]] bool held(Action action) const;
 
     Stage stage_;
@@ -63,6 +69,7 @@ class App {
     std::vector<double> scores_;  ///< as shown: they count up to the true ones
     std::string shown_scene_;     ///< the one the camera was set for
     bool screenshot_wanted_ = false;
+    bool export_wanted_ = false;
 
     Load load_;
     struct {

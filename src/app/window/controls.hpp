@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "app/window/layout.hpp"
+#include "app/window/plots.hpp"
 #include "app/window/table_view.hpp"
 
 namespace flipside::app {
@@ -19,6 +20,7 @@ struct WindowControls {
     bool help_open = false;
     bool bar_open = false;       ///< the step bar
     bool lesson_wanted = false;  ///< the lessons come to the front of the panel
+    PlotChoice plots = PlotChoice::distance_and_energy;
     int launch_count = 1;
     double launch_size = 1;        ///< radius over that of the launcher's ball
     double launch_strength = 0.7;  ///< 0…1 between the launcher's slowest and fastest

@@ -41,8 +41,10 @@ constexpr KeyUse uses[] = {
     {Action::view_single, {K::Num1, K::Numpad1, no}, "1", "One engine"},
     {Action::view_split, {K::Num2, K::Numpad2, no}, "2", "The engines side by side"},
     {Action::view_overlay, {K::Num3, K::Numpad3, no}, "3", "The engines on one table"},
+    {Action::next_plots, {K::G, no, no}, "G", "Next plots: distance, energy, cost, tests"},
     {Action::fold_panel, {K::F2, no, no}, "F2", "Fold the controls away, or open them"},
     {Action::screenshot, {K::F12, no, no}, "F12", "Save a picture of the window"},
+    {Action::export_plots, {K::F11, no, no}, "F11", "Save the plots as a picture, and their numbers as CSV"},
     {Action::help, {K::F1, no, no}, "F1", "This help"},
     {Action::quit, {K::Escape, no, no}, "Esc", "Close this help, or the window"}};
 

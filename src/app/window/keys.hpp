@@ -35,8 +35,10 @@ enum class Action {
     view_single,
     view_split,
     view_overlay,
+    next_plots,
     fold_panel,
     screenshot,
+    export_plots,
     help,
     quit
 };

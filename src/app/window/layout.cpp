@@ -8,7 +8,7 @@ namespace flipside::app {
 
 namespace {
 
-constexpr double header_height = 62, strip_height = 104, bar_height = 216, scrubber_height = 20,
+constexpr double header_height = 62, strip_height = 120, bar_height = 216, scrubber_height = 20,
                  column_width = 316, folded_width = 30, gap = 6;
 
 double column_of(Column column, double scale) {

@@ -81,7 +81,7 @@ void Run::go_on_from_here() {
     recorder_.forget_after(recorder_.at(now));
     recorded_halt_ = halt_;
     std::erase_if(baselines_, [now](const Sample& later) { return later.time > now; });
-    forget_after(history_, now);
+    while (!numbers_.empty() && numbers_.back().time > now) numbers_.pop_back();
     forget_after(uncertainty_, now);
 }
 
@@ -98,6 +98,10 @@ void Run::observe_step() {
     traces_.observe(session_.events(), session_.world().balls(), session_.world().time());
     measure_energy(false);
     measure_uncertainty();
+    const World& world = session_.world();
+    numbers_.push_back({world.time(), energy_, cost, world.statistics(), world.balls().size(),
+                        deepest_overlap(world.contacts())});
+    while (numbers_.front().time < world.time() - lab::Recorder::longest) numbers_.pop_front();
 }
 
 void Run::measure_uncertainty() {
@@ -123,7 +127,6 @@ void Run::measure_energy(bool start_anew) {
             baselines_.pop_front();
     }
     balls_ = world.balls().size();
-    remember(history_, {world.time(), energy_});
 }
 
 void Run::change(std::shared_ptr<const Scene> scene, const lab::Contender& contender) {

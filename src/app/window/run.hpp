@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/window/history.hpp"
+#include "app/window/step_numbers.hpp"
 #include "app/window/traces.hpp"
 #include "lab/contender.hpp"
 #include "lab/recorder.hpp"
@@ -71,8 +72,8 @@ class Run {
     [[nodiscard]] double energy() const { return energy_; }  ///< J
     /// Energy gained since balls last came or went, J.
     [[nodiscard]] double energy_drift() const { return energy_ - energy_before_; }
-    /// Energy over time.
-    [[nodiscard]] const std::deque<Sample>& energy_history() const { return history_; }
+    /// Of each step, as long as it is recorded.
+    [[nodiscard]] const std::deque<StepNumbers>& numbers() const { return numbers_; }
     /// CPU time per step, smoothed, s.
     [[nodiscard]] double step_cost() const { return step_cost_; }
     [[nodiscard]] const std::optional<Halt>& halt() const { return halt_; }
@@ -107,7 +108,7 @@ class Run {
     std::size_t balls_ = 0;
     double step_cost_ = 0;
     double spent_ = 0;  ///< CPU time on all steps that are done, s
-    std::deque<Sample> history_;
+    std::deque<StepNumbers> numbers_;
     std::optional<Halt> halt_;
     std::deque<Sample> uncertainty_;
     std::optional<double> passed_horizon_;

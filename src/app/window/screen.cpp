@@ -65,7 +65,7 @@ void Screen::draw(sf::RenderTarget& target, const Stage& stage, const Layout& la
     for (std::size_t i = 0; i < layout.headers.size(); ++i)
         draw_header(canvas_, layout.headers[i], runs[i], readings.scores[i],
                     slow && &runs[i] == &costliest ? std::optional(readings.reached) : std::nullopt);
-    draw_strip(canvas_, layout.strip, stage);
+    draw_strip(canvas_, layout.strip, stage, readings.plots, readings.mouse);
     canvas_.flush(target);
 }
 

@@ -26,7 +26,9 @@ struct Readings {
     double reached = 1;        ///< and that the engines made
     bool paused = false;
     double speed = 1;  ///< simulated seconds per second
-    double past = 0;   ///< how far the moment on show lies back, s
+    PlotChoice plots = PlotChoice::distance_and_energy;
+    Vec2 mouse{-1, -1};  ///< px
+    double past = 0;     ///< how far the moment on show lies back, s
 };
 
 class Screen {

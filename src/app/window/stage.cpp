@@ -20,7 +20,7 @@ std::shared_ptr<const Scene> scene_of(const std::string& name) {
     return std::make_shared<const Scene>(load_scene(lab::scene_file(name)));
 }
 
-std::string_view name_of(const lab::Contender* contender) {
+std::string_view contender_name(const lab::Contender* contender) {
     return contender->name;
 }
 
@@ -130,7 +130,7 @@ void Stage::arrange() {
     const std::vector<const lab::Contender*> shown = on_show();
     for (const lab::Contender* contender : shown)
         if (find_run(contender->name) == nullptr) runs_.push_back(taken_up(lead(), *contender));
-    const auto place = [&](const Run& run) { return std::ranges::find(shown, run.name(), &name_of); };
+    const auto place = [&](const Run& run) { return std::ranges::find(shown, run.name(), &contender_name); };
     std::erase_if(runs_, [&](const Run& run) { return place(run) == shown.end(); });
     std::ranges::sort(runs_, {}, place);
     pair_up();

@@ -1,12 +1,13 @@
 #pragma once
-/// The strip below the table: how far the two runs are apart, and energy over time.
+/// The strip of plots below the table.
 
 #include "app/window/canvas.hpp"
 #include "app/window/layout.hpp"
-#include "app/window/stage.hpp"
+#include "app/window/plots.hpp"
 
 namespace flipside::app {
 
-void draw_strip(Canvas& canvas, const Rect& place, const Stage& stage);
+/// `mouse` in pixels of the window.
+void draw_strip(Canvas& canvas, const Rect& place, const Stage& stage, PlotChoice choice, Vec2 mouse);
 
 }  // namespace flipside::app

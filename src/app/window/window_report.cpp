@@ -50,9 +50,11 @@ Json still(const Stage& stage, const WindowState& window, const WindowControls& 
     j["gravity"] = stage.gravity();
     j["panel"] = controls.panel_open;
     j["help"] = controls.help_open;
+    j["plots"] = name_of(controls.plots);
     j["step_bar"] = controls.bar_open;
     j["last_key"] = window.last_key;
     j["last_screenshot"] = window.last_screenshot;
+    j["last_export"] = window.last_export;
     for (std::size_t i = 0; i < show_count; ++i)
         j["show"][std::string(show_specs[i].name)] = bool(controls.look.shows[i]);
     j["layout"] = {{"window", {window.width, window.height}}, {"headers", json_of(layout.headers)},

@@ -19,6 +19,7 @@ struct WindowState {
     double width = 0, height = 0;  ///< px
     std::string last_key;          ///< name of the last action a key asked for, with "+" down or "-" up
     std::string last_screenshot;
+    std::string last_export;  ///< the CSV
     double charge = 0;
 };
 

@@ -1,0 +1,157 @@
+#include "app/window/plots.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "app/window/contender_colour.hpp"
+#include "app/window/words.hpp"
+
+namespace flipside::app {
+
+namespace {
+
+std::string in_joules(double value) {
+    return engineering(value, "J");
+}
+
+std::string in_seconds(double value) {
+    return engineering(value, "s");
+}
+
+std::string in_tests(double value) {
+    return grouped(static_cast<std::uint64_t>(std::llround(std::max(0.0, value))));
+}
+
+/// Of the stages of a step: none is an engine's.
+const sf::Color stage_colours[] = {colour::boxes, colour::cells, colour::pairs, colour::kicker,
+                                   colour::quiet};
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+Curve curve_of(const Run& run, const std::string& unit, std::string (*words)(double),
+               const std::function<double(const StepNumbers&)>& value) {
+    Curve curve{run.name(), colour_of(run), {}, unit, words};
+    for (const StepNumbers& numbers : run.numbers()) curve.samples.push_back({numbers.time, value(numbers)});
+    return curve;
+}
+
+const Run* exact_run(const Stage& stage) {
+    const auto at =
+        std::ranges::find_if(stage.runs(), [](const Run& run) { return is_reference(run.engine()); });
+    return at == stage.runs().end() ? nullptr : &*at;
+}
+
+/// In place of nothing where two are together to the last bit: below what is drawn.
+Curve distance_curve(std::string name, sf::Color color, const std::deque<Sample>& samples) {
+    return {std::move(name), color, {samples.begin(), samples.end()}, "r", in_radii};
+}
+
+}  // namespace
+
+std::string_view name_of(PlotChoice choice) {
+    constexpr std::string_view names[plot_choices] = {
+        "Distance and energy", "All four", "Distance", "Energy", "Cost per step", "Tests per step"};
+    return names[static_cast<int>(choice)];
+}
+
+Plot distance_plot(const Stage& stage) {
+    const Run* exact = exact_run(stage);
+    const Run& base = exact ? *exact : stage.runs().front();
+    Plot plot{exact ? "From the reference, in radii" : "From " + base.name() + ", in radii",
+              exact ? "Error" : "Apart"};
+    plot.scale = Scale::decades;
+    plot.bottom = 1e-13;
+    plot.top = 1e2;
+    for (const Divergence& divergence : stage.divergences()) {
+        if (!divergence.is_of(base.name())) continue;
+        const Run& other =
+            stage.run_named(divergence.first() == base.name() ? divergence.second() : divergence.first());
+        plot.curves.push_back(distance_curve(other.name(), colour_of(other), divergence.history()));
+        const auto& parting = divergence.parting();
+        if (!parting || parting->time > stage.time() || exact) continue;
+        plot.note =
+            "parted at " + with_unit(parting->time, 2, "s") + " on " + divergence.parted_on(stage.scene());
+        plot.marks.push_back({parting->time, "", colour::text, true});
+    }
+    if (exact && stage.runs().size() > 1 && !exact->uncertainty_history().empty()) {
+        plot.curves.push_back(
+            distance_curve(exact->name() + ", at most", colour_of(*exact), exact->uncertainty_history()));
+        if (const auto& halt = exact->halt())
+            plot.marks.push_back({halt->time, "stopped", colour::warning});
+        else if (const auto& time = exact->passed_horizon())
+            plot.marks.push_back({*time, "horizon " + with_unit(*time, 2, "s"), colour_of(*exact)});
+    }
+    for (const StepNumbers& numbers : base.numbers())
+        if (numbers.statistics.impacts > 0) plot.impacts.push_back(numbers.time);
+    return plot;
+}
+
+Plot energy_plot(const Stage& stage) {
+    Plot plot{"Energy", "Energy"};
+    for (const Run& run : stage.runs())
+        plot.curves.push_back(curve_of(run, "J", in_joules, [](const StepNumbers& numbers) {
+            return numbers.balls > 0 ? numbers.energy : not_a_number;
+        }));
+    fit(plot, stage.time() - history_seconds, stage.time());
+    return plot;
+}
+
+Plot cost_plot(const Stage& stage) {
+    Plot plot{"CPU time per step", "Cost"};
+    for (const Run& run : stage.runs())
+        plot.curves.push_back(
+            curve_of(run, "s", in_seconds, [](const StepNumbers& numbers) { return numbers.cost; }));
+    if (stage.runs().size() == 1) {
+        const Run& run = stage.runs().front();
+        const auto& stages = run.session().world().statistics().stages;
+        for (std::size_t i = 0; i < stages.size() && !stages[i].name.empty(); ++i) {
+            Curve curve = curve_of(run, "s", in_seconds, [i](const StepNumbers& numbers) {
+                return numbers.statistics.stages[i].seconds;
+            });
+            curve.name = stages[i].name;
+            curve.color = stage_colours[i % std::size(stage_colours)];
+            curve.named = true;
+            plot.curves.push_back(std::move(curve));
+        }
+    }
+    fit(plot, stage.time() - history_seconds, stage.time());
+    return plot;
+}
+
+Plot tests_plot(const Stage& stage) {
+    Plot plot{"Tests of boxes per step", "Tests"};
+    for (const Run& run : stage.runs())
+        plot.curves.push_back(curve_of(run, "", in_tests, [](const StepNumbers& numbers) {
+            return numbers.statistics.counts_pair_tests ? static_cast<double>(numbers.statistics.pair_tests)
+                                                        : not_a_number;
+        }));
+    fit(plot, stage.time() - history_seconds, stage.time());
+    return plot;
+}
+
+std::vector<Plot> plots_of(PlotChoice choice, const Stage& stage) {
+    const auto with_distance = [&](std::vector<Plot> plots) {
+        // Alone nothing is apart.
+        if (stage.runs().size() > 1) plots.insert(plots.begin(), distance_plot(stage));
+        return plots;
+    };
+    switch (choice) {
+        case PlotChoice::distance_and_energy:
+            return with_distance({energy_plot(stage)});
+        case PlotChoice::all:
+            return with_distance({energy_plot(stage), cost_plot(stage), tests_plot(stage)});
+        case PlotChoice::distance:
+            return stage.runs().size() > 1 ? with_distance({}) : std::vector{energy_plot(stage)};
+        case PlotChoice::energy:
+            return {energy_plot(stage)};
+        case PlotChoice::cost:
+            return {cost_plot(stage)};
+        case PlotChoice::tests:
+            return {tests_plot(stage)};
+    }
+    return {};
+}
+
+}  // namespace flipside::app

@@ -1,0 +1,106 @@
+#include "app/window/plot.hpp"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "app/window/plot_export.hpp"
+#include "app/window/plots.hpp"
+
+namespace flipside::app {
+namespace {
+
+std::vector<Sample> every_tenth(double from, double to) {
+    std::vector<Sample> samples;
+    for (int i = static_cast<int>(std::lround(10 * from)); i <= static_cast<int>(std::lround(10 * to)); ++i)
+        samples.push_back({0.1 * i, 1.0 * i});
+    return samples;
+}
+
+TEST(Plot, CurvesEndAtTheBoxAndDoNotJoinGaps) {
+    std::vector<Sample> samples = every_tenth(0, 3);
+    const auto later = every_tenth(5, 8);
+    samples.insert(samples.end(), later.begin(), later.end());
+    samples[10].value = std::numeric_limits<double>::quiet_NaN();
+    const auto runs = unbroken(samples, 0.45, 7.05, 0.25);
+    ASSERT_EQ(runs.size(), 3U);
+    EXPECT_NEAR(runs[0].front().time, 0.5, 1e-12);
+    EXPECT_NEAR(runs[0].back().time, 0.9, 1e-12);
+    EXPECT_NEAR(runs[1].front().time, 1.1, 1e-12);
+    EXPECT_NEAR(runs[1].back().time, 3, 1e-12);
+    EXPECT_NEAR(runs[2].front().time, 5, 1e-12);
+    EXPECT_NEAR(runs[2].back().time, 7, 1e-12);
+    EXPECT_TRUE(unbroken({}, 0, 1, 0.1).empty());
+    EXPECT_TRUE(unbroken(samples, 20, 30, 0.1).empty());
+}
+
+TEST(Plot, TicksAreRoundFewAndInside) {
+    EXPECT_EQ(round_ticks(0, 10, 6), (std::vector<double>{0, 2, 4, 6, 8, 10}));
+    EXPECT_EQ(round_ticks(-13, 2, 4), (std::vector<double>{-10, -5, 0}));
+    EXPECT_EQ(round_ticks(1, 1, 4), std::vector<double>{});
+    for (const double low : {-3.7, 0.0, 1e-9, 12345.6})
+        for (const double span : {1e-12, 0.3, 7.0, 9e8})
+            for (const int most : {2, 3, 7}) {
+                const auto ticks = round_ticks(low, low + span, most);
+                EXPECT_LE(ticks.size(), static_cast<std::size_t>(most)) << low << ' ' << span;
+                for (const double tick : ticks) {
+                    EXPECT_GE(tick, low - 1e-9 * std::abs(low));
+                    EXPECT_LE(tick, (low + span) + 1e-9 * std::abs(low + span));
+                }
+            }
+}
+
+TEST(Plot, ARangeHoldsItsCurves) {
+    Plot plot{"t", "t"};
+    plot.curves.push_back({"a", {}, {{0, 5}, {1, 7}, {2, 900}}, "", nullptr});
+    fit(plot, 0, 1);
+    EXPECT_LT(plot.bottom, 5);
+    EXPECT_GT(plot.top, 7);
+    EXPECT_LT(plot.top, 9);
+    plot.curves.back().samples = {{0, 1}, {1, 7}};
+    fit(plot, 0, 1);
+    EXPECT_EQ(plot.bottom, 0);
+}
+
+TEST(Plots, ShowWhatEachStepCostAndFound) {
+    Stage stage("rain", "custom", View::split, {"custom.solver=simple"}, {});
+    for (int i = 0; i < 30; ++i) stage.step();
+    const Plot tests = tests_plot(stage);
+    ASSERT_EQ(tests.curves.size(), 2U);
+    EXPECT_EQ(tests.curves[0].samples.size(), 30U);
+    EXPECT_EQ(tests.curves[0].samples.back().value,
+              static_cast<double>(stage.runs()[0].session().world().statistics().pair_tests));
+    EXPECT_TRUE(std::isnan(tests.curves[1].samples.back().value)) << "Box2D does not count box tests";
+    EXPECT_GT(cost_plot(stage).curves[1].samples.back().value, 0);
+    EXPECT_EQ(distance_plot(stage).curves.size(), 1U);
+    EXPECT_EQ(plots_of(PlotChoice::all, stage).size(), 4U);
+    stage.set_view(View::single);
+    EXPECT_EQ(plots_of(PlotChoice::all, stage).size(), 3U);
+    EXPECT_GT(cost_plot(stage).curves.size(), 3U) << "alone also its stages";
+    stage.go_to(0.25);
+    const auto* numbers = numbers_at(stage.runs()[0].numbers(), stage.time());
+    ASSERT_NE(numbers, nullptr);
+    EXPECT_NEAR(numbers->time, 0.25, 1e-9);
+}
+
+TEST(Plots, AreExportedAsARowPerContenderAndStep) {
+    Stage stage("drop", "custom", View::split, {}, {}, {"a=custom", "b=box2d,dt=1/120", "c=reference"});
+    for (int i = 0; i < 10; ++i) stage.step();
+    std::ostringstream out;
+    write_numbers(out, stage);
+    std::istringstream in(out.str());
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    ASSERT_EQ(lines.size(), 1U + 10 + 20 + 10);
+    const auto fields = std::ranges::count(lines[0], ',');
+    for (const std::string& line : lines) EXPECT_EQ(std::ranges::count(line, ','), fields) << line;
+    EXPECT_TRUE(lines[1].starts_with("a,custom,0.01666"));
+    EXPECT_TRUE(lines[10].ends_with(",c"));
+    EXPECT_TRUE(lines[11].starts_with("b,box2d,0.00833"));
+    EXPECT_TRUE(lines.back().ends_with(",,"));
+}
+
+}  // namespace
+}  // namespace flipside::app
