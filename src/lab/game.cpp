@@ -69,6 +69,7 @@ std::vector<Control> Game::observe(std::span<const Event> events, double time, s
 
 void Game::resume(std::size_t balls_in_play, double time) {
     in_play_ = balls_in_play;
+    own_in_play_ = std::min(own_in_play_, static_cast<int>(balls_in_play));
     time_ = time;
 }
 
@@ -97,8 +98,15 @@ void Game::count_balls(std::size_t balls_in_play, int lost_now) {
     lost_ += lost_now;
     if (!scene_->rules) return;
 
-    balls_left_ = std::max(0, balls_left_ - static_cast<int>(entered));
-    if (time_ <= save_until_) balls_left_ += lost_now;
+    const int own = std::min(balls_left_, static_cast<int>(entered));
+    balls_left_ -= own;
+    own_in_play_ += own;
+    if (time_ <= save_until_) {
+        const int saved = std::min(own_in_play_, lost_now);
+        balls_left_ += saved;
+        own_in_play_ -= saved;
+    }
+    own_in_play_ = std::min(own_in_play_, static_cast<int>(in_play_));
     if (in_play_ > 0) return;
     if (lost_now > 0) {
         tilted_ = false;

@@ -60,6 +60,9 @@ class Game {
     std::vector<double> spins_;   ///< per spinner of the rules: half turns still to come
     std::vector<double> nudges_;  ///< times of the last ones
     std::size_t in_play_ = 0;
+    /// Those of them that belong to the game: a launch of many puts more on the table than it has, and only
+    /// so many can be saved.
+    int own_in_play_ = 0;
     double time_ = 0;
     double save_until_ = -1;
     long score_ = 0;

@@ -118,6 +118,34 @@ TEST_F(GameRules, ASavedBallIsGivenBackALateOneIsNot) {
     EXPECT_FALSE(game.permits(control::Launch{}, {}));
 }
 
+// Of 25 that a game of 2 balls has on the table, 2 are its own.
+TEST_F(GameRules, SavingManyGivesBackNoMoreThanTheGameHas) {
+    game.applied(control::Launch{1, 25, 1}, time);
+    for (int i = 0; i < 25; ++i) {
+        ++balls;
+        see({});
+    }
+    EXPECT_EQ(game.balls_left(), 0);
+    for (int i = 0; i < 25; ++i) drain();
+    EXPECT_EQ(game.balls_left(), 2);
+    EXPECT_EQ(game.launched(), 25);
+    EXPECT_FALSE(game.over());
+}
+
+TEST_F(GameRules, OfManyThoseThatAreLostTooLateAreGone) {
+    game.applied(control::Launch{1, 25, 1}, time);
+    balls = 25;
+    see({});
+    drain();  // saved
+    EXPECT_EQ(game.balls_left(), 1);
+    see({}, 6);
+    while (balls > 0) drain();
+    EXPECT_EQ(game.balls_left(), 1);
+    launch();
+    drain();
+    EXPECT_EQ(game.balls_left(), 1);
+}
+
 TEST_F(GameRules, LaunchesOnlyWhileEveryBallWaitsAtTheLauncher) {
     EXPECT_TRUE(game.permits(control::Launch{}, {}));
     launch();
