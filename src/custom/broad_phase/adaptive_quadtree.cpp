@@ -156,7 +156,10 @@ class AdaptiveQuadtree final : public BroadPhase {
 
     void find_pairs(std::span<const Proxy> moving, std::vector<Pair>& pairs) override {
         pairs.clear();
-        if (std::ranges::none_of(moving, &Proxy::active)) return;
+        if (std::ranges::none_of(moving, &Proxy::active)) {
+            moving_tree_.build({});
+            return;
+        }
         const auto first = static_cast<Handle>(still_.size());
         tests_ += moving_tree_.build(moving);
         moving_tree_.each_node([&](std::uint32_t node, std::span<const Handle> items, bool split) {

@@ -39,8 +39,8 @@ class Grid final : public BroadPhase {
     void find_pairs(std::span<const Proxy> moving, std::vector<Pair>& pairs) override {
         pairs.clear();
         clear_moving();
-        if (std::ranges::none_of(moving, &Proxy::active)) return;
         fit_cells(moving);
+        if (std::ranges::none_of(moving, &Proxy::active)) return;
         moving_ = moving;
         reserve_for(moving_lists_.links, moving.size(), pairs_per_ball);
         reserve_for(occupied_, moving.size(), pairs_per_ball);
@@ -62,6 +62,7 @@ class Grid final : public BroadPhase {
     }
 
     void inspect(Inspector& inspector) const override {
+        if (fits_cells_ && fitted_for_ == 0) return;  // to nothing yet
         for (std::uint32_t row = 0; row < rows_; ++row)
             for (std::uint32_t column = 0; column < columns_; ++column) {
                 const Vec2 corner =
@@ -118,7 +119,7 @@ class Grid final : public BroadPhase {
 
     /// Fits the cells to the median of the boxes, when there are others than before and they differ in size.
     void fit_cells(std::span<const Proxy> moving) {
-        if (!fits_cells_ || fitted_for_ == moving.size()) return;
+        if (!fits_cells_ || fitted_for_ == moving.size() || moving.empty()) return;
         fitted_for_ = moving.size();
         sizes_.clear();
         reserve_for(sizes_, moving.size());
