@@ -25,12 +25,14 @@ constexpr SettingSpec specs[] = {
      .choices = precisions,
      .about =
          "of all numbers while the world runs (states are saved in 53); 113 costs about fifty times more "
-         "and stays true past twice as many impacts"},
+         "and stays true past twice as many impacts",
+     .everyday = true},
     {.name = "twin",
      .type = SettingType::toggle,
      .initial = 0,
      .about = "runs a twin of about twice the precision beside it: the digits on which both agree are the "
-              "ones that it claims, and the difference is the uncertainty that it reports"},
+              "ones that it claims, and the difference is the uncertainty that it reports",
+     .everyday = true},
 };
 
 }  // namespace

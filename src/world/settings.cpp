@@ -16,10 +16,10 @@ std::string number_text(double value) {
     return {buffer, end};
 }
 
-std::string list(auto&& names) {
+std::string list(auto&& names, const char* between = ", ") {
     std::string text;
     for (const auto& name : names) {
-        if (!text.empty()) text += ", ";
+        if (!text.empty()) text += between;
         text += name;
     }
     return text;
@@ -140,6 +140,14 @@ std::string Settings::text(std::string_view name) const {
             break;
     }
     return number_text(values_[i]);
+}
+
+std::string Settings::idle(std::string_view name) const {
+    const Condition& condition = specs_[index(name)].acts_with;
+    if (condition.setting.empty()) return "";
+    if (std::ranges::find(condition.values, text(condition.setting)) != condition.values.end())
+        return idle(condition.setting);
+    return "only with " + std::string(condition.setting) + ' ' + list(condition.values, " or ");
 }
 
 }  // namespace flipside

@@ -15,6 +15,12 @@ struct RetiredChoice {
     std::string_view name, advice;
 };
 
+/// That another setting of the engine has one of these values, as text.
+struct Condition {
+    std::string_view setting{};  ///< "": always met
+    std::span<const std::string_view> values{};
+};
+
 struct SettingSpec {
     std::string_view name;
     SettingType type = SettingType::real;
@@ -24,6 +30,8 @@ struct SettingSpec {
     std::span<const std::string_view> choices{};
     std::span<const RetiredChoice> retired{};
     std::string_view about;  ///< one line: meaning, and what too small or too large does
+    Condition acts_with{};   ///< without it the setting changes nothing
+    bool everyday = false;   ///< among the few that are shown first
 };
 
 /// The values of one engine's settings, always valid.
@@ -45,6 +53,8 @@ class Settings {
     /// The value as text, such that set(name, text(name)) changes nothing.
     [[nodiscard]] std::string text(std::string_view name) const;
     [[nodiscard]] std::span<const SettingSpec> specs() const { return specs_; }
+    /// Why the setting changes nothing at present ("only with solver simple"); "" where it acts.
+    [[nodiscard]] std::string idle(std::string_view name) const;
 
     friend bool operator==(const Settings& a, const Settings& b) {
         return a.specs_.data() == b.specs_.data() && a.values_ == b.values_;

@@ -43,6 +43,35 @@ constexpr SettingSpec specs[] = {
      .about = ""},
 };
 
+constexpr std::string_view solvers[] = {"simple", "exact"}, simple[] = {"simple"}, tree[] = {"quadtree"};
+constexpr SettingSpec dependent_specs[] = {
+    {.name = "solver", .type = SettingType::choice, .choices = solvers, .about = ""},
+    {.name = "broad_phase",
+     .type = SettingType::choice,
+     .initial = 1,
+     .choices = phases,
+     .about = "",
+     .acts_with = {"solver", simple}},
+    {.name = "levels",
+     .type = SettingType::integer,
+     .initial = 4,
+     .min = 1,
+     .max = 8,
+     .about = "",
+     .acts_with = {"broad_phase", tree}},
+};
+
+TEST(Settings, SayWhyOneChangesNothing) {
+    Settings s(dependent_specs);
+    for (const char* name : {"solver", "broad_phase", "levels"}) EXPECT_EQ(s.idle(name), "");
+    s.set("broad_phase", "brute");
+    EXPECT_EQ(s.idle("levels"), "only with broad_phase quadtree");
+    s.set("broad_phase", "quadtree");
+    s.set("solver", "exact");
+    EXPECT_EQ(s.idle("broad_phase"), "only with solver simple");
+    EXPECT_EQ(s.idle("levels"), "only with solver simple");
+}
+
 TEST(Settings, StartAtTheirDefaults) {
     const Settings s(specs);
     EXPECT_EQ(s.real("slop"), 0.5);

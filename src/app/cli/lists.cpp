@@ -34,6 +34,15 @@ std::string range_of(const SettingSpec& spec) {
     return text.str();
 }
 
+/// With what it has an effect.
+std::string needs_of(const SettingSpec& spec) {
+    std::string text;
+    for (const std::string_view value : spec.acts_with.values)
+        text += (text.empty() ? ", only with " + std::string(spec.acts_with.setting) + ' ' : " or ") +
+                std::string(value);
+    return text;
+}
+
 int list_engines() {
     for (const Engine* engine : lab::engines()) {
         lab::TextStream text;
@@ -41,8 +50,8 @@ int list_engines() {
              << engine->about << '\n';
         const Settings defaults(engine->settings);
         for (const SettingSpec& spec : engine->settings)
-            text << "  " << spec.name << " = " << defaults.text(spec.name) << "  (" << range_of(spec)
-                 << ")\n      " << spec.about << '\n';
+            text << "  " << spec.name << " = " << defaults.text(spec.name) << "  (" << range_of(spec) << ')'
+                 << needs_of(spec) << "\n      " << spec.about << '\n';
         print_text(text.str());
     }
     return 0;
