@@ -1,5 +1,6 @@
 #include "app/window/png_file.hpp"
 
+#include <cstring>
 #include <string>
 
 #include <SFML/Graphics/Image.hpp>
@@ -16,9 +17,13 @@ void write_png(const sf::Image& picture, const std::filesystem::path& file) {
     png.version = PNG_IMAGE_VERSION;
     png.width = picture.getSize().x;
     png.height = picture.getSize().y;
-    png.format = PNG_FORMAT_RGBA;
+    png.format = PNG_FORMAT_RGB;
+    // What a display shows has no alpha, whatever blending has left there.
+    const std::size_t count = std::size_t{png.width} * png.height;
+    std::string pixels(3 * count, '\0');
+    for (std::size_t i = 0; i < count; ++i) std::memcpy(&pixels[3 * i], picture.getPixelsPtr() + 4 * i, 3);
     const auto write = [&](void* to, png_alloc_size_t& size) {
-        if (png_image_write_to_memory(&png, to, &size, 0, picture.getPixelsPtr(), 0, nullptr) == 0)
+        if (png_image_write_to_memory(&png, to, &size, 0, pixels.data(), 0, nullptr) == 0)
             throw lab::Failure(file.string() + ": cannot be made a picture (" + png.message + ")");
     };
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
