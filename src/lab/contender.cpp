@@ -1,6 +1,7 @@
 #include "lab/contender.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <sstream>
 
@@ -72,6 +73,18 @@ Contender contender_for(const ContenderRequest& request, const Scene& scene, dou
     Settings settings = settings_for(*request.engine, scene, changes);
     for (const auto& [name, value] : request.set) settings.set(name, value);
     return {request.engine, std::move(settings), request.name, request.dt.value_or(dt)};
+}
+
+std::string text_of(const Contender& contender, const Scene& scene) {
+    char step[32];
+    const auto end = std::to_chars(step, step + sizeof step, contender.dt).ptr;
+    std::string text =
+        contender.name + '=' + std::string(contender.engine->name) + ",dt=" + std::string(step, end);
+    const Settings recommended = settings_for(*contender.engine, scene);
+    for (const SettingSpec& spec : contender.settings.specs())
+        if (contender.settings.text(spec.name) != recommended.text(spec.name))
+            text += ',' + std::string(spec.name) + '=' + contender.settings.text(spec.name);
+    return text;
 }
 
 std::string free_name(const std::string& name, std::span<const ContenderRequest> taken) {

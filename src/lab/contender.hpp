@@ -37,6 +37,8 @@ struct ContenderRequest {
 /// settings.
 [[nodiscard]] Contender contender_for(const ContenderRequest& request, const Scene& scene, double dt,
                                       std::span<const SettingChange> changes = {});
+/// A text from which parse_contenders and contender_for make it again on a scene.
+[[nodiscard]] std::string text_of(const Contender& contender, const Scene& scene);
 /// `name`, or the first of "name-2", "name-3", ... that none of them has.
 [[nodiscard]] std::string free_name(const std::string& name, std::span<const ContenderRequest> taken);
 

@@ -61,5 +61,20 @@ TEST_F(ContenderWindow, EnginesAndStepsAreChosenByClicksWhileTheBallGoesOn) {
     EXPECT_EQ(state["reference"], false);
 }
 
+TEST_F(ContenderWindow, TheOneThatAllWaitForIsNamedAndTakenAwayByAKey) {
+    // One that takes some milliseconds for a step of 1/60 s.
+    open_with({"quick=custom", "slow=box2d,substeps=1000"}, "rain");
+    const Json slow = window->wait("a word of it", [](const Json& s) { return s["slow"] != ""; });
+    EXPECT_TRUE(slow["slow"].get<std::string>().starts_with("Slow: slow takes ")) << slow["slow"];
+    window->key("x");
+    const Json state = window->wait("one pane", [](const Json& s) { return s["panes"].size() == 1; });
+    EXPECT_EQ(state["panes"][0]["name"], "quick");
+    window->wait("its own pace", [](const Json& s) { return s["slow"] == ""; });
+    window->key("x");
+    window->key("p");
+    EXPECT_EQ(window->wait("the pause", [](const Json& s) { return s["paused"] == true; })["panes"].size(),
+              1U);
+}
+
 }  // namespace
 }  // namespace flipside::app

@@ -11,7 +11,7 @@ using LessonWindow = WindowTest;
 TEST_F(LessonWindow, AStrangerFollowsTheFirstLessonToItsEnd) {
     open("pinball", "split");
     const Json before = window->now();
-    click("Lessons");
+    click("Lesson");
     click("01  One frame");
     Json state = window->wait("the lesson", [](const Json& s) { return s.contains("lesson"); });
     EXPECT_EQ(state["lesson"]["title"], "One frame");

@@ -86,10 +86,10 @@ void Process::stop() {
     }
 }
 
-VirtualDisplay::VirtualDisplay() {
+VirtualDisplay::VirtualDisplay(const std::string& size) {
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
-    server_ = Process({"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0", "1920x1080x24",
+    server_ = Process({"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0", size + "x24",
                        "-noreset", "-nolisten", "tcp"},
                       ends[1]);
     close(ends[1]);
@@ -104,7 +104,10 @@ VirtualDisplay::VirtualDisplay() {
     setenv("ASAN_OPTIONS", "detect_leaks=0", 1);
 }
 
-RealWindow::RealWindow(std::vector<std::string> arguments) : folder_(new_folder()) {
+RealWindow::RealWindow(std::vector<std::string> arguments, const std::filesystem::path& state_home)
+    : folder_(new_folder()) {
+    setenv("XDG_STATE_HOME", (state_home.empty() ? folder_ : state_home).c_str(), 1);
+    if (state_home.empty()) arguments.emplace_back("--no-settings");
     const std::filesystem::path report = folder_ / "report.jsonl";
     std::vector<std::string> command = {FLIPSIDE_EXECUTABLE, "play"};
     command.insert(command.end(), arguments.begin(), arguments.end());

@@ -45,7 +45,7 @@ class Process {
 /// Xvfb on a display number of its own choice; sets DISPLAY for this program and all it starts.
 class VirtualDisplay {
   public:
-    VirtualDisplay();
+    explicit VirtualDisplay(const std::string& size = "1920x1080");
 
   private:
     Process server_;
@@ -56,8 +56,9 @@ class RealWindow {
     using Json = nlohmann::json;
     using Condition = std::function<bool(const Json&)>;
 
-    /// Starts `flipside play` with these arguments and waits for its first report.
-    explicit RealWindow(std::vector<std::string> arguments);
+    /// Starts `flipside play` with these arguments and waits for its first report. Whatever it keeps between
+    /// starts it keeps in `state_home`, or nowhere.
+    explicit RealWindow(std::vector<std::string> arguments, const std::filesystem::path& state_home = {});
 
     /// Runs xdotool, which sends what a keyboard or mouse would.
     void xdotool(const std::string& arguments) const;

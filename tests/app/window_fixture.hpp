@@ -58,17 +58,24 @@ class WindowTest : public testing::Test {
         if (!state["controls"].contains(control)) throw std::runtime_error(control + " is not to be seen");
         window->click(state["controls"][control]);
     }
-    /// Turns the wheel over the panel, down to its end and up again, until a control is to be seen.
+    /// Turns the wheel over the panel, down to its end and up again, until a control is to be seen; then the
+    /// same in every other tab.
     Json scroll_to(const std::string& control) {
         Json state = settled();
-        for (const char* wheel : {"5", "4"})  // down, up
-            for (int turn = 0; turn < 30 && !state["controls"].contains(control); ++turn) {
-                const Json panel = state["layout"]["panel"];
-                window->xdotool("mousemove " + std::to_string(panel[0].get<int>() + 4) + ' ' +
-                                std::to_string(panel[1].get<int>() + panel[3].get<int>() / 2) + " click " +
-                                wheel);
-                state = settled();
-            }
+        for (const char* tab : {"", "Table", "See", "Engines", "Numbers", "Lesson"}) {
+            if (*tab != '\0' && state["controls"].contains(tab)) window->click(state["controls"][tab]);
+            state = settled();
+            for (const char* wheel : {"5", "4"})  // down, up
+                for (Json before; !state["controls"].contains(control) && state["controls"] != before;) {
+                    before = state["controls"];
+                    const Json panel = state["layout"]["panel"];
+                    window->xdotool("mousemove " + std::to_string(panel[0].get<int>() + 4) + ' ' +
+                                    std::to_string(panel[1].get<int>() + panel[3].get<int>() / 2) +
+                                    " click " + wheel);
+                    state = settled();
+                }
+            if (state["controls"].contains(control)) break;
+        }
         return state;
     }
     /// A report after everything on the panel has come to its place.

@@ -182,7 +182,8 @@ TEST_F(Window, HelpOpensAndEscapeClosesItAndThenTheWindow) {
 // Each counts, and where the mouse was.
 TEST_F(Window, ClicksWithinOneFrameAllCount) {
     open("drop", "single");
-    const Json controls = settled()["controls"];
+    click("See");
+    const Json controls = scroll_to("Boxes")["controls"];
     std::string clicks;
     for (const char* name : {"Boxes", "Pairs", "Cells"}) {
         const Json& rect = controls[name];

@@ -5,6 +5,7 @@
 #include "app/cli/run_options.hpp"
 #include "app/play.hpp"
 #include "app/render.hpp"
+#include "app/window/layout.hpp"
 #include "lab/assets.hpp"
 #include "lab/lessons/lesson.hpp"
 #include "world/input_error.hpp"
@@ -16,7 +17,7 @@ namespace {
 const std::map<std::string, View> views{
     {"single", View::single}, {"split", View::split}, {"overlay", View::overlay}};
 
-void add_view(CLI::App& command, View& view, const std::string& which) {
+void add_view(CLI::App& command, auto& view, const std::string& which) {
     const auto set = [&view](const std::string& name) { view = views.at(name); };
     command
         .add_option_function<std::string>("--view", set, "single, split or overlay (default " + which + ")")
@@ -24,7 +25,7 @@ void add_view(CLI::App& command, View& view, const std::string& which) {
         ->type_name("V");
 }
 
-void add_size(CLI::App& command, unsigned& width, unsigned& height) {
+void add_size(CLI::App& command, auto& width, auto& height) {
     command.add_option("--width", width, "px (default 1280)")->check(number_from(200, 8192))->type_name("W");
     command.add_option("--height", height, "px (default 800)")->check(number_from(200, 8192))->type_name("H");
 }
@@ -79,12 +80,19 @@ void add_play(CLI::App& program, Action& chosen) {
         ->type_name("NAME");
     command.add_option("--report", options->report, "Write the window's state there, a JSON line a frame")
         ->type_name("FILE");
+    command
+        .add_option("--scale", options->scale,
+                    "Size of letters and controls, 0.75 to 3 (default: as suits display and window)")
+        ->check(number_from(least_scale, most_scale))
+        ->type_name("X");
+    command.add_flag("!--no-settings", options->keep,
+                     "Neither begin with what was kept of the last start nor keep anything");
     command.add_option("--screenshots", options->screenshots, "Folder for the pictures that F12 takes")
         ->type_name("DIR");
     add_size(command, options->width, options->height);
     command.callback([options, &chosen] {
         chosen = [options] {
-            require_distinct({{{"the scene", lab::scene_file(options->scene)},
+            require_distinct({{{"the scene", lab::scene_file(options->scene.value_or("pinball"))},
                                {"the script", options->script.value_or("")}},
                               {{"--report", options->report.value_or("")}}});
             require_display();

@@ -10,12 +10,16 @@
 #include <SFML/Window/Event.hpp>
 #include <SFML/Window/Mouse.hpp>
 
+#include "app/window/help.hpp"
 #include "app/window/panel.hpp"
 #include "app/window/plot_export.hpp"
 #include "app/window/png_file.hpp"
 #include "app/window/scrubber.hpp"
 #include "app/window/step_bar.hpp"
+#include "app/window/words.hpp"
+#include "lab/assets.hpp"
 #include "lab/whole_file.hpp"
+#include "world/input_error.hpp"
 
 namespace flipside::app {
 
@@ -27,44 +31,93 @@ constexpr double most_catch_up = 0.1;    ///< simulated seconds per frame
 constexpr double most_stepping = 0.012;  ///< seconds of work per frame
 constexpr double nudge_speed = 0.25;     ///< m/s
 
-/// Lettering grows with the display: 1 up to 1200 lines, then in quarters.
-double display_scale() {
-    const double lines = sf::VideoMode::getDesktopMode().height;
-    return std::clamp(std::floor(4 * lines / 1200) / 4, 1.0, 3.0);
+constexpr double between_looks = 1;  ///< seconds, at files
+
+std::optional<Keeper> make_keeper(const PlayOptions& options) {
+    const auto file = options.keep ? kept_file() : std::nullopt;
+    return file ? std::optional<Keeper>(*file) : std::nullopt;
+}
+
+/// Whether the command line says what to show.
+bool names_a_show(const PlayOptions& options) {
+    return options.scene || options.lesson || options.script || options.dt || !options.engine.empty() ||
+           !options.contenders.empty() || !options.settings.empty();
+}
+
+/// What was on show last, where that is still good and nothing else is asked for.
+Stage first_stage(const PlayOptions& options, const Kept& kept, std::string& notice) {
+    const View view = options.view.value_or(kept.view);
+    if (!names_a_show(options)) {
+        try {
+            return {kept.scene, "custom", view, {}, {}, kept.contenders};
+        } catch (const InputError& error) {
+            notice = "what was on show last is no more: " + std::string(error.what());
+        }
+    }
+    return {options.scene.value_or(Kept{}.scene),
+            options.engine.empty() ? "custom" : options.engine,
+            view,
+            options.settings,
+            options.script,
+            options.contenders,
+            options.dt};
+}
+
+double scale_for(sf::Vector2u size) {
+    return usual_scale(sf::VideoMode::getDesktopMode().height, size.x, size.y);
 }
 
 }  // namespace
 
 App::App(const PlayOptions& options)
-    : stage_(options.scene, options.engine, options.view, options.settings, options.script,
-             options.contenders, options.dt),
+    : keeper_(make_keeper(options)),
+      kept_(keeper_ && keeper_->found() ? *keeper_->found() : Kept{}),
+      stage_(first_stage(options, kept_, controls_.notice)),
       screenshots_(options.screenshots),
-      window_(sf::VideoMode(options.width, options.height), "Flipside"),
-      screen_(display_scale()),
-      imgui_(window_, screen_.scale()),
+      window_(sf::VideoMode(options.width.value_or(kept_.width), options.height.value_or(kept_.height)),
+              "Flipside"),
+      scale_(options.scale.value_or(kept_.scale)),
+      imgui_(window_, scale_ > 0 ? scale_ : scale_for(window_.getSize())),
       accumulator_(stage_.dt(), most_catch_up) {
     if (!window_.isOpen()) throw std::runtime_error("cannot open a window: is there a display?");
+    controls_.scale = scale_;
+    controls_.look = kept_.look;
+    controls_.panel_open = kept_.panel_open;
+    if (keeper_ && !keeper_->trouble().empty()) controls_.notice = keeper_->trouble();
     if (options.report) report_.emplace(*options.report);
-    if (options.lesson) {
-        lessons_.open(*options.lesson, stage_, controls_);
-        controls_.lesson_wanted = true;
-    }
+    if (options.lesson) lessons_.open(*options.lesson, stage_, controls_);
+    if (!names_a_show(options)) begin_where_it_ended();
+    controls_.lesson_wanted = lessons_.lesson() || controls_.newcomer;
+    controls_.table_wanted = !controls_.lesson_wanted;
     window_.setFramerateLimit(60);
     window_.setKeyRepeatEnabled(false);
+}
+
+/// In a lesson, or at a first start with an offer.
+void App::begin_where_it_ended() {
+    controls_.newcomer = keeper_ && keeper_->first_start();
+    if (kept_.lesson.empty()) return;
+    try {
+        lessons_.open(lab::lesson_file(kept_.lesson), stage_, controls_);
+    } catch (const InputError& error) {
+        controls_.notice = "the last lesson is no more: " + std::string(error.what());
+    }
 }
 
 void App::run() {
     double last = clock_.getElapsedTime().asSeconds();
     while (window_.isOpen()) {
         const double start = clock_.getElapsedTime().asSeconds();
-        for (sf::Event event{}; window_.pollEvent(event);) process(event);
-        if (!window_.isOpen()) break;
+        set_scale();
+        for (sf::Event event{}; window_.pollEvent(event);) imgui_.queue(event);
         const double seconds = start - last;
         last = start;
+        imgui_.want_keys(controls_.by_keys);
+        for (const sf::Event& event : imgui_.begin_frame(seconds)) process(event);
+        if (!window_.isOpen()) break;
         advance(seconds);
         count_up(seconds);
         arrange();
-        imgui_.begin_frame(seconds);
         draw();
         if (report_)
             report_->write(start, stage_, microscope_, lessons_, state_, controls_, layout_, camera_,
@@ -72,11 +125,63 @@ void App::run() {
         measure(seconds, clock_.getElapsedTime().asSeconds() - start);
         window_.display();
         ++state_.frame;
+        look_after_files();
+    }
+    keep();
+}
+
+void App::set_scale() {
+    const double wanted = controls_.scale > 0 ? controls_.scale : scale_for(window_.getSize());
+    if (screen_ && wanted == scale_) return;
+    if (screen_) imgui_.set_scale(wanted);
+    screen_.emplace(wanted);
+    scale_ = wanted;
+}
+
+void App::change_scale(double by) {
+    controls_.scale = std::clamp(scale_ + by, least_scale, most_scale);
+}
+
+/// Once in a while: the scene is taken anew when its file has changed, and what is kept is written.
+void App::look_after_files() {
+    const double now = clock_.getElapsedTime().asSeconds();
+    if (now < looked_after_ + between_looks) return;
+    looked_after_ = now;
+    keep();
+    if (!scene_file_.changed()) return;
+    try {
+        stage_.reload();
+        controls_.notice.clear();
+    } catch (const std::exception& error) {
+        controls_.notice = error.what();
     }
 }
 
+void App::keep() {
+    if (!keeper_) return;
+    const Look& look = controls_.look;
+    kept_.width = static_cast<unsigned>(std::clamp(state_.width, 200.0, 8192.0));
+    kept_.height = static_cast<unsigned>(std::clamp(state_.height, 200.0, 8192.0));
+    kept_.scale = controls_.scale;
+    kept_.panel_open = controls_.panel_open;
+    kept_.lesson = lessons_.lesson() ? lessons_.lesson()->name : "";
+    // A lesson's own view, overlays and contenders end with it.
+    if (!stage_.is_lesson()) {
+        const std::string& name = stage_.scene_name();
+        const auto names = lab::scene_names();
+        const bool known = std::ranges::find(names, name) != names.end();
+        kept_.scene = known ? name : absolute(lab::scene_file(name)).string();
+        kept_.view = stage_.view();
+        kept_.look = {look.shows, look.random_colours};
+        kept_.contenders.clear();
+        for (const lab::Contender& contender : stage_.contenders())
+            kept_.contenders.push_back(text_of(contender, stage_.scene()));
+    }
+    const std::string trouble = keeper_->keep(kept_);
+    if (!trouble.empty()) controls_.notice = trouble;
+}
+
 void App::process(const sf::Event& event) {
-    imgui_.process(event);
     switch (event.type) {
         case sf::Event::Closed:
             return window_.close();
@@ -86,16 +191,12 @@ void App::process(const sf::Event& event) {
             return;
         }
         case sf::Event::KeyPressed:
-            if (!imgui_.wants_text()) press(action_of(event.key), event.key.code, true);
-            return;
+            return press(action_of(event.key), event.key.code, true);
         case sf::Event::KeyReleased:
             return press(action_of(event.key.code), event.key.code, false);
         default:
-            break;
+            return mouse_.process(event, clock_.getElapsedTime().asSeconds(), layout_, camera_);
     }
-    const bool release = event.type == sf::Event::MouseButtonReleased;
-    if (release || !imgui_.wants_mouse())
-        mouse_.process(event, clock_.getElapsedTime().asSeconds(), layout_, camera_);
 }
 
 bool App::held(Action action) const {
@@ -206,6 +307,19 @@ void App::act(Action action) {
         case Action::fold_panel:
             controls_.panel_open = !controls_.panel_open;
             break;
+        case Action::work_controls:
+            controls_.by_keys = !controls_.by_keys;
+            controls_.panel_open |= controls_.by_keys;
+            break;
+        case Action::larger:
+            return change_scale(scale_step);
+        case Action::smaller:
+            return change_scale(-scale_step);
+        case Action::usual_size:
+            controls_.scale = 0;
+            break;
+        case Action::drop_slowest:
+            return drop_slowest();
         case Action::screenshot:
             screenshot_wanted_ = true;
             break;
@@ -216,10 +330,20 @@ void App::act(Action action) {
             controls_.help_open = !controls_.help_open;
             break;
         case Action::quit:
-            if (!controls_.help_open) window_.close();
-            controls_.help_open = false;
+            if (controls_.by_keys)
+                controls_.by_keys = false;
+            else if (controls_.help_open)
+                controls_.help_open = false;
+            else
+                window_.close();
             break;
     }
+}
+
+void App::drop_slowest() {
+    if (stage_.runs().size() == 1) return;
+    microscope_.close();
+    stage_.remove_contender(stage_.slowest());
 }
 
 /// With the step bar open.
@@ -277,12 +401,15 @@ void App::arrange() {
     const sf::Vector2u size = window_.getSize();
     state_.width = size.x;
     state_.height = size.y;
-    layout_ = layout_of(stage_, size.x, size.y, screen_.scale(),
-                        controls_.panel_open ? Column::open : Column::folded, controls_.bar_open);
+    layout_ = layout_of(stage_, size.x, size.y, scale_, controls_.panel_open ? Column::open : Column::folded,
+                        controls_.bar_open);
     camera_.size = {layout_.panes.front().width, layout_.panes.front().height};
-    if (shown_scene_ != stage_.scene_name()) mouse_.fit();
-    shown_scene_ = stage_.scene_name();
-    if (mouse_.fitted()) camera_.fit(sight_of(stage_.scene()), screen_.scale() * pane_margin);
+    if (shown_scene_ != stage_.scene_name()) {
+        mouse_.fit();
+        shown_scene_ = stage_.scene_name();
+        scene_file_.watch(stage_.is_lesson() ? "" : lab::scene_file(shown_scene_));
+    }
+    if (mouse_.fitted()) camera_.fit(sight_of(stage_.scene()), scale_ * pane_margin);
 }
 
 void App::draw() {
@@ -293,19 +420,21 @@ void App::draw() {
     draw_scrubber(layout_.scrubber, stage_, controls_, places_);
     if (controls_.bar_open) draw_step_bar(layout_.bar, stage_, microscope_, places_);
     const bool inside = controls_.bar_open && microscope_.shows(stage_);
-    if (controls_.help_open) draw_help({0, 0, layout_.strip.width, state_.height});
+    if (controls_.help_open) draw_help({0, 0, state_.width, state_.height}, places_);
     count_up(0);
+    state_.slow = slow_in_words();
     Readings readings{{},
                       load_.asked,
                       load_.reached,
                       controls_.paused,
                       controls_.speed,
+                      stage_.record_end() - stage_.time(),
+                      state_.slow,
                       controls_.plots,
-                      {double(sf::Mouse::getPosition(window_).x), double(sf::Mouse::getPosition(window_).y)},
-                      stage_.record_end() - stage_.time()};
+                      {double(sf::Mouse::getPosition(window_).x), double(sf::Mouse::getPosition(window_).y)}};
     for (const double score : scores_) readings.scores.push_back(std::lround(std::floor(score)));
-    screen_.draw(window_, stage_, layout_, camera_, controls_.look, readings,
-                 inside ? &microscope_ : nullptr);
+    screen_->draw(window_, stage_, layout_, camera_, controls_.look, readings,
+                  inside ? &microscope_ : nullptr);
     imgui_.end_frame();
     if (screenshot_wanted_) save_screenshot();
     if (export_wanted_) export_plots();
@@ -331,6 +460,16 @@ sf::Image App::picture() const {
     texture.create(window_.getSize().x, window_.getSize().y);
     texture.update(window_);
     return texture.copyToImage();
+}
+
+/// Where steps take so long that hardly anything moves: whose, and how to go on without it.
+std::string App::slow_in_words() const {
+    constexpr double hardly = 0.2;
+    if (load_.asked == 0 || load_.reached >= hardly * load_.asked) return "";
+    const Run& run = stage_.runs()[stage_.slowest()];
+    const std::string cost = run.under_way() ? " is still busy with this step"
+                                             : " takes " + engineering(run.step_cost(), "s") + " per step";
+    return "Slow: " + run.name() + cost + (stage_.runs().size() > 1 ? ".   X takes it away" : "");
 }
 
 void App::save_screenshot() {

@@ -11,7 +11,9 @@
 #include <SFML/System/Clock.hpp>
 
 #include "app/window/accumulator.hpp"
+#include "app/window/file_watch.hpp"
 #include "app/window/imgui_sfml.hpp"
+#include "app/window/kept.hpp"
 #include "app/window/keys.hpp"
 #include "app/window/lesson_tab.hpp"
 #include "app/window/microscope.hpp"
@@ -29,6 +31,7 @@ class App {
     void run();
 
   private:
+    void begin_where_it_ended();
     void process(const sf::Event& event);
     void press(Action action, sf::Keyboard::Key key, bool down);
     void act(Action action);
@@ -36,8 +39,14 @@ class App {
     void flip(Side side, Action action);
     void nudge(Vec2 velocity);
     void arrange();
+    void set_scale();
+    void change_scale(double by);
+    void look_after_files();
+    void keep();
+    void drop_slowest();
     void advance(double seconds);
     void draw();
+    [[nodiscard]] std::string slow_in_words() const;
     void measure(double frame, double busy);
     void count_up(double seconds);
     void save_screenshot();
@@ -47,16 +56,19 @@ class App {
                                                   std::initializer_list<std::string_view> endings) const;
     [[nodiscard]] bool held(Action action) const;
 
+    std::optional<Keeper> keeper_;
+    Kept kept_;
+    WindowControls controls_;
     Stage stage_;
     Microscope microscope_;
     Lessons lessons_;
-    WindowControls controls_;
     WindowState state_;
     std::filesystem::path screenshots_;
     std::optional<WindowReport> report_;
 
     sf::RenderWindow window_;
-    Screen screen_;
+    double scale_;  ///< of letters and controls
+    std::optional<Screen> screen_;
     Imgui imgui_;
     PaneMouse mouse_;
     Camera camera_;
@@ -68,6 +80,8 @@ class App {
     std::set<sf::Keyboard::Key> held_;
     std::vector<double> scores_;  ///< as shown: they count up to the true ones
     std::string shown_scene_;     ///< the one the camera was set for
+    FileWatch scene_file_;        ///< of the scene on show
+    double looked_after_ = 0;     ///< when files were last looked at, s
     bool screenshot_wanted_ = false;
     bool export_wanted_ = false;
 

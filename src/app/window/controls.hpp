@@ -19,8 +19,12 @@ struct WindowControls {
     bool panel_open = true;
     bool help_open = false;
     bool bar_open = false;       ///< the step bar
+    bool by_keys = false;        ///< keys work the controls instead of the table
+    double scale = 0;            ///< of letters and controls; 0: as suits the window
+    bool newcomer = false;       ///< has an offer of where to begin
     bool lesson_wanted = false;  ///< the lessons come to the front of the panel
     PlotChoice plots = PlotChoice::distance_and_energy;
+    bool table_wanted = true;  ///< or the table does
     int launch_count = 1;
     double launch_size = 1;        ///< radius over that of the launcher's ball
     double launch_strength = 0.7;  ///< 0…1 between the launcher's slowest and fastest
@@ -39,6 +43,8 @@ struct Load {
 };
 
 /// Where the controls of the panel were drawn, by label, px.
-using ControlPlaces = std::map<std::string, Rect>;
+struct ControlPlaces : std::map<std::string, Rect> {
+    std::string focus;  ///< the label of the one that keys work
+};
 
 }  // namespace flipside::app

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,8 +38,9 @@ std::string method(const Run& run) {
     return run.name() == run.engine().name ? how : std::string(run.engine().name) + " " + how;
 }
 
-/// What does not fit is left out from the end.
-std::string facts(const Canvas& canvas, const Run& run, std::optional<double> pace, double room) {
+/// In one line for each of `rooms`, px. What does not fit is left out from the end.
+std::vector<std::string> facts(const Canvas& canvas, const Run& run, std::optional<double> pace,
+                               std::span<const double> rooms) {
     const World& world = run.session().world();
     const auto asleep = static_cast<std::size_t>(
         std::ranges::count_if(world.balls(), [](const Ball& ball) { return ball.asleep; }));
@@ -47,13 +49,22 @@ std::string facts(const Canvas& canvas, const Run& run, std::optional<double> pa
     if (!run.uncertainty_history().empty()) parts.push_back(claim_in_words(run));
     parts.push_back(engineering(run.step_cost(), "s") + " per step");
     parts.push_back(energy_in_words(run.energy_drift()));
-    std::string line;
+    std::vector<std::string> lines(1);
+    const auto fits = [&](const std::string& words) {
+        return canvas.lettering().width(words, Type::small) <= rooms[lines.size() - 1];
+    };
     for (const std::string& part : parts) {
-        const std::string longer = line.empty() ? part : line + "  ·  " + part;
-        if (canvas.lettering().width(longer, Type::small) > room && !line.empty()) break;
-        line = longer;
+        const std::string longer = lines.back().empty() ? part : lines.back() + "  ·  " + part;
+        if (fits(longer) || lines.size() == rooms.size()) {
+            if (!fits(longer) && !lines.back().empty()) break;
+            lines.back() = longer;
+        } else {
+            lines.push_back(part);
+        }
     }
-    return canvas.lettering().cut(line, Type::small, room);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        lines[i] = canvas.lettering().cut(lines[i], Type::small, rooms[i]);
+    return lines;
 }
 
 /// The score in figures of that height and, where there is room from `left` on, the balls left: flush right
@@ -80,10 +91,14 @@ void draw_header(Canvas& canvas, const Rect& place, const Run& run, long score, 
     canvas.rectangle({place.x, place.y}, {place.x + place.width, place.y + place.height}, colour::raised);
     canvas.rectangle({place.x, place.y}, {place.x + place.width, place.y + canvas.scaled(3)}, color);
 
-    const std::string name = canvas.lettering().cut(run.name(), Type::large, place.width - 2 * margin);
-    canvas.text({left, place.y + canvas.scaled(9)}, name, Type::large, color);
-    const double after = left + canvas.lettering().width(name, Type::large) + canvas.scaled(9);
-    const double right = place.x + place.width - margin, y = place.y + canvas.scaled(37);
+    const double room = place.width - 2 * margin;
+    const bool fits = canvas.lettering().width(run.name(), Type::large) <= room;
+    const Type type = fits ? Type::large : Type::small;
+    const std::string name = canvas.lettering().cut(run.name(), type, room);
+    canvas.text({left, place.y + canvas.scaled(fits ? 9 : 12)}, name, type, color);
+    const double after = left + canvas.lettering().width(name, type) + canvas.scaled(9);
+    const double right = place.x + place.width - margin;
+    double y = place.y + canvas.scaled(37);
     // The score is beside the name, or below it in a narrow pane, whatever the name.
     double free = right, free_below = right;
     if (session.scene().rules && place.width > canvas.scaled(240))
@@ -94,17 +109,24 @@ void draw_header(Canvas& canvas, const Rect& place, const Run& run, long score, 
                                 canvas.scaled(small_led_height), session.game(), score) -
                      margin;
     // As much as there is room for, the step before the solver.
-    const std::string step = step_in_words(run.dt()), engine(run.engine().name);
-    for (const std::string& how :
-         {method(run) + "  ·  " + step, (run.name() == engine ? "" : engine + "  ·  ") + step})
+    const std::string step = step_in_words(run.dt()), engine(run.engine().name), how_it_works = method(run);
+    for (const std::string& how : {(how_it_works.empty() ? "" : how_it_works + "  ·  ") + step,
+                                   (run.name() == engine ? "" : engine + "  ·  ") + step})
         if (after + canvas.lettering().width(how, Type::small) < free) {
             canvas.text({after, place.y + canvas.scaled(13)}, how, Type::small, colour::quiet);
             break;
         }
-    if (const auto& halt = run.halt())
+    if (const auto& halt = run.halt()) {
         canvas.text({left, y}, "stopped at " + with_unit(halt->time, 2, "s"), Type::small, colour::warning);
-    else
-        canvas.text({left, y}, facts(canvas, run, pace, free_below - left), Type::small, colour::text);
+        return;
+    }
+    std::vector<double> rooms(static_cast<std::size_t>(lines_of_facts(place.width / canvas.scaled(1))),
+                              right - left);
+    rooms.front() = free_below - left;
+    for (const std::string& line : facts(canvas, run, pace, rooms)) {
+        canvas.text({left, y}, line, Type::small, colour::text);
+        y += canvas.scaled(20);
+    }
 }
 
 }  // namespace flipside::app

@@ -8,45 +8,69 @@ namespace {
 
 using K = sf::Keyboard;
 constexpr K::Key no = K::Unknown;
+constexpr Held none = Held::nothing;
 
 constexpr KeyUse uses[] = {
-    {Action::launch, {K::Space, no, no}, "Space", "Launch; hold it to charge"},
-    {Action::flip_left, {K::LShift, K::Left, no}, "left Shift  ←", "Raise the left flippers while held"},
-    {Action::flip_right, {K::RShift, K::Right, no}, "right Shift  →", "Raise the right flippers while held"},
-    {Action::nudge_left, {K::B, no, no}, "B", "Nudge the table to the left"},
-    {Action::nudge_forward, {K::N, no, no}, "N", "Nudge it forward; too much of this tilts it"},
-    {Action::nudge_right, {K::M, no, no}, "M", "Nudge it to the right"},
-    {Action::pause, {K::P, no, no}, "P", "Pause, or go on"},
+    {Action::launch, {K::Space, no, no}, none, "Space", "Launch; hold it to charge"},
+    {Action::flip_left,
+     {K::LShift, K::Left, no},
+     none,
+     "left Shift  ←",
+     "Raise the left flippers while held"},
+    {Action::flip_right,
+     {K::RShift, K::Right, no},
+     none,
+     "right Shift  →",
+     "Raise the right flippers while held"},
+    {Action::nudge_left, {K::B, no, no}, none, "B", "Nudge the table to the left"},
+    {Action::nudge_forward, {K::N, no, no}, none, "N", "Nudge it forward; too much of this tilts it"},
+    {Action::nudge_right, {K::M, no, no}, none, "M", "Nudge it to the right"},
+    {Action::pause, {K::P, no, no}, none, "P", "Pause, or go on"},
     {Action::step_once,
      {K::Period, no, no},
+     none,
      ".",
      "Pause, and take one step; inside a step, go to its next stage"},
-    {Action::look_inside, {K::I, no, no}, "I", "Look inside a step, stage by stage, or close that"},
+    {Action::look_inside, {K::I, no, no}, none, "I", "Look inside a step, stage by stage, or close that"},
     {Action::stage_back,
      {K::Comma, no, no},
+     none,
      ",",
      "Pause, and go back one step; inside a step, to the stage before"},
-    {Action::to_record_begin, {K::Home, no, no}, "Home", "Back by all of the last half minute"},
-    {Action::to_record_end, {K::End, no, no}, "End", "And forth again to its end"},
-    {Action::step_whole, {no, no, no}, "Shift .", "Inside a step: the whole next step"},
-    {Action::item_back, {K::LBracket, no, no}, "[", "Inside a step: the item before"},
-    {Action::item_next, {K::RBracket, no, no}, "]", "Inside a step: the next item"},
-    {Action::look_at_next, {K::C, no, no}, "C", "Inside a step: look at the next engine's"},
-    {Action::slow_motion, {K::S, no, no}, "S", "Slow motion, ten times slower"},
-    {Action::restart, {K::R, no, no}, "R", "Start the scene again"},
-    {Action::switch_engine, {K::Tab, no, no}, "Tab", "Switch the engine under the running ball"},
-    {Action::reference, {K::E, no, no}, "E", "Show the exact reference, or hide it"},
-    {Action::take_up, {K::T, no, no}, "T", "Take up the reference again from the state on show"},
-    {Action::next_view, {K::V, no, no}, "V", "Next view"},
-    {Action::view_single, {K::Num1, K::Numpad1, no}, "1", "One engine"},
-    {Action::view_split, {K::Num2, K::Numpad2, no}, "2", "The engines side by side"},
-    {Action::view_overlay, {K::Num3, K::Numpad3, no}, "3", "The engines on one table"},
-    {Action::next_plots, {K::G, no, no}, "G", "Next plots: distance, energy, cost, tests"},
-    {Action::fold_panel, {K::F2, no, no}, "F2", "Fold the controls away, or open them"},
-    {Action::screenshot, {K::F12, no, no}, "F12", "Save a picture of the window"},
-    {Action::export_plots, {K::F11, no, no}, "F11", "Save the plots as a picture, and their numbers as CSV"},
-    {Action::help, {K::F1, no, no}, "F1", "This help"},
-    {Action::quit, {K::Escape, no, no}, "Esc", "Close this help, or the window"}};
+    {Action::to_record_begin, {K::Home, no, no}, none, "Home", "Back by all of the last half minute"},
+    {Action::to_record_end, {K::End, no, no}, none, "End", "And forth again to its end"},
+    {Action::step_whole, {K::Period, no, no}, Held::shift, "Shift .", "Inside a step: the whole next step"},
+    {Action::item_back, {K::LBracket, no, no}, none, "[", "Inside a step: the item before"},
+    {Action::item_next, {K::RBracket, no, no}, none, "]", "Inside a step: the next item"},
+    {Action::look_at_next, {K::C, no, no}, none, "C", "Inside a step: look at the next engine's"},
+    {Action::slow_motion, {K::S, no, no}, none, "S", "Slow motion, ten times slower"},
+    {Action::restart, {K::R, no, no}, none, "R", "Start the scene again"},
+    {Action::switch_engine, {K::Tab, no, no}, none, "Tab", "Switch the engine under the running ball"},
+    {Action::reference, {K::E, no, no}, none, "E", "Show the exact reference, or hide it"},
+    {Action::take_up, {K::T, no, no}, none, "T", "Take up the reference again from the state on show"},
+    {Action::next_view, {K::V, no, no}, none, "V", "Next view"},
+    {Action::view_single, {K::Num1, K::Numpad1, no}, none, "1", "One engine"},
+    {Action::view_split, {K::Num2, K::Numpad2, no}, none, "2", "The engines side by side"},
+    {Action::view_overlay, {K::Num3, K::Numpad3, no}, none, "3", "The engines on one table"},
+    {Action::drop_slowest, {K::X, no, no}, none, "X", "Take the slowest of several panes away"},
+    {Action::next_plots, {K::G, no, no}, none, "G", "Next plots: distance, energy, cost, tests"},
+    {Action::fold_panel, {K::F2, no, no}, none, "F2", "Fold the controls away, or open them"},
+    {Action::work_controls,
+     {K::F6, no, no},
+     none,
+     "F6",
+     "Work the controls: arrows move, Space uses, Enter types; Esc goes back"},
+    {Action::larger, {K::Equal, K::Add, no}, Held::ctrl, "Ctrl +", "Everything larger"},
+    {Action::smaller, {K::Hyphen, K::Subtract, no}, Held::ctrl, "Ctrl −", "Everything smaller"},
+    {Action::usual_size, {K::Num0, K::Numpad0, no}, Held::ctrl, "Ctrl 0", "The size that suits the window"},
+    {Action::screenshot, {K::F12, no, no}, none, "F12", "Save a picture of the window"},
+    {Action::export_plots,
+     {K::F11, no, no},
+     none,
+     "F11",
+     "Save the plots as a picture, and their numbers as CSV"},
+    {Action::help, {K::F1, no, no}, none, "F1", "This help"},
+    {Action::quit, {K::Escape, no, no}, none, "Esc", "Close this help, or the window"}};
 
 }  // namespace
 
@@ -54,15 +78,26 @@ std::span<const KeyUse> key_uses() {
     return uses;
 }
 
-Action action_of(sf::Keyboard::Key key) {
+namespace {
+
+Action action_of(sf::Keyboard::Key key, Held with) {
     if (key == no) return Action::none;
     for (const KeyUse& use : uses)
-        if (std::ranges::find(use.keys, key) != std::end(use.keys)) return use.action;
+        if (use.with == with && std::ranges::find(use.keys, key) != std::end(use.keys)) return use.action;
     return Action::none;
 }
 
+}  // namespace
+
+Action action_of(sf::Keyboard::Key key) {
+    return action_of(key, Held::nothing);
+}
+
 Action action_of(const sf::Event::KeyEvent& key) {
-    return key.shift && key.code == K::Period ? Action::step_whole : action_of(key.code);
+    if (key.alt) return Action::none;
+    if (key.control) return action_of(key.code, Held::ctrl);
+    const Action shifted = key.shift ? action_of(key.code, Held::shift) : Action::none;
+    return shifted == Action::none ? action_of(key.code) : shifted;
 }
 
 }  // namespace flipside::app

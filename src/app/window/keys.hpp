@@ -37,21 +37,31 @@ enum class Action {
     view_overlay,
     next_plots,
     fold_panel,
+    work_controls,
+    larger,
+    smaller,
+    usual_size,
+    drop_slowest,
     screenshot,
     export_plots,
     help,
     quit
 };
 
+/// What is held down with a key. What is held with Ctrl or Alt otherwise does nothing.
+enum class Held { nothing, shift, ctrl };
+
 struct KeyUse {
     Action action;
     sf::Keyboard::Key keys[3];  ///< any of them; Unknown where there are fewer
-    std::string_view names;     ///< as printed on them
+    Held with;
+    std::string_view names;  ///< as printed on them
     std::string_view meaning;
 };
 
 /// In the order of the help.
 [[nodiscard]] std::span<const KeyUse> key_uses();
+/// Of the key alone.
 [[nodiscard]] Action action_of(sf::Keyboard::Key key);
 /// With what is held beside it.
 [[nodiscard]] Action action_of(const sf::Event::KeyEvent& key);

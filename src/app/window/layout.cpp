@@ -8,8 +8,13 @@ namespace flipside::app {
 
 namespace {
 
-constexpr double header_height = 62, strip_height = 120, bar_height = 216, scrubber_height = 20,
-                 column_width = 316, folded_width = 30, gap = 6;
+constexpr double strip_height = 120, bar_height = 216, scrubber_height = 20, column_width = 332,
+                 folded_width = 30, gap = 6;
+
+/// Name and score, and below them what the run does: in more lines where the header is narrow.
+double header_height(double width) {
+    return 42 + 20 * lines_of_facts(width);
+}
 
 double column_of(Column column, double scale) {
     if (column == Column::none) return 0;
@@ -52,7 +57,6 @@ Layout lay_out(double width, double height, double scale, const LayoutNeeds& nee
     const double panel = std::min(column_of(needs.column, scale), width);
     layout.panel = {width - panel, 0, panel, height};
 
-    const double head = std::round(scale * header_height);
     // On a small display the table keeps most of the height.
     const double strip = std::round(std::min(scale * strip_height, 0.18 * height));
     const double room = std::max(1.0, width - panel - (panel > 0 ? space : 0));
@@ -61,13 +65,19 @@ Layout lay_out(double width, double height, double scale, const LayoutNeeds& nee
     const double below =
         (needs.scrubber ? scrubber + space : 0) + (needs.step_bar ? bar + space : 0) + strip + space;
     const double tables = std::max(1.0, height - below - space);
-    const Grid grid = best_grid(needs.panes, needs.aspect, room, tables, head, space);
+    const double each = std::max(1.0, std::floor((room - space * (needs.headers - 1)) / needs.headers));
+    const auto head_of = [&](double of_width) { return std::round(scale * header_height(of_width / scale)); };
+    double head = head_of(needs.panes == needs.headers ? room : each);
+    Grid grid = best_grid(needs.panes, needs.aspect, room, tables, head, space);
+    if (needs.panes == needs.headers && head_of(grid.width) > head) {
+        head = head_of(grid.width);
+        grid = grid_of(grid.columns, needs.panes, room, tables, head, space);
+    }
     for (int i = 0; i < needs.panes; ++i) {
         const double x = i % grid.columns * (grid.width + space);
         const double y = std::floor(i / grid.columns) * (head + grid.height + space);
         layout.panes.push_back({x, y + head, grid.width, grid.height});
     }
-    const double each = std::max(1.0, std::floor((room - space * (needs.headers - 1)) / needs.headers));
     for (int i = 0; i < needs.headers; ++i) {
         if (needs.panes == needs.headers) {
             const Rect& pane = layout.panes[static_cast<std::size_t>(i)];
@@ -83,6 +93,12 @@ Layout lay_out(double width, double height, double scale, const LayoutNeeds& nee
         if (h > 0) y += h + space;
     }
     return layout;
+}
+
+double usual_scale(double display_lines, double width, double height) {
+    const auto in_steps = [](double scale) { return scale_step * std::floor(scale / scale_step); };
+    const double display = std::max(1.0, in_steps(display_lines / 1080));
+    return std::clamp(in_steps(std::min({display, width / 1024, height / 640})), least_scale, most_scale);
 }
 
 }  // namespace flipside::app

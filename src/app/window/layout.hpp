@@ -34,8 +34,18 @@ struct LayoutNeeds {
     bool scrubber = false;
 };
 
+/// In a header that would be that wide on an ordinary display, px.
+[[nodiscard]] constexpr int lines_of_facts(double width) {
+    return width < 200 ? 4 : width < 260 ? 3 : width < 330 ? 2 : 1;
+}
+
 /// In rows and columns so that the table is as large as can be: portrait ones side by side, landscape ones
 /// one below the other. `scale` is 1 on an ordinary display. All corners are whole pixels.
 [[nodiscard]] Layout lay_out(double width, double height, double scale, const LayoutNeeds& needs);
+
+/// Of letters, lines and controls where the user says nothing: what the display asks for, as far as the
+/// window has room for it. 1 on a display of 1080 lines and in a window of 1024 × 640 px.
+[[nodiscard]] double usual_scale(double display_lines, double width, double height);
+inline constexpr double least_scale = 0.75, most_scale = 3, scale_step = 0.25;
 
 }  // namespace flipside::app

@@ -104,8 +104,26 @@ void Lessons::draw(Stage& stage, WindowControls& controls, ControlPlaces& places
     if (!trouble_.empty()) write(trouble_, colour::warning);
     if (lesson_)
         draw_open(stage, controls, places);
+    else if (controls.newcomer)
+        draw_offer(stage, controls, places);
     else
         draw_list(stage, controls, places);
+}
+
+void Lessons::draw_offer(Stage& stage, WindowControls& controls, ControlPlaces& places) {
+    write("New here?", colour::lit);
+    write(
+        "One pinball table, and engines that compute it in different ways. Lesson 1 opens up a single step "
+        "of one of them: five minutes, with something to do.",
+        colour::text);
+    const auto choice = [&](const std::string& words) {
+        const bool chosen = wide_button(words, places);
+        if (chosen) controls.newcomer = false;
+        return chosen;
+    };
+    if (choice("Start lesson 1") && !all().empty()) return go_to(lab::Lesson(all().front()), stage, controls);
+    if (choice("Just play")) controls.table_wanted = true;
+    choice("All lessons");
 }
 
 void Lessons::draw_list(Stage& stage, WindowControls& controls, ControlPlaces& places) {

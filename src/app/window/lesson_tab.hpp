@@ -36,6 +36,7 @@ class Lessons {
     void draw(Stage& stage, WindowControls& controls, ControlPlaces& places);
 
   private:
+    void draw_offer(Stage& stage, WindowControls& controls, ControlPlaces& places);
     void draw_list(Stage& stage, WindowControls& controls, ControlPlaces& places);
     void draw_open(Stage& stage, WindowControls& controls, ControlPlaces& places);
     void draw_question(ControlPlaces& places);

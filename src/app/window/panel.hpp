@@ -1,5 +1,5 @@
 #pragma once
-/// The control column: one docked window with the toy's regions.
+/// The control column: one docked window with tabs.
 
 #include "app/window/controls.hpp"
 #include "app/window/lesson_tab.hpp"
@@ -10,7 +10,5 @@ namespace flipside::app {
 /// Draws the column at `place` and does at once what its controls say. Returns where they are.
 ControlPlaces draw_panel(const Rect& place, Stage& stage, WindowControls& controls, Lessons& lessons,
                          const Load& load);
-/// Every key and what it does, in the middle of `place`.
-void draw_help(const Rect& place);
 
 }  // namespace flipside::app

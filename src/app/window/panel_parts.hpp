@@ -1,6 +1,6 @@
 #pragma once
-/// The regions of the control column, and how they are laid out: a label on the left, its control on the
-/// right, what it means in a tooltip.
+/// What the tabs of the control column are made of: a label on the left, its control on the right, what it
+/// means in a tooltip.
 
 #include <string>
 #include <string_view>
@@ -9,6 +9,7 @@
 #include <imgui.h>
 
 #include "app/window/controls.hpp"
+#include "app/window/lesson_tab.hpp"
 #include "app/window/stage.hpp"
 
 namespace flipside::app {
@@ -20,20 +21,31 @@ inline constexpr ImGuiWindowFlags docked =
 [[nodiscard]] inline ImVec2 imgui_vector(double x, double y) {
     return {static_cast<float>(x), static_cast<float>(y)};
 }
-/// Shows `words` while the mouse rests on the last item.
+[[nodiscard]] ImVec4 imgui_color(sf::Color color);
+/// Shows `words` beside the column, or above anything else, while the mouse rests on the last item.
 void tooltip(std::string_view words);
-/// Notes where the last item is.
+/// Notes where the last item is, if it is to be seen.
 void note(ControlPlaces& places, const std::string& label);
 /// A foldable region; true while it is open.
 bool region(const char* title, bool open = true);
 /// The label of the control that follows, which gets the rest of the line.
 void label(std::string_view words, std::string_view meaning);
-[[nodiscard]] ImVec4 imgui_color(sf::Color color);
+/// With the value beside it, where no grab hides it; a click with Ctrl opens a field to type it into.
+/// `format` as in printf.
+bool slider(const char* id, double& value, double min, double max, const char* format,
+            ImGuiSliderFlags flags = ImGuiSliderFlags_None);
+bool slider(const char* id, int& value, int min, int max, ImGuiSliderFlags flags = ImGuiSliderFlags_None);
 
-/// Balls in play, tests and hits, broad phase: one column per run.
-void draw_counts(const Stage& stage);
-/// The settings of every engine on show, each under its colour, made from their descriptions.
-/// What an engine refuses becomes the `notice`.
-void draw_settings(Stage& stage, ControlPlaces& places, std::string& notice);
+/// What every tab works on.
+struct Panel {
+    Stage& stage;
+    WindowControls& controls;
+    ControlPlaces& places;
+    Lessons& lessons;
+
+    /// As wide as `share` of what is left of the line.
+    bool button(const char* words, const char* meaning, double share = 1) const;
+    void toggle(const char* words, bool& on, std::string_view meaning) const;
+};
 
 }  // namespace flipside::app

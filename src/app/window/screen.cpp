@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "app/window/advice.hpp"
 #include "app/window/contender_colour.hpp"
 #include "app/window/header.hpp"
 #include "app/window/overlays.hpp"
@@ -14,16 +15,6 @@
 namespace flipside::app {
 
 namespace {
-
-/// What to do now, where that is not plain to see.
-std::string advice(const lab::Session& session) {
-    const lab::Game& game = session.game();
-    if (session.scene().rules && game.over()) return "Game over: R to play again";
-    if (game.tilted()) return "Tilt";
-    if (!session.world().balls().empty()) return "";
-    if (!session.scene().launcher) return "No balls: R to restart";
-    return session.world().save().launches.empty() ? "Space to launch" : "";
-}
 
 /// Lets through what lies in `place` only, with its top left corner as the origin.
 sf::View view_of(const sf::RenderTarget& target, const Rect& place) {
@@ -101,30 +92,53 @@ void Screen::draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect&
     if (looked_into)
         draw_stage_items(canvas_, camera, inside->stage(), inside->item(), inside->balls(inside->run()),
                          colour_of(stage.runs()[inside->run()]));
-    if (look.charge == 0 && !inside) {
-        const std::string words = advice(front.session());
-        const bool wide = lettering_.width(words, Type::large) > 0.8 * place.width;
-        canvas_.text({0.5 * place.width, 0.57 * place.height}, words, wide ? Type::small : Type::large,
-                     colour::text, Align::center);
-    }
+    if (look.charge == 0 && !inside) draw_advice(place, advice(runs, stage));
     for (const Run& run : runs)
         if (run.halt()) draw_halt(stage, place, run, alone);
     canvas_.flush(target);
 }
 
+/// In the middle of the lower half, on a ground of its own: no wall goes through the words.
+void Screen::draw_advice(const Rect& place, const std::string& words) {
+    if (words.empty()) return;
+    const double pad = canvas_.scaled(8), room = 0.8 * place.width - 2 * pad;
+    const Type type = lettering_.width(words, Type::large) > room ? Type::small : Type::large;
+    const std::vector<std::string> lines = lettering_.lines(words, type, room);
+    double width = 0;
+    for (const std::string& line : lines) width = std::max(width, lettering_.width(line, type));
+    const double height = lettering_.line_height(type) * static_cast<double>(lines.size());
+    const double middle = std::round(0.5 * place.width);
+    double y = std::round(std::min(0.57 * place.height, place.height - height - 2 * pad));
+    canvas_.rectangle({middle - 0.5 * width - pad, y - 0.6 * pad},
+                      {middle + 0.5 * width + pad, y + height + 0.6 * pad}, with_alpha(colour::raised, 0.94));
+    for (const std::string& line : lines) {
+        canvas_.text({middle, y}, line, type, colour::text, Align::center);
+        y += lettering_.line_height(type);
+    }
+}
+
 /// In the corner: why nothing moves, or moves slowly.
 void Screen::draw_pace(const Rect& place, const Readings& readings) {
     const std::string words =
-        readings.past > 0    ? "PAUSED   " + with_unit(readings.past, 2, "s") + " back   P goes on from here"
-        : readings.paused    ? "PAUSED   P goes on"
-        : readings.speed < 1 ? with_unit(readings.speed, 2, "× time")
-                             : "";
+        readings.past > 0 ? "PAUSED  ·  " + with_unit(readings.past, 2, "s") + " back  ·  P goes on from here"
+        : readings.paused        ? "PAUSED  ·  P goes on"
+        : !readings.slow.empty() ? readings.slow
+        : readings.speed < 1     ? with_unit(readings.speed, 2, "× time")
+                                 : "";
     if (words.empty()) return;
-    const double pad = canvas_.scaled(6);
-    const double width = lettering_.width(words, Type::small), height = lettering_.line_height(Type::small);
-    const Vec2 corner{place.x + pad, place.y + pad};
-    canvas_.rectangle(corner, corner + Vec2{width + 2 * pad, height + pad}, with_alpha(colour::raised, 0.85));
-    canvas_.text(corner + Vec2{pad, 0.5 * pad}, words, Type::small, colour::lit);
+    const double pad = canvas_.scaled(6), line = lettering_.line_height(Type::small);
+    const std::vector<std::string> lines = lettering_.lines(words, Type::small, place.width - 4 * pad);
+    double width = 0;
+    for (const std::string& words_of_line : lines)
+        width = std::max(width, lettering_.width(words_of_line, Type::small));
+    Vec2 at{place.x + pad, place.y + pad};
+    canvas_.rectangle(at, at + Vec2{width + 2 * pad, line * static_cast<double>(lines.size()) + pad},
+                      with_alpha(colour::raised, 0.85));
+    at += Vec2{pad, 0.5 * pad};
+    for (const std::string& words_of_line : lines) {
+        canvas_.text(at, words_of_line, Type::small, colour::lit);
+        at.y += line;
+    }
 }
 
 /// From each run to the reference, or else to the first.

@@ -2,6 +2,7 @@
 /// Everything but the control column: headers, panes and plots, drawn the same into the window and into a
 /// picture.
 
+#include <string>
 #include <vector>
 
 #include "app/window/layout.hpp"
@@ -25,10 +26,11 @@ struct Readings {
     double asked = 1;          ///< simulated seconds per second that were due
     double reached = 1;        ///< and that the engines made
     bool paused = false;
-    double speed = 1;  ///< simulated seconds per second
+    double speed = 1;       ///< simulated seconds per second
+    double past = 0;        ///< how far the moment on show lies back, s
+    std::string slow = {};  ///< what makes all wait, and what can be done; "" where nothing does
     PlotChoice plots = PlotChoice::distance_and_energy;
     Vec2 mouse{-1, -1};  ///< px
-    double past = 0;     ///< how far the moment on show lies back, s
 };
 
 class Screen {
@@ -44,6 +46,7 @@ class Screen {
     void draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect& place, std::span<const Run> runs,
                    const Camera& camera, const Look& look, const Microscope* inside);
     void draw_links_of(std::span<const Run> runs, const Camera& camera);
+    void draw_advice(const Rect& place, const std::string& words);
     void draw_pace(const Rect& place, const Readings& readings);
     void draw_halt(const Stage& stage, const Rect& place, const Run& run, bool alone);
 

@@ -55,6 +55,7 @@ Stage::Stage(const std::string& scene, const std::string& engine, View view,
                          std::to_string(most_contenders));
     if (line_up_.empty()) line_up_ = everybody(lab::engine_named(engine));
     show_scene(scene, scene_of(scene), line_up_);
+    script_file_ = script;
     if (script) script_ = load_script(*script, *scene_);
     start();
 }
@@ -71,6 +72,7 @@ void Stage::show_scene(std::string name, std::shared_ptr<const Scene> scene,
     original_ = scene_ = std::move(scene);
     name_ = std::move(name);
     gravity_ = true;
+    script_file_.reset();
     script_.clear();
 }
 
@@ -94,6 +96,17 @@ void Stage::open(const lab::Lesson& lesson) {
     show_scene("lesson " + lesson.name, lesson.scene, std::move(requests));
     before_lesson_ = std::move(before);
     view_ = lesson.split ? View::split : View::single;
+    start();
+}
+
+void Stage::reload() {
+    const auto scene = scene_of(name_);
+    // An engine may refuse what the form of the file permits.
+    for (const lab::Contender& contender : contenders_)
+        static_cast<void>(contender.engine->make(scene, contender.settings));
+    if (script_file_) script_ = load_script(*script_file_, *scene);
+    original_ = scene;
+    set_scene();
     start();
 }
 
@@ -298,13 +311,17 @@ void Stage::clear() {
     pair_up();
 }
 
+void Stage::set_scene() {
+    Scene changed = *original_;
+    if (!gravity_) changed.gravity = {};
+    scene_ = std::make_shared<const Scene>(std::move(changed));
+}
+
 void Stage::set_gravity(bool on) {
     if (on == gravity_) return;
     go_on_from_here();
     gravity_ = on;
-    Scene changed = *original_;
-    if (!on) changed.gravity = {};
-    scene_ = std::make_shared<const Scene>(std::move(changed));
+    set_scene();
     for (Run& run : runs_) change(run, contenders_[place_of(run)]);
 }
 

@@ -30,6 +30,9 @@ class Stage {
     void open(const std::string& scene);
     /// A lesson's scene with its contenders.
     void open(const lab::Lesson& lesson);
+    /// The scene's file once more, from its start, with the contenders as they are. Throws InputError, and
+    /// changes nothing, where it is no good.
+    void reload();
     void restart();
     /// The single view shows the first contender, with the reference around its balls if that takes part.
     void set_view(View view);
@@ -66,6 +69,8 @@ class Stage {
     void add_contender();
     /// The last one stays.
     void remove_contender(std::size_t run);
+    /// The run that all wait for, or whose steps cost most.
+    [[nodiscard]] std::size_t slowest() const;
 
     /// The times that can be gone back to, of all runs on show, s.
     [[nodiscard]] double record_begin() const;
@@ -88,6 +93,8 @@ class Stage {
     [[nodiscard]] const std::vector<lab::Contender>& contenders() const { return contenders_; }
     [[nodiscard]] const Scene& scene() const { return *scene_; }
     [[nodiscard]] const std::string& scene_name() const { return name_; }
+    /// Whether what is on show is a lesson's scene.
+    [[nodiscard]] bool is_lesson() const { return before_lesson_.has_value(); }
     /// The longest of the contenders' steps, after which all of them meet, s.
     [[nodiscard]] double dt() const { return dt_; }
     [[nodiscard]] double time() const { return lead().session().world().time(); }
@@ -104,6 +111,8 @@ class Stage {
     void show_scene(std::string name, std::shared_ptr<const Scene> scene,
                     std::vector<lab::ContenderRequest> line_up);
     void start();
+    /// `original_`, with or without gravity.
+    void set_scene();
     /// Brings in the runs that the view asks for, and takes out the others.
     void arrange();
     [[nodiscard]] std::vector<const lab::Contender*> on_show() const;
@@ -137,6 +146,7 @@ class Stage {
     std::optional<Before> before_lesson_;
     std::vector<lab::Contender> contenders_;  ///< one for each of the line-up
     std::optional<double> asked_dt_;          ///< s
+    std::optional<std::filesystem::path> script_file_;
     Script script_;
     View view_;
     std::vector<Run> runs_;

@@ -76,4 +76,11 @@ void Stage::remove_contender(std::size_t run) {
     set_step(lab::common_step(contenders_));
 }
 
+std::size_t Stage::slowest() const {
+    const auto waited_for = std::ranges::find_if(runs_, &Run::under_way);
+    const auto at =
+        waited_for != runs_.end() ? waited_for : std::ranges::max_element(runs_, {}, &Run::step_cost);
+    return static_cast<std::size_t>(at - runs_.begin());
+}
+
 }  // namespace flipside::app

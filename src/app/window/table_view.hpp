@@ -14,6 +14,8 @@ struct Look {
     Shows shows{1U << static_cast<unsigned>(Show::lights)};
     bool random_colours = false;  ///< each ball tinted by its number
     double charge = 0;            ///< 0…1, of the launch that is being held
+
+    friend bool operator==(const Look&, const Look&) = default;
 };
 
 /// Ground, parts, launcher.

@@ -27,10 +27,6 @@ Json json_of(const std::vector<Rect>& rects) {
     return list;
 }
 
-const char* name_of(View view) {
-    return view == View::single ? "single" : view == View::split ? "split" : "overlay";
-}
-
 Json settings_of(const Settings& settings) {
     Json values = Json::object();
     for (const SettingSpec& spec : settings.specs())
@@ -43,7 +39,7 @@ Json still(const Stage& stage, const WindowState& window, const WindowControls& 
            const Layout& layout, const ControlPlaces& places) {
     Json j;
     j["scene"] = stage.scene_name();
-    j["view"] = name_of(stage.view());
+    j["view"] = view_name(stage.view());
     j["reference"] = stage.reference();
     j["paused"] = controls.paused;
     j["speed"] = controls.speed;
@@ -52,6 +48,11 @@ Json still(const Stage& stage, const WindowState& window, const WindowControls& 
     j["help"] = controls.help_open;
     j["plots"] = name_of(controls.plots);
     j["step_bar"] = controls.bar_open;
+    j["by_keys"] = controls.by_keys;
+    j["focus"] = places.focus;
+    j["notice"] = controls.notice;
+    j["letters"] = controls.scale;
+    j["slow"] = window.slow;
     j["last_key"] = window.last_key;
     j["last_screenshot"] = window.last_screenshot;
     j["last_export"] = window.last_export;

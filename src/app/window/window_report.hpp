@@ -21,6 +21,7 @@ struct WindowState {
     std::string last_screenshot;
     std::string last_export;  ///< the CSV
     double charge = 0;
+    std::string slow;  ///< as in Readings
 };
 
 class WindowReport {

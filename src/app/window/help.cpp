@@ -1,0 +1,66 @@
+#include "app/window/help.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/window/keys.hpp"
+#include "app/window/panel_parts.hpp"
+
+namespace flipside::app {
+
+namespace {
+
+using Line = std::pair<std::string, std::string>;
+
+std::vector<Line> all_lines() {
+    std::vector<Line> lines;
+    for (const KeyUse& use : key_uses()) lines.emplace_back(use.names, use.meaning);
+    lines.emplace_back("Wheel, drag", "Zoom, move the table");
+    lines.emplace_back("Double click", "Fit the table to its pane");
+    lines.emplace_back("Ctrl click", "On a slider: type its value");
+    return lines;
+}
+
+}  // namespace
+
+void draw_help(const Rect& place, ControlPlaces& places) {
+    const std::vector<Line> lines = all_lines();
+    const float size = ImGui::GetFontSize();
+    const float of_keys = 7.4F * size,
+                of_meaning = std::min(27 * size, 0.42F * static_cast<float>(place.width) - of_keys);
+    const int columns = 1.5 * size * static_cast<double>(lines.size() + 4) < place.height ? 1 : 2;
+    const std::size_t rows = (lines.size() + columns - 1) / columns;
+
+    ImGui::SetNextWindowPos(imgui_vector(place.x + place.width / 2, place.y + place.height / 2),
+                            ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {1.2F * size, 0.7F * size});
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0.4F * size, 0.06F * size});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.5F * size);
+    ImGui::Begin("help", nullptr, docked | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
+    ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[1]);
+    ImGui::TextUnformatted("Keys");
+    ImGui::PopFont();
+    if (ImGui::BeginTable("keys", 2 * columns, ImGuiTableFlags_SizingFixedFit)) {
+        for (int i = 0; i < columns; ++i) {
+            ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, of_keys);
+            ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, of_meaning);
+        }
+        for (std::size_t row = 0; row < rows; ++row)
+            for (std::size_t i = row; i < lines.size(); i += rows) {
+                ImGui::TableNextColumn();
+                ImGui::TextUnformatted(lines[i].first.c_str());
+                ImGui::TableNextColumn();
+                ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+                ImGui::TextWrapped("%s", lines[i].second.c_str());
+                ImGui::PopStyleColor();
+                note(places, "help: " + lines[i].first);
+            }
+        ImGui::EndTable();
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(3);
+}
+
+}  // namespace flipside::app

@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "app/window/contender_colour.hpp"
+#include "app/window/panel_tabs.hpp"
+#include "app/window/words.hpp"
+
+namespace flipside::app {
+
+namespace {
+
+using Value = std::function<std::string(const Run&)>;
+
+/// One line: what it is, and its value for each run.
+void row(const Stage& stage, const char* words, const char* meaning, const Value& value) {
+    ImGui::TableNextColumn();
+    ImGui::TextWrapped("%s", words);
+    tooltip(meaning);
+    for (const Run& run : stage.runs()) {
+        ImGui::TableNextColumn();
+        const std::string text = value(run);
+        const float slack = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+        if (slack > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + slack);
+        ImGui::TextWrapped("%s", text.c_str());
+    }
+}
+
+bool begin_table(const Stage& stage, const char* id) {
+    const int columns = 1 + static_cast<int>(stage.runs().size());
+    if (!ImGui::BeginTable(id, columns, ImGuiTableFlags_SizingStretchProp)) return false;
+    ImGui::TableSetupColumn("", 0, 1.7F);
+    for (std::size_t i = 0; i < stage.runs().size(); ++i) ImGui::TableSetupColumn("", 0, 1);
+    ImGui::TableNextColumn();
+    for (const Run& run : stage.runs()) {
+        ImGui::TableNextColumn();
+        const std::string& name = run.name();
+        const float slack = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(name.c_str()).x;
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, slack));
+        ImGui::TextColored(imgui_color(colour_of(run)), "%s", name.c_str());
+    }
+    return true;
+}
+
+std::string whole(double number) {
+    return grouped(static_cast<std::uint64_t>(std::llround(number)));
+}
+
+void balls_in_play(const Stage& stage) {
+    if (!begin_table(stage, "balls")) return;
+    row(stage, "On the table", "Balls in the world now",
+        [](const Run& run) { return grouped(run.session().world().balls().size()); });
+    row(stage, "Launched", "Balls that entered since the start",
+        [](const Run& run) { return grouped(run.session().totals().launched); });
+    row(stage, "Overlaps", "Balls at the exact position of another",
+        [](const Run& run) { return grouped(run.rates().overlaps); });
+    row(stage, "Strays", "Balls that left the table where there is no way out",
+        [](const Run& run) { return grouped(run.session().totals().strays); });
+    row(stage, "Drained", "Balls that left it otherwise",
+        [](const Run& run) { return grouped(run.session().totals().lost - run.session().totals().strays); });
+    ImGui::EndTable();
+}
+
+void detection(const Stage& stage) {
+    if (!begin_table(stage, "tests")) return;
+    row(stage, "AABB tests per step", "Tests of one bounding box against another, insertion included",
+        [](const Run& run) { return whole(run.rates().pair_tests_per_step); });
+    row(stage, "AABB tests/s", "The same per second of your time",
+        [](const Run& run) { return whole(run.rates().pair_tests); });
+    row(stage, "Full tests per step", "Tests of one shape against another, after their boxes overlap",
+        [](const Run& run) { return whole(run.rates().narrow_tests_per_step); });
+    row(stage, "Full tests/s", "The same per second of your time",
+        [](const Run& run) { return whole(run.rates().narrow_tests); });
+    row(stage, "Collisions/s", "Impacts per second of your time",
+        [](const Run& run) { return whole(run.rates().impacts); });
+    row(stage, "Time per step", "CPU time that the engine takes for one step",
+        [](const Run& run) { return engineering(run.rates().step_seconds, "s"); });
+    ImGui::EndTable();
+}
+
+void broad_phase(const Stage& stage) {
+    if (!begin_table(stage, "broad")) return;
+    const auto fact = [](auto member) {
+        return [member](const Run& run) {
+            const BroadPhaseFacts& facts = run.session().world().statistics().broad_phase;
+            return facts.*member > 0 ? whole(facts.*member) : std::string("–");
+        };
+    };
+    row(stage, "Kind", "How the engine finds what is near", [](const Run& run) {
+        const std::string_view name = run.session().world().statistics().broad_phase.name;
+        return name.empty() ? std::string("–") : std::string(name);
+    });
+    row(stage, "Levels", "Depth of the tree", fact(&BroadPhaseFacts::levels));
+    row(stage, "Nodes", "Nodes of the tree", fact(&BroadPhaseFacts::nodes));
+    row(stage, "Leaves", "Leaves, or cells", fact(&BroadPhaseFacts::leaves));
+    row(stage, "Leaf size, mm", "Width and height of a leaf, mm", [](const Run& run) {
+        const BroadPhaseFacts& facts = run.session().world().statistics().broad_phase;
+        return facts.leaf_width > 0 ? whole(1000 * facts.leaf_width) + " × " + whole(1000 * facts.leaf_height)
+                                    : std::string("–");
+    });
+    row(stage, "Most in a leaf", "Shapes in the fullest leaf", fact(&BroadPhaseFacts::most_in_leaf));
+    ImGui::EndTable();
+}
+
+void draw_load(const Load& load) {
+    label("Frames", "Pictures drawn per second, over the last second");
+    ImGui::Text("%.0f per second", load.frames_per_second);
+    label("Busy", "Share of each frame's time that the program works; the engines' part of it");
+    ImGui::TextUnformatted(
+        (with_unit(100 * load.busy, 0, "%") + ", engines " + with_unit(100 * load.physics, 1, "%")).c_str());
+}
+
+}  // namespace
+
+void draw_numbers_tab(const Panel& panel, const Load& load) {
+    if (region("Balls in play")) balls_in_play(panel.stage);
+    if (region("Detection and response")) detection(panel.stage);
+    if (region("Broad phase")) broad_phase(panel.stage);
+    if (region("Load")) draw_load(load);
+}
+
+}  // namespace flipside::app

@@ -1,0 +1,63 @@
+#include "app/window/advice.hpp"
+
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+namespace flipside::app {
+namespace {
+
+/// A game of one ball, which is fired straight out of the table.
+constexpr std::string_view short_game = R"({
+  "format": "flipside-scene/1", "name": "short", "bounds": {"min": [0, 0], "max": [1, 1]}, "gravity": [0, -1],
+  "materials": {"steel": {"restitution": 1}},
+  "parts": [{"name": "wall", "material": "steel", "shape": {"type": "segment", "a": [0, 0.9], "b": [1, 0.9]}}],
+  "launcher": {"position": [0.5, 0.2], "direction_deg": -90, "speed": [1, 1],
+    "ball": {"radius": 0.02, "mass": 0.1, "material": "steel"}},
+  "rules": {"balls": 1, "ball_save": 0, "tilt": {"nudges": 3, "seconds": 3}, "score": {}}})";
+
+class Advice : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::string name = (std::filesystem::temp_directory_path() / "flipside-advice-XXXXXX").string();
+        ASSERT_NE(mkdtemp(name.data()), nullptr);
+        folder = name;
+        std::ofstream(folder / "short.json") << short_game;
+    }
+    void TearDown() override { std::filesystem::remove_all(folder); }
+    [[nodiscard]] Stage stage_of(View view) const {
+        return {(folder / "short.json").string(), "custom", view, {}, {}};
+    }
+    /// Plays the ball of one run to its end.
+    static void play(Stage& stage, std::size_t run) {
+        EXPECT_TRUE(stage.runs()[run].press(control::Launch{}));
+        for (int i = 0; i < 120; ++i) stage.step();
+    }
+    [[nodiscard]] static std::string in_pane(const Stage& stage, std::size_t run) {
+        return advice(std::span(stage.runs()).subspan(run, 1), stage);
+    }
+
+    std::filesystem::path folder;
+};
+
+TEST_F(Advice, SaysWhoPlaysOnWhereOneGameIsOver) {
+    Stage stage = stage_of(View::split);
+    EXPECT_EQ(in_pane(stage, 0), "Space to launch");
+    play(stage, 0);
+    EXPECT_EQ(in_pane(stage, 0), "Game over here, box2d still in play: R starts all again");
+    EXPECT_EQ(in_pane(stage, 1), "Space to launch");
+    play(stage, 1);
+    EXPECT_EQ(in_pane(stage, 0), "Game over: R to play again");
+    EXPECT_EQ(in_pane(stage, 1), "Game over: R to play again");
+}
+
+TEST_F(Advice, SaysBothOnOneTable) {
+    Stage stage = stage_of(View::overlay);
+    play(stage, 1);
+    EXPECT_EQ(advice(stage.runs(), stage), "Game over for box2d, custom still in play: R starts all again");
+}
+
+}  // namespace
+}  // namespace flipside::app
