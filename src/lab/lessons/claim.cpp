@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <muParser.h>
 
 #include "lab/engines.hpp"
+#include "lab/lessons/brute_force_gap.hpp"
 #include "lab/session.hpp"
 #include "lab/timeline.hpp"
 #include "lab/traced_step.hpp"
@@ -19,6 +21,15 @@ namespace {
 
 constexpr std::size_t most_balls = 10;  // that have figures of their own
 
+/// A ball, and a part that it touches.
+using BallAtPart = std::pair<BallNumber, PartIndex>;
+
+std::string as_name(std::string words) {
+    std::ranges::replace_if(
+        words, [](char c) { return c == ' ' || c == '-'; }, '_');
+    return words;
+}
+
 /// The figures of one run, under its name.
 class RunMeasure {
   public:
@@ -30,6 +41,9 @@ class RunMeasure {
     void measure() {
         set("pieces", static_cast<double>(surface_of(*run_.scene).size()));
         set("energy_first", energy(session_.world(), *run_.scene));
+        for (const Contact& contact : session_.world().contacts())
+            if (!contact.other.is_ball) touching_.emplace_back(contact.ball, contact.other.index);
+        set("touching_first", static_cast<double>(touching_.size()));
         if (run_.trace) trace();
         const Timeline timeline(session_.world().time(), run_.seconds - session_.world().time(), *run_.on.dt);
         Totals before;
@@ -46,6 +60,8 @@ class RunMeasure {
         read_balls();
         if (run_.against_reference) set("error_radii", error());
     }
+    /// When the run began, in order.
+    [[nodiscard]] const std::vector<BallAtPart>& touching() const { return touching_; }
 
   private:
     void set(const std::string& name, double value) { figures_[run_.name + '.' + name] = value; }
@@ -83,19 +99,16 @@ class RunMeasure {
         }
     }
 
-    /// How many items there are of each kind, how many of each stage have moved a ball, and how far the last
-    /// stage is from the world.
+    /// How many items there are of each kind, how many of each stage have moved a ball, how far the last
+    /// stage is from the world, and how far separations are from those of brute force.
     void trace() {
         const Script nothing;
         std::size_t next = 0;
         const TracedStep step = trace_step(session_, *run_.on.dt, nothing, next);
         for (const TraceStage& stage : step.trace.stages) {
-            std::string name = "moves_in_" + stage.name;
-            std::ranges::replace_if(
-                name, [](char c) { return c == ' ' || c == '-'; }, '_');
-            double& moves = figures_[run_.name + '.' + name];
+            double& moves = figures_[run_.name + '.' + as_name("moves_in_" + stage.name)];
             for (const TraceItem& item : stage.items) {
-                ++figures_[run_.name + '.' + item.kind + "_items"];
+                ++figures_[run_.name + '.' + as_name(item.kind + "_items")];
                 const TraceValue *from = item.find("position_before"), *to = item.find("position");
                 moves += from != nullptr && to != nullptr && *from != *to;
             }
@@ -107,6 +120,7 @@ class RunMeasure {
                 off = std::max(
                     off, length(item.get<Vec2>("position") - session_.world().balls()[place++].position));
         set("read_out_off", off);
+        set("separation_off", separation_off(step.trace, *run_.scene));
     }
 
     [[nodiscard]] double error() const {
@@ -125,6 +139,7 @@ class RunMeasure {
     const ClaimRun& run_;
     Figures& figures_;
     Session session_;
+    std::vector<BallAtPart> touching_;
 };
 
 /// muParser knows numbers, names, arithmetic, comparisons and functions, and can do nothing but compute.
@@ -140,7 +155,19 @@ mu::Parser parser_of(const std::string& statement, Figures& figures) {
 
 Figures measure(const Claim& claim) {
     Figures figures;
-    for (const ClaimRun& run : claim.runs) RunMeasure(run, figures).measure();
+    std::map<std::string, std::vector<BallAtPart>> touching;
+    for (const ClaimRun& run : claim.runs) {
+        RunMeasure one(run, figures);
+        one.measure();
+        touching[run.name] = one.touching();
+    }
+    for (const ClaimRun& run : claim.runs) {
+        if (run.compare_with.empty()) continue;
+        std::vector<BallAtPart> differ;
+        std::ranges::set_symmetric_difference(touching[run.name], touching[run.compare_with],
+                                              std::back_inserter(differ));
+        figures[run.name + ".touching_differs"] = static_cast<double>(differ.size());
+    }
     return figures;
 }
 

@@ -22,6 +22,7 @@ struct ClaimRun {
     double seconds = 0, from = 0;    ///< s; counts are from `from` on
     bool against_reference = false;  ///< how far it is from the reference at the end
     bool trace = false;              ///< its first step is traced
+    std::string compare_with;        ///< another run: which balls touch which parts when they begin
 };
 
 struct Claim {

@@ -17,6 +17,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uintmax_t largest_file = 1U << 20U;
+constexpr double most_steps = 1e6, most_ball_steps = 1e8, most_traced = 1000;  // of a run
+constexpr std::size_t longest_run_name = 40;
 
 std::shared_ptr<const Scene> scene_in(const Node& owner, const std::string& file) {
     const Node node = owner.at("scene");
@@ -94,8 +96,34 @@ std::vector<ContenderRequest> contenders_in(const Node& node, const Scene& scene
     return found;
 }
 
+/// A name that a formula can speak of.
+bool is_run_name(std::string_view name) {
+    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    return !name.empty() && name.size() <= longest_run_name && is_letter(name[0]) &&
+           std::ranges::all_of(name,
+                               [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; });
+}
+
+/// A claim is verified while somebody waits.
+void check_length(const Node& node, const ClaimRun& run) {
+    const auto balls = static_cast<double>(run.scene->balls.size());
+    const double steps = run.seconds / *run.on.dt;
+    if (!(steps <= most_steps))
+        node.fail("seconds",
+                  "makes " + brief(steps) + " steps; at most " + brief(most_steps) + " are allowed");
+    if (!(steps * balls <= most_ball_steps))
+        node.fail("seconds", "makes " + brief(steps) + " steps of " + brief(balls) + " balls; at most " +
+                                 brief(most_ball_steps) + " times balls are allowed");
+    if (run.trace && balls > most_traced)
+        node.fail("trace",
+                  "is of " + brief(balls) + " balls; at most " + brief(most_traced) + " are allowed");
+}
+
 ClaimRun run_in(const Node& node, const std::string& name, const Lesson& lesson, const std::string& file) {
     ClaimRun run;
+    if (!is_run_name(name))
+        node.fail("is no name of a run; it takes a letter, then letters, digits and _, " +
+                  std::to_string(longest_run_name) + " in all");
     run.name = name;
     run.scene = node.has("scene") ? scene_in(node, file) : lesson.scene;
     run.on = contender_in(node);
@@ -106,6 +134,8 @@ ClaimRun run_in(const Node& node, const std::string& name, const Lesson& lesson,
         node.fail("from", "is not before the end of the run; it takes less than \"seconds\"");
     run.against_reference = node.toggle("against_reference");
     run.trace = node.toggle("trace");
+    if (node.has("compare_with")) run.compare_with = node.text("compare_with");
+    check_length(node, run);
     return run;
 }
 
@@ -114,6 +144,12 @@ Claim claim_in(const Node& node, const Lesson& lesson, const std::string& file) 
     claim.says = node.text("says");
     for (const auto& [name, value] : node.at("runs").json().items())
         claim.runs.push_back(run_in(node.at("runs").at(name), name, lesson, file));
+    for (const ClaimRun& run : claim.runs)
+        if (!run.compare_with.empty() &&
+            std::ranges::find(claim.runs, run.compare_with, &ClaimRun::name) == claim.runs.end())
+            node.at("runs").at(run.name).fail(
+                "compare_with", "names no run; there are " +
+                                    names_of(claim.runs, [](const ClaimRun& one) { return one.name; }));
     for (const Node& statement : node.each("holds"))
         claim.holds.push_back(statement.json().get<std::string>());
     return claim;
