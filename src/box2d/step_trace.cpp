@@ -1,6 +1,8 @@
 #include "box2d/step_trace.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <tuple>
 
 #include <box2d/b2_contact.h>
 #include <box2d/b2_fixture.h>
@@ -63,13 +65,29 @@ TraceItem& StepTrace::add(const Meeting& meeting, const char* kind) {
 
 void StepTrace::before_solve(const Meeting& meeting, Vec2 point, Vec2 normal, double separation,
                              double approach, double restitution, double friction) {
-    add(meeting, "manifold")
-        .with("point", point)
+    TraceItem& item = add(meeting, "manifold");
+    if (in_sub_steps_) add_sweep(item, meeting);
+    item.with("point", point)
         .with("normal", normal)
         .with("separation", separation)
         .with("approach", approach)
         .with("restitution", restitution)
         .with("friction", friction);
+}
+
+/// In a sub-step the ball stands where it was advanced to, with the velocity that the solver gave it, so the
+/// share of the step that it has flown is known; a push by the position solver is in it too.
+void StepTrace::add_sweep(TraceItem& item, const Meeting& meeting) {
+    b2Body& body = *meeting.ball.GetBody();
+    const Vec2 from = units_.point(before_[body.GetUserData().pointer].position);
+    const Vec2 to = units_.point(body.GetPosition()), velocity = units_.vector(body.GetLinearVelocity());
+    item.with("position_before", from)
+        .with("position", to)
+        .with("velocity", velocity)
+        .with("swept", swept(0, 1, [&](double share) { return from + share * (to - from); }));
+    if (length_squared(velocity) > 0)
+        item.with("time_of_impact", dot(to - from, velocity) / length_squared(velocity))
+            .with("formula", "time of impact, from the start of the step = (p - p0) . v / v^2");
 }
 
 void StepTrace::passed_over(const Meeting& meeting, const char* reason) {
@@ -140,6 +158,10 @@ void StepTrace::update_tree(std::span<b2Body* const> bodies, std::span<const Bal
     TraceStage& stage = trace_.stage("broad phase (dynamic tree)",
                                      "Box2D: b2BroadPhase::UpdatePairs, b2ContactManager::FindNewContacts");
     const FatBoxes now = fat_boxes(world);
+    const b2BroadPhase& tree = world.GetContactManager().m_broadPhase;
+    const auto box_of = [&](const b2AABB& box) {
+        return Box{units_.point(box.lowerBound), units_.point(box.upperBound)};
+    };
     std::size_t moved = 0, found = 0;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const b2Fixture* fixture = bodies[i]->GetFixtureList();
@@ -148,9 +170,32 @@ void StepTrace::update_tree(std::span<b2Body* const> bodies, std::span<const Bal
         moved += renewed;
         stage.add("fat box")
             .with("ball", balls[i].number)
-            .with("box", Box{units_.point(box.lowerBound), units_.point(box.upperBound)})
+            .with("box", box_of(box))
+            .with("tight_box", box_of(fixture->GetAABB(0)))
             .with("renewed", renewed);
     }
+    std::vector<TraceItem> of_parts;
+    for (const auto& [fixture, box] : now) {
+        const Other owner = Tag::of(*fixture).owner;
+        if (owner.is_ball) continue;
+        of_parts.emplace_back(TraceItem{"fat box", {}})
+            .with_other(owner, scene_)
+            .with("box", box_of(box))
+            .with("tight_box", box_of(fixture->GetAABB(0)));
+    }
+    // The map has them by their addresses, which differ from run to run.
+    std::ranges::sort(of_parts, {}, [](const TraceItem& item) {
+        const Box& box = item.get<Box>("tight_box");
+        return std::tuple(item.get<std::string>("part"), box.min.x, box.min.y, box.max.x, box.max.y);
+    });
+    std::ranges::move(of_parts, std::back_inserter(stage.items));
+    stage.add("tree")
+        .with("leaves", static_cast<std::int64_t>(tree.GetProxyCount()))
+        .with("levels", static_cast<std::int64_t>(tree.GetTreeHeight()) + 1)
+        .with("imbalance", static_cast<std::int64_t>(tree.GetTreeBalance()))
+        .with("area_ratio", static_cast<double>(tree.GetTreeQuality()))
+        .with("inner_nodes", "not visible from outside")
+        .with("formula", "area ratio = sum of the perimeters of all nodes / perimeter of the root");
     for (b2Contact* contact = const_cast<b2Contact*>(world.GetContactList()); contact;
          contact = contact->GetNext()) {
         const bool is_new = std::ranges::find(pairs_, contact) == pairs_.end();
@@ -162,9 +207,13 @@ void StepTrace::update_tree(std::span<b2Body* const> bodies, std::span<const Bal
             .with("touching", contact->IsTouching());
         found += is_new;
     }
-    stage.says = "Balls that left their fat boxes and were inserted anew: " + std::to_string(moved) + " of " +
-                 std::to_string(bodies.size()) + "; new pairs: " + std::to_string(found) +
-                 ". How many boxes of the tree were tested, Box2D does not count.";
+    stage.says =
+        "Balls that left their fat boxes and were inserted anew: " + std::to_string(moved) + " of " +
+        std::to_string(bodies.size()) + "; new pairs: " + std::to_string(found) + ". The tree has " +
+        std::to_string(tree.GetProxyCount()) + " boxes as leaves, on " +
+        counted(static_cast<std::uint64_t>(tree.GetTreeHeight()) + 1, "level") +
+        "; its inner nodes are not visible from outside, and how many boxes were tested, Box2D does not "
+        "count.";
 }
 
 void StepTrace::solve_times_of_impact() {
@@ -174,7 +223,7 @@ void StepTrace::solve_times_of_impact() {
                      ? "The listener saw no sub-step to a time of impact."
                      : counted(stage.items.size(), "call") +
                            " of the listener came from sub-steps to a time of impact; those times are not "
-                           "visible from outside.";
+                           "visible from outside, but follow from how far the balls have come.";
 }
 
 }  // namespace flipside::box2d

@@ -45,6 +45,7 @@ class StepTrace {
     /// Whether the bodies of a contact stand where the step began: it is no time-of-impact sub-step yet.
     [[nodiscard]] bool at_start(const Meeting& meeting) const;
     [[nodiscard]] TraceItem& add(const Meeting& meeting, const char* kind);
+    void add_sweep(TraceItem& item, const Meeting& meeting);
     [[nodiscard]] static FatBoxes fat_boxes(const b2World& world);
 
     Trace& trace_;

@@ -21,6 +21,12 @@ R isolate(const R& time, auto&& gap) {
     return infinity<R>();
 }
 
+/// For a picture.
+template <class R>
+std::vector<double> way_of(const Path<R>& path, const R& from, const R& to) {
+    return swept(0, 1, [&](double share) { return narrow(path.at(from + R(share) * (to - from)).position); });
+}
+
 }  // namespace
 
 template <class R>
@@ -74,6 +80,8 @@ void Simulation<R>::trace_paths() {
             .with("acceleration", narrow(path.acceleration))
             .with("drag", static_cast<double>(path.drag));
         trace_next(item, mover);
+        const R end = std::min(mover.next_time, run_end_);
+        if (end > now_) item.with("swept", way_of(path, now_, end));
         held += mover.held[0] != nothing;
     }
     stage.says = counted(stage.items.size(), "ball") + ", " + std::to_string(held) +
@@ -113,6 +121,11 @@ void Simulation<R>::trace_event(Place i) {
     if (half < infinity<R>()) item.with("isolated_within", static_cast<double>(half));
     item.with("position", narrow(mover.path.at(now_).position))
         .with("velocity_before", narrow(mover.path.at(now_).velocity));
+    const auto way_here = [&](const Path<R>& path) {
+        return way_of(path, std::max(path.start, run_start_), now_);
+    };
+    item.with("swept", way_here(mover.path));
+    if (meets_ball) item.with("other_swept", way_here(movers_[mover.met].path));
     const std::size_t reported = events_.size();
     handle(i);
     item.with("velocity", narrow(movers_[i].path.at(now_).velocity));

@@ -65,6 +65,17 @@ void trace_read_out(Trace& trace, std::string_view where, const World& world, co
                  counted(events.size(), "event") + ", " + counted(world.contacts().size(), "contact") + ".";
 }
 
+std::vector<double> swept(double from, double to, const std::function<Vec2(double)>& place) {
+    constexpr int pieces = 12;
+    std::vector<double> path;
+    for (int k = 0; k <= pieces; ++k) {
+        const Vec2 at = place(from + k * (to - from) / pieces);
+        path.push_back(at.x);
+        path.push_back(at.y);
+    }
+    return path;
+}
+
 std::string brief(double number) {
     char text[32];
     std::snprintf(text, sizeof text, "%.4g", number + 0.0);  // no sign of a zero

@@ -5,6 +5,7 @@
 
 #include <concepts>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -75,6 +76,9 @@ struct Trace {
 
 /// Adds the last stage of every step: balls and events as the world gives them to who looks at it.
 void trace_read_out(Trace& trace, std::string_view where, const World& world, const Scene& scene);
+
+/// A path for a picture: x and y of where `place` is at equal times from `from` to `to`.
+[[nodiscard]] std::vector<double> swept(double from, double to, const std::function<Vec2(double)>& place);
 
 /// A number for a sentence, to four digits.
 [[nodiscard]] std::string brief(double number);

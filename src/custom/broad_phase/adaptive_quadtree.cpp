@@ -44,21 +44,18 @@ class Tree {
         return tests_;
     }
 
-    /// Visits the items of a node and below that a box can reach. Returns the number of box tests.
+    /// Visits the items of a node and below that a box can reach, each with its node. Returns the number of
+    /// box tests.
     std::uint64_t reach(const Box& box, auto&& visit, std::uint32_t node = 0) const {
         const Node& n = nodes_[node];
-        for (std::uint32_t i = n.begin; i < n.own_end; ++i) visit(items_[i]);
+        for (std::uint32_t i = n.begin; i < n.own_end; ++i) visit(items_[i], node);
         return n.children != 0 ? reach_below(box, visit, node) : 0;
     }
     std::uint64_t reach_below(const Box& box, auto&& visit, std::uint32_t node) const {
         const Node& n = nodes_[node];
         std::uint64_t tests = 1;
-        const bool left = box.min.x < n.middle.x, right = box.max.x >= n.middle.x;
-        const bool below = box.min.y < n.middle.y, above = box.max.y >= n.middle.y;
-        const bool reached[] = {below && left, below && right, above && left, above && right};
         for (std::uint32_t child = 0; child < 4; ++child)
-            if (reached[child] && nodes_[n.children + child].begin < nodes_[n.children + child].end)
-                tests += reach(box, visit, n.children + child);
+            if (reaches(box, n, child)) tests += reach(box, visit, n.children + child);
         return tests;
     }
 
@@ -72,6 +69,20 @@ class Tree {
     /// Visits the box of every leaf with the number of its items.
     void each_leaf(auto&& visit) const { each_leaf(0, world_, visit); }
 
+    /// Adds the nodes that have items at or below them.
+    void add_cells(std::vector<Cell>& cells, bool still) const {
+        if (!items_.empty()) add_cell(cells, {world_, 0, 0, no_cell, 0, still});
+    }
+    /// Nodes that a box can reach from one on.
+    void add_reached(const Box& box, std::uint32_t node, std::vector<std::uint32_t>& reached) const {
+        reached.push_back(node);
+        const Node& n = nodes_[node];
+        if (n.children == 0) return;
+        for (std::uint32_t child = 0; child < 4; ++child)
+            if (reaches(box, n, child)) add_reached(box, n.children + child, reached);
+    }
+
+    [[nodiscard]] const Box& box_of(Handle item) const { return proxies_[item].box; }
     [[nodiscard]] int levels() const { return levels_; }
     [[nodiscard]] int nodes() const { return static_cast<int>(nodes_.size()); }
 
@@ -83,6 +94,29 @@ class Tree {
         std::uint32_t children = 0;  ///< the first of four; 0: none
     };
     static constexpr int straddles = -1;
+
+    /// Whether a box reaches into a child that has anything in it.
+    [[nodiscard]] bool reaches(const Box& box, const Node& n, std::uint32_t child) const {
+        const bool to_side = child % 2 == 0 ? box.min.x < n.middle.x : box.max.x >= n.middle.x;
+        const bool to_height = child < 2 ? box.min.y < n.middle.y : box.max.y >= n.middle.y;
+        return to_side && to_height && nodes_[n.children + child].begin < nodes_[n.children + child].end;
+    }
+    static Box part_of(const Box& box, Vec2 middle, std::uint32_t child) {
+        Box part = box;
+        (child % 2 == 0 ? part.max.x : part.min.x) = middle.x;
+        (child < 2 ? part.max.y : part.min.y) = middle.y;
+        return part;
+    }
+    void add_cell(std::vector<Cell>& cells, Cell cell) const {
+        const Node& n = nodes_[cell.index];
+        if (n.begin == n.end) return;
+        cell.listed = static_cast<int>(n.own_end - n.begin);
+        cells.push_back(cell);
+        if (n.children == 0) return;
+        for (std::uint32_t i = 0; i < 4; ++i)
+            add_cell(cells, {part_of(cell.box, n.middle, i), 0, n.children + i, cell.index, cell.level + 1,
+                             cell.still});
+    }
 
     static Vec2 middle_of(const Box& box) { return 0.5 * (box.min + box.max); }
 
@@ -123,12 +157,7 @@ class Tree {
     void each_leaf(std::uint32_t node, const Box& box, auto&& visit) const {
         const Node& n = nodes_[node];
         if (n.children == 0) return visit(box, static_cast<int>(n.end - n.begin));
-        for (std::uint32_t i = 0; i < 4; ++i) {
-            Box part = box;
-            (i % 2 == 0 ? part.max.x : part.min.x) = n.middle.x;
-            (i < 2 ? part.max.y : part.min.y) = n.middle.y;
-            each_leaf(n.children + i, part, visit);
-        }
+        for (std::uint32_t i = 0; i < 4; ++i) each_leaf(n.children + i, part_of(box, n.middle, i), visit);
     }
 
     struct Sorted {
@@ -165,13 +194,14 @@ class AdaptiveQuadtree final : public BroadPhase {
         moving_tree_.each_node([&](std::uint32_t node, std::span<const Handle> items, bool split) {
             for (std::size_t i = 0; i < items.size(); ++i) {
                 const Handle b = items[i];
-                const auto test_moving = [&](Handle a) {
-                    test(first + a, moving[a], first + b, moving[b], pairs);
+                const auto test_moving = [&](Handle a, std::uint32_t cell) {
+                    test(first + a, moving[a], first + b, moving[b], pairs, cell);
                 };
-                std::ranges::for_each(items.subspan(i + 1), test_moving);
+                for (const Handle a : items.subspan(i + 1)) test_moving(a, node);
                 if (split) tests_ += moving_tree_.reach_below(moving[b].box, test_moving, node);
-                tests_ += still_tree_.reach(
-                    moving[b].box, [&](Handle a) { test(a, still_[a], first + b, moving[b], pairs); });
+                tests_ += still_tree_.reach(moving[b].box, [&](Handle a, std::uint32_t cell) {
+                    test(a, still_[a], first + b, moving[b], pairs, cell);
+                });
             }
         });
         std::ranges::sort(pairs);
@@ -189,6 +219,27 @@ class AdaptiveQuadtree final : public BroadPhase {
 
     void inspect(Inspector& inspector) const override {
         moving_tree_.each_leaf([&](const Box& box, int count) { inspector.cell(box, count); });
+    }
+
+    [[nodiscard]] std::vector<Cell> tree() const override {
+        std::vector<Cell> cells;
+        still_tree_.add_cells(cells, true);
+        moving_tree_.add_cells(cells, false);
+        return cells;
+    }
+
+    /// From its own node on, and the whole of the still tree.
+    [[nodiscard]] Visited visited(Handle moving) const override {
+        Visited visited;
+        const auto proxy = moving - static_cast<Handle>(still_.size());
+        moving_tree_.each_node([&](std::uint32_t node, std::span<const Handle> items, bool) {
+            const auto at = std::ranges::find(items, proxy);
+            if (at == items.end()) return;
+            const Box& box = moving_tree_.box_of(proxy);
+            moving_tree_.add_reached(box, node, visited.cells);
+            still_tree_.add_reached(box, 0, visited.still_cells);
+        });
+        return visited;
     }
 
   private:

@@ -40,10 +40,29 @@ struct Pair {
     }
 };
 
+inline constexpr std::uint32_t no_cell = ~0U;
+
 /// A test of one box against another, and whether they overlap.
 struct PairTest {
     Pair pair;
     bool overlap = false;
+    Handle seeker = 0;             ///< whose search it belongs to
+    std::uint32_t cell = no_cell;  ///< of a tree, where the other one was listed
+};
+
+/// A node of a tree, or a cell of a grid.
+struct Cell {
+    Box box;
+    int listed = 0;                  ///< proxies that are listed in it, not below it
+    std::uint32_t index = no_cell;   ///< in the tree's array; none in a grid
+    std::uint32_t parent = no_cell;  ///< none of the root
+    int level = 0;                   ///< of the root: 0
+    bool still = false;              ///< of a tree that has only still proxies
+};
+
+/// Nodes of trees, by index, that the search for one proxy's neighbours goes to.
+struct Visited {
+    std::vector<std::uint32_t> cells, still_cells;
 };
 
 class BroadPhase {
@@ -60,16 +79,23 @@ class BroadPhase {
     void log_tests(std::vector<PairTest>* log) { log_ = log; }
     /// Draws the cells as of the last find_pairs().
     virtual void inspect(Inspector& inspector) const = 0;
+    /// For traces: nodes of trees that list something at or below them, as of the last find_pairs(), parents
+    /// first. Empty where there is no tree.
+    [[nodiscard]] virtual std::vector<Cell> tree() const { return {}; }
+    /// For traces: the same of the search of a moving proxy, by its handle. Cost: linear in the tree.
+    [[nodiscard]] virtual Visited visited(Handle) const { return {}; }
 
   protected:
-    /// Tests the boxes of two that may meet, and lists them where they overlap.
-    void test(Handle a, const Proxy& of_a, Handle b, const Proxy& of_b, std::vector<Pair>& pairs) {
+    /// Tests the boxes of two that may meet, and lists them where they overlap. It belongs to the search of
+    /// b, which found a in a cell.
+    void test(Handle a, const Proxy& of_a, Handle b, const Proxy& of_b, std::vector<Pair>& pairs,
+              std::uint32_t cell = no_cell) {
         if (!may_meet(of_a, of_b)) return;
         ++tests_;
         const bool met = overlap(of_a.box, of_b.box);
         const Pair pair{std::min(a, b), std::max(a, b)};
         if (met) pairs.push_back(pair);
-        if (log_ != nullptr) log_->push_back({pair, met});
+        if (log_ != nullptr) log_->push_back({pair, met, b, cell});
     }
 
     std::uint64_t tests_ = 0;

@@ -76,6 +76,21 @@ class Quadtree final : public BroadPhase {
             }
     }
 
+    [[nodiscard]] std::vector<Cell> tree() const override {
+        std::vector<Cell> cells;
+        add_cell(cells, 0, no_cell, 0, world_);
+        return cells;
+    }
+
+    /// The leaves under its box.
+    [[nodiscard]] Visited visited(Handle moving) const override {
+        Visited visited;
+        const auto proxy = static_cast<std::size_t>(moving) - still_.size();
+        if (proxy >= moving_leaves_.size()) return visited;
+        each_leaf(moving_leaves_[proxy], [&](Node leaf) { visited.cells.push_back(first_leaf_ + leaf); });
+        return visited;
+    }
+
   private:
     static constexpr std::uint32_t nobody = ~0U;
     /// A link in the list of moving proxies of one leaf.
@@ -164,15 +179,33 @@ class Quadtree final : public BroadPhase {
             for (std::uint32_t k = still_begin_[leaf]; k < still_begin_[leaf + 1]; ++k) {
                 const Handle a = still_listed_[k];
                 if (home(still_leaves_[a], moving_leaves_[b]) == leaf)
-                    test(a, still_[a], first + b, moving_[b], pairs);
+                    test(a, still_[a], first + b, moving_[b], pairs, first_leaf_ + leaf);
             }
             // Lists grow at their front, so what follows has a lower handle.
             for (std::uint32_t j = listings_[i].next; j != nobody; j = listings_[j].next) {
                 const Handle a = listings_[j].proxy;
                 if (home(moving_leaves_[a], moving_leaves_[b]) == leaf)
-                    test(first + a, moving_[a], first + b, moving_[b], pairs);
+                    test(first + a, moving_[a], first + b, moving_[b], pairs, first_leaf_ + leaf);
             }
         }
+    }
+
+    /// Adds a node and what is below it, if anything is listed there. Returns whether.
+    bool add_cell(std::vector<Cell>& cells, Node node, Node parent, int level, const Box& box) const {
+        const std::size_t at = cells.size();
+        const bool leaf = node >= first_leaf_;
+        const int listed = leaf ? count(node - first_leaf_) : 0;
+        cells.push_back({box, listed, node, parent, level});
+        bool any = listed > 0;
+        for (Node child = 0; !leaf && child < 4; ++child) {
+            const Vec2 middle = 0.5 * (box.min + box.max);
+            Box part = box;
+            (child % 2 == 0 ? part.max.x : part.min.x) = middle.x;
+            (child < 2 ? part.min.y : part.max.y) = middle.y;
+            any |= add_cell(cells, 4 * node + 1 + child, node, level + 1, part);
+        }
+        if (!any) cells.resize(at);
+        return any;
     }
 
     /// How many proxies a leaf lists.

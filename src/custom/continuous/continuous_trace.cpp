@@ -81,6 +81,9 @@ void ContinuousSolver::trace_paths(bool all_set_out) {
         rest += mover.resting_on != nullptr;
         meets += mover.next_time <= dt_ && (mover.next == Next::feature || mover.next == Next::ball);
         trace_next(item, i);
+        const double now = std::max(0.0, mover.way.path.start);
+        const double end = std::min({mover.horizon, mover.next_time, dt_});
+        if (end > now) item.with("swept", swept(now, end, [&](double t) { return ball_at(i, t).position; }));
     }
     stage.says = (all_set_out ? "A window of " + milliseconds(dt_) + " begins and all balls set out: "
                               : "The window since " + brief(start_) + " s goes on: ") +
@@ -107,6 +110,10 @@ void ContinuousSolver::trace_event(BallIndex i) {
         .with("event", name);
     const auto velocity = [&](BallIndex k) { return ball_at(k, time).velocity; };
     const Vec2 before = velocity(i), other_before = velocity(other);
+    std::vector<double> way =
+        swept(mover.way.path.start, time, [&](double t) { return ball_at(i, t).position; });
+    std::vector<double> other_way =
+        swept(movers_[other].way.path.start, time, [&](double t) { return ball_at(other, t).position; });
     const bool stale = meets_ball && flying_[other].changes != mover.met_changes;
     const PartIndex part = name == "meets a part" ? features_[mover.met].part : 0;
     const bool meets_part = name == "meets a part";
@@ -119,6 +126,8 @@ void ContinuousSolver::trace_event(BallIndex i) {
     item.with("velocity", velocity(i));
     if (meets_ball) item.with("other_velocity_before", other_before).with("other_velocity", velocity(other));
     const bool impact = pending_.size() > reported && pending_[reported].kind == EventKind::impact;
+    item.with("swept", std::move(way));
+    if (meets_ball) item.with("other_swept", std::move(other_way));
     if (stale) item.with("answer", "the other has changed its path meanwhile: predicted again");
     if (impact) {
         const Event& event = pending_[reported];

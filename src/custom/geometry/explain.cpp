@@ -1,6 +1,8 @@
 #include "custom/geometry/explain.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace flipside::custom {
 
@@ -25,12 +27,20 @@ void add(TraceItem& item, const char* shape, std::string_view feature, const cha
         .with("filled", std::string_view(numbers));
 }
 
-/// A disc in the frame of the shape's pose.
+/// Where on a curve from 0 to 1 the closest point would be, and where it is.
+void add_place(TraceItem& item, double along) {
+    item.with("along", along).with("clamped", std::clamp(along, 0.0, 1.0));
+}
+
+/// A disc in the frame of the shape's pose. What it adds is in the world's.
 struct Explainer {
     TraceItem& item;
     Vec2 center;
     double radius = 0;
+    const Pose& pose;
     Touch found;
+
+    void add_ends(Vec2 a, Vec2 b) const { item.with("a", pose.apply(a)).with("b", pose.apply(b)); }
 
     /// Of the centre from the closest point, m; below 0 inside a solid.
     [[nodiscard]] double height() const { return found.separation + radius; }
@@ -45,27 +55,60 @@ struct Explainer {
     void operator()(const piece::Segment& segment) const {
         const Vec2 along = segment.b - segment.a;
         const double at = dot(center - segment.a, along) / length_squared(along);
-        item.with("along", at);
+        add_ends(segment.a, segment.b);
+        item.with("foot", pose.apply(segment.a + at * along));
+        add_place(item, at);
         const char* feature = at < 0 ? "past the end a" : at > 1 ? "past the end b" : "the face";
         add(item, "segment", feature, found.past_end ? to_a_point : to_a_face, filled(height(), 0, radius));
     }
     void operator()(const piece::Arc& arc) const {
+        const auto end = [&](double angle) { return arc.center + arc.radius * from_angle(angle); };
+        add_ends(end(arc.from), end(arc.to));
+        item.with("middle", pose.apply(arc.center))
+            .with("core", arc.radius)
+            .with("from", arc.from + pose.angle)
+            .with("to", arc.to + pose.angle);
+        add_place(item, along(arc));
         const char* feature = found.past_end                             ? "past an end"
                               : length(center - arc.center) < arc.radius ? "the hollow side"
                                                                          : "the outer side";
         add(item, "arc", feature, found.past_end ? to_a_point : "separation = ||c - m| - R| - r",
             filled(height(), 0, radius));
     }
+    /// From one end of the arc, 0, to the other, 1; beyond the nearer end by as much as the angle is.
+    [[nodiscard]] double along(const piece::Arc& arc) const {
+        constexpr double full = 2 * std::numbers::pi;
+        const double sweep = arc.to - arc.from;
+        double angle = std::remainder(angle_of(center - arc.center) - (arc.from + arc.to) / 2, full);
+        if (found.past_end) {
+            const auto from_end = [&](double end) {
+                return length_squared(found.point - arc.center - arc.radius * from_angle(end));
+            };
+            const bool at_first = from_end(arc.from) < from_end(arc.to);
+            if (at_first != (angle < 0)) angle += at_first ? -full : full;
+        }
+        return angle / sweep + 0.5;
+    }
     void operator()(const piece::Polygon& polygon) const {
         const auto& points = polygon.points;
-        std::vector<double> heights;
+        std::vector<double> heights, outline;
+        for (const Vec2 point : points) {
+            outline.push_back(pose.apply(point).x);
+            outline.push_back(pose.apply(point).y);
+        }
         for (std::size_t i = 0; i < points.size(); ++i) {
             const Vec2 next = points[(i + 1) % points.size()];
             heights.push_back(dot(center - points[i], unit(-perp(next - points[i]))));
         }
         const auto edge = std::ranges::max_element(heights) - heights.begin();
-        const bool corner = found.separation + radius > heights[static_cast<std::size_t>(edge)] * (1 + 1e-12);
-        item.with("heights", TraceValue(std::move(heights)));
+        const auto first = static_cast<std::size_t>(edge);
+        const Vec2 a = points[first], b = points[(first + 1) % points.size()];
+        const double at = dot(center - a, b - a) / length_squared(b - a);
+        const bool corner = heights[first] > 0 && (at < 0 || at > 1);
+        item.with("heights", TraceValue(std::move(heights))).with("outline", TraceValue(std::move(outline)));
+        add_ends(a, b);
+        item.with("foot", pose.apply(a + at * (b - a)));
+        add_place(item, at);
         add(item, "polygon", (corner ? "a corner of edge " : "edge ") + std::to_string(edge),
             corner ? to_a_point : to_a_face, filled(height(), 0, radius));
     }
@@ -74,6 +117,9 @@ struct Explainer {
         const double slant = (taper.radius_a - taper.radius_b) / length(taper.b - taper.a);
         const bool round = std::abs(dot(found.normal, forward) - slant) > 1e-9;
         const bool at_a = length_squared(center - taper.a) < length_squared(center - taper.b);
+        add_ends(taper.a, taper.b);
+        item.with("core", taper.radius_a).with("other_core", taper.radius_b);
+        add_place(item, along(taper, slant));
         add(item, taper.radius_a == taper.radius_b ? "capsule" : "flipper",
             !round ? "a straight side"
             : at_a ? "the round end a"
@@ -83,14 +129,56 @@ struct Explainer {
                            at_a ? taper.radius_a : taper.radius_b, radius)
                   : filled(height(), 0, radius));
     }
+    /// Along the straight side on which the centre is.
+    [[nodiscard]] double along(const piece::Taper& taper, double slant) const {
+        const double span = length(taper.b - taper.a), straight = std::sqrt((1 - slant) * (1 + slant));
+        const Vec2 forward = (taper.b - taper.a) / span, from_a = center - taper.a;
+        return (dot(from_a, forward) - slant * std::abs(dot(from_a, perp(forward))) / straight) / span;
+    }
 };
 
 }  // namespace
 
 void explain_touch(TraceItem& item, Vec2 center, double radius, const Piece& piece, const Pose& pose) {
     const Vec2 local = pose.undo(center);
-    std::visit(Explainer{item, local, radius, touch(local, radius, Piece{piece.is, piece.part}, Pose{})},
-               piece.is);
+    std::visit(
+        Explainer{item, local, radius, pose, touch(local, radius, Piece{piece.is, piece.part}, Pose{})},
+        piece.is);
+}
+
+std::vector<TriedAxis> axes_tried(Vec2 center, double radius, const piece::Polygon& polygon,
+                                  const Pose& pose) {
+    const Vec2 local = pose.undo(center);
+    const auto& points = polygon.points;
+    std::vector<TriedAxis> axes;
+    const auto look_along = [&](Vec2 axis, const std::string& of) {
+        const auto along = [&](Vec2 p) { return dot(p, axis); };
+        const auto [low, high] = std::ranges::minmax(points, {}, along);
+        axes.push_back({.of = of,
+                        .axis = rotated(axis, pose.angle),
+                        .polygon = {along(low), along(high)},
+                        .disc = {along(local) - radius, along(local) + radius}});
+        // Positions are counted from the world's origin.
+        const double shift = dot(pose.apply(low), axes.back().axis) - along(low);
+        for (auto* shadow : {&axes.back().polygon, &axes.back().disc})
+            for (double& end : *shadow) end += shift;
+    };
+    std::size_t least = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec2 next = points[(i + 1) % points.size()];
+        look_along(unit(-perp(next - points[i])), "edge " + std::to_string(i));
+        if (axes[i].overlap() < axes[least].overlap()) least = i;
+    }
+    const Vec2 a = points[least], b = points[(least + 1) % points.size()];
+    const bool outside = axes[least].overlap() < radius;
+    const bool past_a = dot(local - a, b - a) < 0, past_b = dot(local - b, a - b) < 0;
+    if (outside && (past_a || past_b)) {
+        const std::size_t corner = past_a ? least : (least + 1) % points.size();
+        look_along(unit(local - points[corner]), "corner " + std::to_string(corner));
+        least = points.size();
+    }
+    axes[least].decides = true;
+    return axes;
 }
 
 void explain_touch(TraceItem& item, Vec2 center_a, double radius_a, Vec2 center_b, double radius_b) {

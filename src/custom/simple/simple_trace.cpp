@@ -78,14 +78,18 @@ void SimpleTrace::found_pairs(std::span<const Proxy> moving, std::span<const Bal
                               std::uint64_t tests) {
     begin("broad phase", "find_pairs");
     std::size_t overlapping = 0;
-    for (const auto& [pair, overlap] : log_) {
+    const Handle first = layout_.size() - static_cast<Handle>(moving.size() - balls.size());
+    for (const auto& [pair, overlap, seeker, cell] : log_) {
         TraceItem& item = stage().add("test");
         name_proxy(item, "", pair.b, balls);
         name_proxy(item, pair.a >= layout_.size() ? "other_" : "", pair.a, balls);
         item.with("overlap", overlap);
+        if (cell != no_cell) {
+            item.with("cell", cell).with("of_still", pair.a < first);
+            name_proxy(item, "search_of_", seeker, balls);
+        }
         overlapping += overlap;
     }
-    const Handle first = layout_.size() - static_cast<Handle>(moving.size() - balls.size());
     for (Handle i = 0; i < first; ++i) {
         TraceItem& item = stage().add("box");
         name_proxy(item, "", i, balls);
@@ -96,13 +100,40 @@ void SimpleTrace::found_pairs(std::span<const Proxy> moving, std::span<const Bal
         name_proxy(item, "", first + i, balls);
         item.with("box", moving[i].box);
     }
-    CellLister cells(stage());
-    broad_.inspect(cells);
+    add_cells(moving.size(), balls);
     const std::uint64_t n = balls.size(), all = n * (n - 1) / 2 + n * layout_.size();
     stage().says = std::to_string(overlapping) + " of " + counted(all, "pair") +
                    " survive the box test, of which the broad phase (" + std::string(broad_.facts().name) +
                    ") made " + std::to_string(tests) + ".";
     log_.clear();
+}
+
+/// The nodes of trees with who goes to which, or the cells that list anything.
+void SimpleTrace::add_cells(std::size_t moving, std::span<const Ball> balls) {
+    const std::vector<Cell> tree = broad_.tree();
+    if (tree.empty()) {
+        CellLister cells(stage());
+        broad_.inspect(cells);
+    }
+    const auto numbers = [](const std::vector<std::uint32_t>& cells) {
+        return std::vector<double>(cells.begin(), cells.end());
+    };
+    for (const Cell& cell : tree) {
+        TraceItem& item = stage().add("cell");
+        item.with("level", static_cast<std::int64_t>(cell.level)).with("cell", cell.index);
+        if (cell.parent != no_cell) item.with("parent", cell.parent);
+        item.with("of_still", cell.still)
+            .with("listed", static_cast<std::int64_t>(cell.listed))
+            .with("box", cell.box);
+    }
+    if (tree.empty()) return;
+    const Handle end = layout_.size() + static_cast<Handle>(balls.size());
+    for (Handle i = end - static_cast<Handle>(moving); i < end; ++i) {
+        const Visited visited = broad_.visited(i);
+        TraceItem& item = stage().add("search");
+        name_proxy(item, "", i, balls);
+        item.with("cells", numbers(visited.cells)).with("still_cells", numbers(visited.still_cells));
+    }
 }
 
 void SimpleTrace::decided_gates(const Table& table) {
@@ -137,9 +168,31 @@ void SimpleTrace::passed_over(const Ball& ball, PieceIndex piece) {
     item.with("reason", "a sensor, a target that is down, or a gate that lets this ball through");
 }
 
+/// One for each axis that a polygon takes.
+void SimpleTrace::add_axes(const Ball& ball, PieceIndex piece, const Pose& pose) {
+    const auto* polygon = std::get_if<piece::Polygon>(&layout_.piece(piece).is);
+    if (polygon == nullptr) return;
+    const auto shadow = [](const double(&ends)[2]) { return std::vector<double>{ends[0], ends[1]}; };
+    for (const TriedAxis& tried : axes_tried(ball.position, ball.radius, *polygon, pose)) {
+        TraceItem& item = narrow().add("axis").with("turn", turn_).with("ball", ball.number);
+        name_proxy(item, "", piece, {});
+        item.with("of", std::string_view(tried.of))
+            .with("axis", tried.axis)
+            .with("shadow_of_part", shadow(tried.polygon))
+            .with("shadow_of_ball", shadow(tried.disc))
+            .with("depth", tried.overlap())
+            .with("decides", tried.decides)
+            .with("formula", "overlap = end of the part's shadow - start of the ball's; below 0 a gap")
+            .with("filled", std::string_view(brief(tried.overlap()) + " = " + brief(tried.polygon[1]) +
+                                             " - " + brief(tried.disc[0])));
+    }
+}
+
 void SimpleTrace::tested(const Ball& ball, PieceIndex piece, const Pose& pose, const Touch& found) {
     lower_ = ball;
-    TraceItem& item = narrow().add("closest").with("turn", ++turn_).with("ball", ball.number);
+    ++turn_;
+    add_axes(ball, piece, pose);
+    TraceItem& item = narrow().add("closest").with("turn", turn_).with("ball", ball.number);
     name_proxy(item, "", piece, {});
     item.with("center", ball.position)
         .with("radius", ball.radius)
