@@ -9,6 +9,7 @@
 #include "app/cli/output.hpp"
 #include "lab/assets.hpp"
 #include "lab/text_stream.hpp"
+#include "plugin/worker.hpp"
 #include "world/input_error.hpp"
 
 namespace {
@@ -88,6 +89,7 @@ int command_line(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    if (plugin::is_engine_process(argc, argv)) plugin::run_engine_process(argv[2]);
     app::prepare_streams();
     app::end_on_interrupts();
     return app::exit_code_of([=] { return command_line(argc, argv); });

@@ -94,7 +94,7 @@ std::unique_ptr<World> make(std::shared_ptr<const Scene> scene, const Settings& 
     return std::make_unique<Box2dWorld>(std::move(scene), options);
 }
 
-constexpr Engine box2d_engine{
+const Engine box2d_engine{
     .name = "box2d",
     .about = "single precision, time stepping with an iterative solver, continuous collision",
     .settings = specs,

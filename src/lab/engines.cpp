@@ -1,9 +1,12 @@
 #include "lab/engines.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <memory>
 
 #include "box2d/engine.hpp"
 #include "custom/engine.hpp"
+#include "plugin/engine.hpp"
 #include "reference/engine.hpp"
 #include "world/input_error.hpp"
 
@@ -43,14 +46,39 @@ SettingChange parse_change(const std::string& text, std::span<const Engine* cons
     return change;
 }
 
+/// Those that are built in, and after them those that were loaded.
+struct Registry {
+    std::vector<const Engine*> all{&custom::engine(), &box2d::engine(), &reference::engine()};
+    std::vector<std::unique_ptr<const plugin::Plugin>> plugins;
+};
+
+Registry& registry() {
+    static Registry only;
+    return only;
+}
+
+/// The engine of a library, which is loaded once.
+const Engine& loaded(std::string_view file) {
+    Registry& there = registry();
+    std::error_code none;
+    const std::filesystem::path whole = std::filesystem::canonical(file, none);
+    const auto at = std::ranges::find_if(there.plugins, [&](const auto& one) { return one->file == whole; });
+    if (at != there.plugins.end()) return (*at)->engine;
+    std::vector<std::string_view> taken;
+    for (const Engine* engine : there.all) taken.push_back(engine->name);
+    there.plugins.push_back(plugin::load(file, taken));
+    there.all.push_back(&there.plugins.back()->engine);
+    return *there.all.back();
+}
+
 }  // namespace
 
 std::span<const Engine* const> engines() {
-    static const Engine* const all[] = {&custom::engine(), &box2d::engine(), &reference::engine()};
-    return all;
+    return registry().all;
 }
 
 const Engine& engine_named(std::string_view name) {
+    if (name.find('/') != std::string_view::npos) return loaded(name);
     const auto at = std::ranges::find(engines(), name, &Engine::name);
     if (at == engines().end())
         throw InputError("unknown engine '" + std::string(name) + "'; known are " + known(engines()));

@@ -1,5 +1,5 @@
 #pragma once
-/// The engines there are. To add one, list it here.
+/// The engines there are. To add one that is built in, list it in engines.cpp; libraries are loaded by name.
 
 #include <span>
 #include <string>
@@ -10,8 +10,11 @@
 
 namespace flipside::lab {
 
+/// Until the next library is loaded.
 [[nodiscard]] std::span<const Engine* const> engines();
-/// Throws InputError that lists the known ones.
+/// By its name, or by the path of a library that implements flipside/engine.h: what has a '/' in it. A
+/// library that was loaded goes by its own name too. Throws InputError that lists the known ones, or says
+/// what is wrong with the library.
 [[nodiscard]] const Engine& engine_named(std::string_view name);
 /// "box2d is Box2D 2.4.1": which library each engine is that is not ours.
 [[nodiscard]] std::string libraries();

@@ -85,7 +85,8 @@ bool Session::advance(double dt, double seconds) {
         under_way_.reset();
         throw;
     }
-    totals_.step_seconds += watch.seconds();
+    const std::optional<double> elsewhere = world_->statistics().cpu_seconds;
+    totals_.step_seconds += elsewhere ? (done ? *elsewhere : 0) : watch.seconds();
     if (totals_.steps >= warm_up_steps) totals_.allocations += allocations() - allocated;
     if (!done) return false;
 

@@ -6,8 +6,9 @@
 
 namespace flipside {
 
-/// Thrown by World::step alone. The world is then as it was before that step: it can be read and saved, so
-/// another engine can go on from there; another step of the same world is refused again.
+/// Thrown by World::step, and by Engine::make where the engine's own process ends. The world is then as it
+/// was before that step: it can be read and saved, so another engine can go on from there; another step of
+/// the same world is refused again.
 class Refusal : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

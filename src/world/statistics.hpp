@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 namespace flipside {
@@ -35,6 +36,9 @@ struct Statistics {
     std::uint64_t grazing = 0;          ///< touches too close to call, decided in a wider type
     std::array<StageTime, 8> stages{};  ///< in order; unused ones have an empty name
     BroadPhaseFacts broad_phase;
+    /// CPU time of the step, s, where it was made in another process, of which the caller's clock sees
+    /// nothing.
+    std::optional<double> cpu_seconds;
 };
 
 }  // namespace flipside
