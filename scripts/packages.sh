@@ -17,7 +17,10 @@ build_packages=(
     gnuplot-nox                                # the figures of `flipside report`
     xdotool                                    # keys and clicks for the window's tests
 )
-test_packages=(chromium)                               # only ./test.sh: the report's page in a browser
+test_packages=(                                        # only ./test.sh
+    chromium                                           # the report's page in a browser
+    libchipmunk-dev                                    # a third engine, as a plug-in
+)
 gate_packages=(                                        # only ./test.sh --all
     clang-format clang-tidy clang libclang-rt-dev llvm valgrind
     g++-aarch64-linux-gnu qemu-user                    # the golden test for another processor
