@@ -135,7 +135,8 @@ bool Space::before_solve(cpArbiter* arbiter) {
     Meeting meeting{};
     if (!meeting_of(arbiter, meeting)) return false;
     const Pair& pair = meeting.pair;
-    if (!pair.with_ball && (parts_[pair.other].is.flags & FLIPSIDE_PART_GATE) != 0 && parts_[pair.other].open)
+    if (!pair.with_ball &&
+        (parts_[pair.other].open || (parts_[pair.other].is.flags & FLIPSIDE_PART_SENSOR) != 0))
         return false;
     double separation = 0;
     const cpVect point = point_of(arbiter, meeting, separation), normal = normal_of(arbiter, meeting);

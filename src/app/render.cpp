@@ -32,8 +32,9 @@ Shows parse_shows(const std::vector<std::string>& names) {
 /// "NAME=VALUE" means the chosen engine.
 std::vector<std::string> named_settings(const RenderOptions& options) {
     std::vector<std::string> settings = options.settings;
+    const std::string engine(lab::engine_named(options.engine).name);
     for (std::string& text : settings)
-        if (text.substr(0, text.find('=')).find('.') == std::string::npos) text = options.engine + "." + text;
+        if (text.substr(0, text.find('=')).find('.') == std::string::npos) text = engine + "." + text;
     return settings;
 }
 
@@ -46,7 +47,8 @@ int render(const RenderOptions& options) {
                 options.dt);
     stage.run_until(options.at);
     for (const Run& run : stage.runs())
-        if (run.halt() && run.engine().name == options.engine) throw Refusal(run.halt()->reason);
+        if (run.halt() && &run.engine() == &lab::engine_named(options.engine))
+            throw Refusal(run.halt()->reason);
 
     sf::RenderTexture picture;
     if (!picture.create(options.width, options.height))

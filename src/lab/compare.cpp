@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "world/clock.hpp"
+#include "world/refusal.hpp"
+
 namespace flipside::lab {
 
 namespace {
@@ -20,6 +23,18 @@ void watch_pair(Pair& pair, std::span<const Session> sessions, const std::vector
     pair.radii.push_back(pair.at_end.radii);
     if (pair.parted || (pair.at_end.radii <= 1 && pair.at_end.same_balls)) return;
     pair.parted = {time, pair.at_end, last_impact(runs.front().impacts, pair.at_end.ball)};
+}
+
+/// Runs a part of a session. What ends it is told.
+std::optional<EngineRun::Ended> end_of(const Session& session, const std::function<void()>& part) {
+    try {
+        part();
+        return std::nullopt;
+    } catch (const Refusal& refusal) {
+        return EngineRun::Ended{session.world().time(), refusal.what()};
+    } catch (const NotANumber& failure) {
+        return EngineRun::Ended{session.world().time(), failure.what()};
+    }
 }
 
 }  // namespace
@@ -41,6 +56,7 @@ Comparison compare(CompareInput input, const std::function<void(double)>& watch)
 
     const Timeline timeline(0, result.input.seconds, result.dt);
     std::vector<std::size_t> next(sessions.size(), next_control(result.input.script, timeline.start()));
+    Clock clock;
     for (std::uint64_t k = 0; k < timeline.steps(); ++k) {
         for (std::size_t i = 0; i < sessions.size(); ++i) {
             const Timeline own(0, timeline.length(k), result.runs[i].contender.dt);
@@ -48,20 +64,27 @@ Comparison compare(CompareInput input, const std::function<void(double)>& watch)
                 std::ranges::copy_if(session.events(), std::back_inserter(result.runs[i].impacts),
                                      [](const Event& event) { return event.kind == EventKind::impact; });
             };
-            run_on(sessions[i], own, result.input.script, next[i], collect);
+            if (!result.runs[i].ended)
+                result.runs[i].ended = end_of(
+                    sessions[i], [&] { run_on(sessions[i], own, result.input.script, next[i], collect); });
         }
-        result.times.push_back(k + 1 == timeline.steps() ? timeline.end() : sessions.back().world().time());
-        for (Pair& pair : result.pairs) watch_pair(pair, sessions, result.runs, result.times.back());
+        clock.advance(timeline.length(k));
+        result.times.push_back(k + 1 == timeline.steps() ? timeline.end() : clock.time);
+        for (Pair& pair : result.pairs)
+            if (!result.runs.front().ended && !result.runs[pair.second].ended)
+                watch_pair(pair, sessions, result.runs, result.times.back());
         if (watch) watch(result.times.back());
     }
 
+    const auto last_time = [&](const EngineRun& one) { return one.ended ? one.ended->time : timeline.end(); };
     for (std::size_t i = 0; i < sessions.size(); ++i)
-        result.runs[i].figures = figures_of(sessions[i], result.input.seconds, energy_first[i]);
+        result.runs[i].figures = figures_of(sessions[i], last_time(result.runs[i]), energy_first[i]);
     // Engines that only know contacts per step give the step's end: one step is what they may differ by.
     for (Pair& pair : result.pairs) {
         const double step = std::max(result.runs.front().contender.dt, result.runs[pair.second].contender.dt);
-        pair.match = match_impacts(result.runs.front().impacts, result.runs[pair.second].impacts,
-                                   step * (1 + 1e-9), timeline.end());
+        pair.match =
+            match_impacts(result.runs.front().impacts, result.runs[pair.second].impacts, step * (1 + 1e-9),
+                          std::min(last_time(result.runs.front()), last_time(result.runs[pair.second])));
     }
     return result;
 }

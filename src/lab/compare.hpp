@@ -24,6 +24,11 @@ struct EngineRun {
     Contender contender;
     RunFigures figures;
     std::vector<Event> impacts;
+    struct Ended {
+        double time = 0;  ///< s, where the step begins that could not be made
+        std::string why;
+    };
+    std::optional<Ended> ended{};  ///< before its time: the figures are those until then
 };
 
 /// The first contender against another one.
@@ -35,7 +40,7 @@ struct Pair {
     };
     std::size_t second = 1;  ///< index of the other
     ImpactMatch match;
-    std::vector<double> radii;     ///< after each step: Spread::radii
+    std::vector<double> radii;     ///< after each step that both made: Spread::radii
     std::optional<Parted> parted;  ///< when a ball was first more than a radius apart, or gone from one only
     Spread at_end;
 };
@@ -49,8 +54,8 @@ struct Comparison {
 };
 
 /// Runs all contenders side by side, each for the longest step of all in turn, so that all meet the same
-/// machine. `watch` is called after each of these with the time. Throws InputError where their steps do not
-/// meet (common_step).
+/// machine. One that cannot go on ends alone. `watch` is called after each of these with the time. Throws
+/// InputError where their steps do not meet (common_step).
 [[nodiscard]] Comparison compare(CompareInput input, const std::function<void(double)>& watch = {});
 
 [[nodiscard]] std::string to_json(const Comparison& comparison);

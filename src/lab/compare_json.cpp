@@ -39,6 +39,7 @@ Json json_of(const EngineRun& run) {
     json["cpu_seconds_per_sim_second"] =
         figures.sim_seconds > 0 ? totals.step_seconds / figures.sim_seconds : 0.0;
     json["energy_drift"] = figures.energy_last - figures.energy_first;
+    json["ended"] = run.ended ? Json{{"time", run.ended->time}, {"why", run.ended->why}} : Json();
     return json;
 }
 

@@ -62,7 +62,8 @@ const Engine& loaded(std::string_view file) {
     Registry& there = registry();
     std::error_code none;
     const std::filesystem::path whole = std::filesystem::canonical(file, none);
-    const auto at = std::ranges::find_if(there.plugins, [&](const auto& one) { return one->file == whole; });
+    const auto at =
+        std::ranges::find_if(there.plugins, [&](const auto& one) { return one->file == whole.string(); });
     if (at != there.plugins.end()) return (*at)->engine;
     std::vector<std::string_view> taken;
     for (const Engine* engine : there.all) taken.push_back(engine->name);

@@ -63,7 +63,7 @@ std::unique_ptr<const Plugin> load(const std::filesystem::path& file,
     const std::filesystem::path whole = std::filesystem::canonical(file, why);
     if (why) throw InputError(printable(file.string()), "", "cannot be read (" + why.message() + ")");
     auto plugin = std::make_unique<Plugin>();
-    plugin->file = whole;
+    plugin->file = whole.string();
     plugin->description = describe(whole);
     const Description& own = plugin->description;
     plugin->name = name_for(own.name, whole, taken);
@@ -88,7 +88,8 @@ std::unique_ptr<const Plugin> load(const std::filesystem::path& file,
             [self = plugin.get()](std::shared_ptr<const Scene> scene, const Settings& settings) {
                 return std::make_unique<PluginWorld>(std::move(scene), *self, settings);
             },
-        .library = own.library};
+        .library = own.library,
+        .file = plugin->file};
     return plugin;
 }
 

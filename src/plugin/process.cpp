@@ -180,8 +180,8 @@ void Process::get(void* to, std::size_t size) {
 void Process::wait_for(short events) {
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - Clock::now()).count();
     if (left <= 0)
-        end("has not answered for " + std::to_string(longest_.count()) +
-            " ms, the most that a call may take");
+        end<Silent>("has not answered for " + std::to_string(longest_.count()) +
+                    " ms, the most that a call may take");
     pollfd files[] = {{socket_, events, 0}, {output_, POLLIN, 0}};
     const int ready = poll(files, 2, static_cast<int>(std::min<std::int64_t>(left, look_every)));
     if (ready > 0 && files[1].revents != 0) {
@@ -217,10 +217,11 @@ std::string Process::last_words() const {
            printable(std::string_view(said_).substr(begin, std::min(enough, end + 1 - begin))) + '"';
 }
 
+template <class How>
 void Process::end(const std::string& how) {
     stop();
     listen();
-    throw Ended(how + last_words());
+    throw How(how + last_words());
 }
 
 /// The socket is closed: says why.

@@ -20,6 +20,11 @@ struct Ended : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// It took too long.
+struct Silent : Ended {
+    using Ended::Ended;
+};
+
 /// Wall time in which a call must be answered.
 inline constexpr std::chrono::milliseconds longest_call{10'000};
 
@@ -48,6 +53,7 @@ class Process {
     void get(void* to, std::size_t size);
     void wait_for(short events);
     void listen();
+    template <class How = Ended>
     [[noreturn]] void end(const std::string& how);
     [[noreturn]] void explain_end();
     void stop();

@@ -9,7 +9,7 @@ namespace flipside::plugin {
 enum class Ask : std::uint32_t {
     make,  ///< a scene (handover.hpp), the settings, and what an earlier world saved
     step,  ///< controls, motions, time, dt
-    save,
+    save,  ///< controls
 };
 
 enum class Answer : std::uint32_t {

@@ -92,6 +92,7 @@ class Worker {
                 if (!step(in, out)) return answer(Answer::not_followed, answer_);
                 break;
             case Ask::save:
+                if (!take_controls(in)) return answer(Answer::not_followed, answer_);
                 out.array(world_->save());
                 break;
         }
@@ -112,17 +113,23 @@ class Worker {
         static_cast<void>(world_->take_cpu_seconds());
     }
 
-    /// False where the engine does not follow a control.
-    [[nodiscard]] bool step(Reader& in, Writer& out) {
+    /// False where the engine does not follow one.
+    [[nodiscard]] bool take_controls(Reader& in) {
         in.array(controls_);
-        in.array(motions_);
-        const auto time = in.value<double>(), dt = in.value<double>();
-        const auto balls = in.value<std::uint64_t>();
-        in.finish();
         for (flipside_control& control : controls_) {
             control.size = sizeof control;
             if (!world_->control(control)) return false;
         }
+        return true;
+    }
+
+    /// False where the engine does not follow a control.
+    [[nodiscard]] bool step(Reader& in, Writer& out) {
+        if (!take_controls(in)) return false;
+        in.array(motions_);
+        const auto time = in.value<double>(), dt = in.value<double>();
+        const auto balls = in.value<std::uint64_t>();
+        in.finish();
         static_cast<void>(world_->take_cpu_seconds());
         world_->step({.size = sizeof(flipside_step),
                       .motion_count = static_cast<std::uint32_t>(motions_.size()),

@@ -26,6 +26,17 @@ std::vector<double> numbers_of(const Settings& settings) {
     return numbers;
 }
 
+/// FNV-1a of the balls: what an engine saved is of these and no others.
+std::string fingerprint(std::span<const Ball> balls) {
+    std::uint64_t hash = 0xcbf29ce484222325;
+    for (const Ball& ball : balls) {
+        const flipside_ball bytes = as_c(ball);
+        for (const std::byte byte : std::as_bytes(std::span(&bytes, 1)))
+            hash = (hash ^ static_cast<std::uint64_t>(byte)) * 0x100000001b3;
+    }
+    return {reinterpret_cast<const char*>(&hash), sizeof hash};
+}
+
 }  // namespace
 
 PluginWorld::PluginWorld(std::shared_ptr<const Scene> scene, const Plugin& plugin, const Settings& settings)
@@ -58,6 +69,9 @@ Answer PluginWorld::ask(Ask kind) const {
                                     : "save at ") +
                brief(table_.time()) + " s";
     };
+    if (plugin_.silences >= most_silences)
+        refuse("has not answered in time " + std::to_string(most_silences) +
+               " times, and is not asked any more");
     try {
         const Answer answer = process_->ask(kind, question_, answer_);
         Reader in(answer_);
@@ -65,6 +79,10 @@ Answer PluginWorld::ask(Ask kind) const {
             throw Declined(plugin_.name + ": refuses " + when() + ": " + printable(in.text()));
         if (answer == Answer::broken) refuse("in " + when() + " it " + printable(in.text()));
         return answer;
+    } catch (const Silent& silent) {
+        ++plugin_.silences;
+        process_.reset();
+        refuse("in " + when() + " its process " + silent.what());
     } catch (const Ended& ended) {
         process_.reset();
         refuse("in " + when() + " its process " + ended.what());
@@ -75,7 +93,7 @@ Answer PluginWorld::ask(Ask kind) const {
 }
 
 /// A world of the engine's for the scene as it is now.
-void PluginWorld::make() {
+void PluginWorld::make(std::string_view saved) {
     if (!process_) {
         knows_json_ = false;
         process_ = std::make_unique<Process>(plugin_.file);
@@ -89,14 +107,14 @@ void PluginWorld::make() {
             refuse(std::string("its process ") + ended.what() + " while it was loaded");
         } catch (const Malformed& problem) {
             process_.reset();
-            refuse(printable(plugin_.file.string()) + ": " + problem.what());
+            refuse(printable(plugin_.file) + ": " + problem.what());
         }
     }
     Writer out(question_);
     out.text(knows_json_ ? std::string() : to_json(table_.scene()));
     Handover(table_, pieces_, balls_).write(out);
     out.array(std::span(std::as_const(settings_)));
-    out.array(std::span<const std::byte>());
+    out.text(saved);
     static_cast<void>(ask(Ask::make));
     knows_json_ = true;
     Reader in(answer_);
@@ -165,7 +183,26 @@ void PluginWorld::show(PartIndex target, bool there) {
 }
 
 State PluginWorld::save() const {
-    return table_.save(balls_);
+    State state = table_.save(balls_);
+    if (!plugin_.description.offers.save) return state;
+    try {
+        std::string bytes = engine_bytes();
+        if (!bytes.empty())
+            state.memory = {plugin_.name, time(), {}, fingerprint(state.balls) + std::move(bytes)};
+    } catch (const Refusal&) {
+        // The next step says so; until then the balls are what there is.
+    }
+    return state;
+}
+
+/// What the engine saves of the world as it is now; nothing where it has none.
+std::string PluginWorld::engine_bytes() const {
+    if (stale_) return "";
+    Writer(question_).array(std::span(std::as_const(changes_)));
+    changes_.clear();
+    const Answer answer = ask(Ask::save);
+    stale_ = answer == Answer::not_followed;
+    return stale_ ? "" : Reader(answer_).text();
 }
 
 void PluginWorld::set_state(const State& state) {
@@ -180,8 +217,12 @@ void PluginWorld::set_state(const State& state) {
 void PluginWorld::restore(const State& state) {
     guard_.forget();
     set_state(state);
+    const EngineMemory& memory = state.memory;
+    const std::string expected = fingerprint(state.balls);
+    const bool fits = plugin_.description.offers.save && memory.engine == plugin_.name &&
+                      memory.time == time() && memory.bytes.starts_with(expected);
     try {
-        make();
+        make(fits ? std::string_view(memory.bytes).substr(expected.size()) : "");
     } catch (const Refusal&) {
         // The next step tries once more, and says so.
         stale_ = true;

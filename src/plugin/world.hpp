@@ -46,7 +46,8 @@ class PluginWorld : public World {
 
   private:
     void set_state(const State& state);
-    void make();
+    void make(std::string_view saved = {});
+    [[nodiscard]] std::string engine_bytes() const;
     void make_step(double dt);
     void launch();
     void change(flipside_control_kind kind, const Ball& ball);
@@ -80,10 +81,10 @@ class PluginWorld : public World {
 
     mutable std::unique_ptr<Process> process_;
     mutable Bytes answer_;
-    bool stale_ = true;                      ///< the engine's world must be made anew before the next step
-    bool knows_json_ = false;                ///< the process has the scene's text
-    std::vector<flipside_control> changes_;  ///< since the last step, of a world that is not stale
-    Bytes question_;
+    mutable bool stale_ = true;  ///< the engine's world must be made anew before the next step
+    bool knows_json_ = false;    ///< the process has the scene's text
+    mutable std::vector<flipside_control> changes_;  ///< since the last step, of a world that is not stale
+    mutable Bytes question_;
     std::vector<flipside_motion> motions_;
     std::vector<flipside_ball_state> moved_;
     std::vector<flipside_event> foreign_events_;

@@ -24,6 +24,7 @@ struct Engine {
     std::string_view library{};
     /// A world that a state is restored into goes on with the same bits as the one that saved it.
     bool restores_exactly = false;
+    std::string_view file{};  ///< from which it was loaded; empty where it is built in
 };
 
 }  // namespace flipside

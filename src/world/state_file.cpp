@@ -115,10 +115,29 @@ std::vector<PartState> read_parts(const Node& root, const Scene& scene) {
     return states;
 }
 
+constexpr std::string_view hex_digits = "0123456789abcdef";
+
+std::string hex(std::string_view bytes) {
+    std::string digits;
+    for (const char byte : bytes) {
+        digits += hex_digits[static_cast<unsigned char>(byte) >> 4U];
+        digits += hex_digits[static_cast<unsigned char>(byte) & 15U];
+    }
+    return digits;
+}
+
+/// Of an even number of digits, as the schema has them.
+std::string bytes_of(std::string_view digits) {
+    std::string bytes;
+    for (std::size_t i = 0; i + 1 < digits.size(); i += 2)
+        bytes += static_cast<char>(hex_digits.find(digits[i]) << 4U | hex_digits.find(digits[i + 1]));
+    return bytes;
+}
+
 EngineMemory read_memory(const Node& root, const std::vector<Ball>& balls) {
     if (!root.has("memory")) return {};
     const Node memory = root.at("memory");
-    EngineMemory read{memory.text("engine"), memory.real("time"), {}};
+    EngineMemory read{memory.text("engine"), memory.real("time"), {}, bytes_of(memory.text("bytes"))};
     for (const Node& node : memory.each("forces")) {
         const ContactForce force{static_cast<BallNumber>(node.integer("a")),
                                  static_cast<BallNumber>(node.integer("b")), node.real("normal"),
@@ -184,8 +203,9 @@ Json document_of(const State& state, const Scene& scene) {
     for (const control::Launch& launch : state.launches)
         json["launches"].push_back(
             {{"strength", launch.strength}, {"count", launch.count}, {"size", launch.size}});
-    if (const EngineMemory& memory = state.memory; !memory.forces.empty()) {
-        json["memory"] = {{"engine", memory.engine}, {"time", memory.time}};
+    if (const EngineMemory& memory = state.memory; !memory.forces.empty() || !memory.bytes.empty()) {
+        json["memory"] = {{"engine", memory.engine}, {"time", memory.time}, {"forces", Json::array()}};
+        if (!memory.bytes.empty()) json["memory"]["bytes"] = hex(memory.bytes);
         for (const ContactForce& f : memory.forces)
             json["memory"]["forces"].push_back(
                 {{"a", f.a}, {"b", f.b}, {"normal", f.normal}, {"tangent", f.tangent}});

@@ -157,9 +157,9 @@ void Table::forget_gone(State& state) {
     };
     std::erase_if(state.blocked, [&](const Blocked& b) { return gone(b.ball) || state.parts[b.gate].open; });
     EngineMemory& memory = state.memory;
-    if (memory.time != state.clock.time) memory.forces.clear();
+    if (memory.time != state.clock.time) memory = {};
     std::erase_if(memory.forces, [&](const ContactForce& f) { return gone(f.a) || gone(f.b); });
-    if (memory.forces.empty()) memory = {};
+    if (memory.forces.empty() && memory.bytes.empty()) memory = {};
 }
 
 void Table::restore(const State& state) {

@@ -103,6 +103,10 @@ void print_comparison(const lab::Comparison& comparison) {
           "first, J", "last, J", "drift, J", "", "", "", "mm");
     for (const lab::EngineRun& run : comparison.runs) print_run(run, width);
     print("(%s)\n", lab::libraries().c_str());
+    for (const lab::EngineRun& run : comparison.runs)
+        if (run.ended)
+            print("%s ended at %.6g s: %s\n", name_of(run).c_str(), run.ended->time,
+                  printable(run.ended->why).c_str());
     for (const lab::Pair& pair : comparison.pairs) print_pair(pair, comparison);
 }
 
@@ -147,7 +151,8 @@ int compare(const CompareOptions& options) {
     }();
     if (!options.json.empty()) lab::write_whole_file(options.json, to_json(comparison));
     print_comparison(comparison);
-    return 0;
+    const auto ended = [](const lab::EngineRun& run) { return run.ended.has_value(); };
+    return std::ranges::any_of(comparison.runs, ended) ? 1 : 0;
 }
 
 }  // namespace
@@ -155,7 +160,9 @@ int compare(const CompareOptions& options) {
 void add_compare(CLI::App& program, Action& chosen) {
     auto options = std::make_shared<CompareOptions>();
     CLI::App& command = *program.add_subcommand(
-        "compare", "Run a scene on several engines side by side: cost, energy, and where they part");
+        "compare",
+        "Run a scene on several engines side by side: cost, energy, and where they part (exit 1 where "
+        "one could not go on)");
     options->add_to(command, "E.K=V");
     options->add_seconds(command);
     CLI::Option* engines =

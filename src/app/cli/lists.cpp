@@ -43,8 +43,12 @@ std::string needs_of(const SettingSpec& spec) {
     return text;
 }
 
-int list_engines() {
-    for (const Engine* engine : lab::engines()) {
+/// All that are built in, or these libraries.
+int list_engines(const std::vector<std::string>& libraries) {
+    std::vector<const Engine*> listed(lab::engines().begin(), lab::engines().end());
+    if (!libraries.empty()) listed.clear();
+    for (const std::string& library : libraries) listed.push_back(&lab::engine_named(library));
+    for (const Engine* engine : listed) {
         lab::TextStream text;
         text << engine->name << ": " << (engine->library.empty() ? "" : std::string(engine->library) + ": ")
              << engine->about << '\n';
@@ -76,9 +80,11 @@ void add_scenes(CLI::App& program, Action& chosen) {
 }
 
 void add_engines(CLI::App& program, Action& chosen) {
-    program.add_subcommand("engines", "List the engines with all their settings")->callback([&chosen] {
-        chosen = list_engines;
-    });
+    auto libraries = std::make_shared<std::vector<std::string>>();
+    CLI::App& command = *program.add_subcommand("engines", "List the engines with all their settings");
+    command.add_option("libraries", *libraries, "Only these: names, or libraries (see docs/plugins.md)")
+        ->type_name("FILE.so");
+    command.callback([libraries, &chosen] { chosen = [libraries] { return list_engines(*libraries); }; });
 }
 
 void add_check(CLI::App& program, Action& chosen) {

@@ -5,6 +5,8 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
 #include "app/cli/progress.hpp"
+#include "app/cli/run_options.hpp"
+#include "lab/engines.hpp"
 #include "world/printable.hpp"
 
 namespace flipside::app {
@@ -13,11 +15,12 @@ namespace {
 
 struct ReportOptions {
     std::string out;
-    std::vector<std::string> from;
+    std::vector<std::string> from, engines;
     bool quick = false;
 };
 
 int report(const ReportOptions& options) {
+    for (const std::string& engine : options.engines) static_cast<void>(lab::engine_named(engine));
     {
         Progress progress(1);
         const auto watch = [&](double share) { progress.at(share); };
@@ -45,6 +48,7 @@ void add_report(CLI::App& program, Action& chosen) {
         .add_option("--from", options->from,
                     "Folders of one sweep (its shards), to be shown instead of measuring one")
         ->type_name("DIR...");
+    add_libraries(command, options->engines);
     command.add_flag("--quick", options->quick, "In two minutes instead of a quarter of an hour");
     command.callback([options, &chosen] { chosen = [options] { return report(*options); }; });
 }

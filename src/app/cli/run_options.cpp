@@ -29,6 +29,14 @@ CLI::Option* add_contenders(CLI::App& command, std::vector<std::string>& contend
         ->type_name("NAME=E[,dt=H][,K=V]...");
 }
 
+void add_libraries(CLI::App& command, std::vector<std::string>& libraries) {
+    command
+        .add_option("--engine", libraries,
+                    "A library that takes part too (see docs/plugins.md); given once for each")
+        ->allow_extra_args(false)
+        ->type_name("FILE.so");
+}
+
 void RunOptions::add_to(CLI::App& command, const std::string& setting_form) {
     command.add_option("scene", scene, "A name (see `flipside scenes`) or the path of a scene file")
         ->required()

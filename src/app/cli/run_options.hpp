@@ -36,6 +36,9 @@ struct RunOptions {
 /// --contender, repeated; where several run together.
 CLI::Option* add_contenders(CLI::App& command, std::vector<std::string>& contenders);
 
+/// --engine, repeated; where all engines take part and libraries may join them.
+void add_libraries(CLI::App& command, std::vector<std::string>& libraries);
+
 /// A CLI11 check: a finite number from `min` to `max`.
 [[nodiscard]] CLI::Validator number_from(double min, double max);
 

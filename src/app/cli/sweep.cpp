@@ -21,7 +21,7 @@ namespace sweep = lab::sweep;
 struct SweepOptions {
     std::vector<std::string> scenes;
     int balls = 0;
-    std::vector<std::string> contenders;
+    std::vector<std::string> contenders, engines;
     int finest = sweep::finest_steps;
     bool quick = false;
     std::string shard = "1/1";
@@ -78,6 +78,7 @@ FilesOfCommand files_of(const SweepOptions& options) {
 
 int run_sweep(const SweepOptions& options) {
     const sweep::Shard shard = parse_shard(options.shard);
+    for (const std::string& engine : options.engines) static_cast<void>(lab::engine_named(engine));
     auto variants = sweep::variants_of(options.scenes, options.balls);
     sweep::Plan plan = options.quick ? sweep::quick_plan(std::move(variants), options.seed)
                                      : sweep::Plan{.variants = std::move(variants), .seed = options.seed};
@@ -118,9 +119,10 @@ void add_sweep(CLI::App& program, Action& chosen) {
         ->type_name("N");
     command
         .add_option("--contenders", options->contenders,
-                    "Only these (default: all; plan.json describes them)")
+                    "Only these (default: all; plan.json describes them); libraries by their paths")
         ->delimiter(',')
         ->type_name("A,B");
+    add_libraries(command, options->engines);
     command.add_option("--finest", options->finest, "Steps per second at most (default 7680)")
         ->check(number_from(sweep::coarsest_steps, sweep::finest_steps))
         ->type_name("N");

@@ -46,6 +46,8 @@ Stage::Stage(const std::string& scene, const std::string& engine, View view,
              const std::vector<std::string>& settings, const std::optional<std::filesystem::path>& script,
              const std::vector<std::string>& contenders, std::optional<double> dt)
     : line_up_(lab::parse_contenders(contenders)), asked_dt_(dt), view_(view) {
+    // A library is an engine once it is loaded, and then it may have settings.
+    const Engine& first = lab::engine_named(engine);
     // The reference is to say how far it may be trusted, unless the user will not pay for that.
     std::vector<std::string> all{"reference.twin=on"};
     all.insert(all.end(), settings.begin(), settings.end());
@@ -53,7 +55,7 @@ Stage::Stage(const std::string& scene, const std::string& engine, View view,
     if (line_up_.size() > most_contenders)
         throw InputError(std::to_string(line_up_.size()) + " contenders; the window has room for " +
                          std::to_string(most_contenders));
-    if (line_up_.empty()) line_up_ = everybody(lab::engine_named(engine));
+    if (line_up_.empty()) line_up_ = everybody(first);
     show_scene(scene, scene_of(scene), line_up_);
     script_file_ = script;
     if (script) script_ = load_script(*script, *scene_);

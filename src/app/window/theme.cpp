@@ -10,7 +10,7 @@ sf::Color engine_colour(std::string_view engine) {
     if (engine == "custom") return {0x56, 0xb4, 0xe9};
     if (engine == "box2d") return {0xe6, 0x9f, 0x00};
     if (engine == "reference") return {0x00, 0x9e, 0x73};
-    return colour::text;
+    return {0xcc, 0x79, 0xa7};  // from a library
 }
 
 sf::Color with_alpha(sf::Color color, double alpha) {

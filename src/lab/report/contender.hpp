@@ -19,8 +19,10 @@ struct Contender {
     int dash, marker;
 };
 
-/// Those whose engine there is.
+/// Those whose engine there is; libraries that were loaded among them.
 [[nodiscard]] std::vector<Contender> contenders();
+/// Of an engine's lines; grey for one that is not here.
+[[nodiscard]] std::string colour_of(std::string_view engine);
 /// The settings that the scene recommends for it, and its own.
 [[nodiscard]] Settings settings_of(const Contender& contender, const Scene& scene);
 /// A series that looks like this contender, without points.

@@ -10,6 +10,7 @@
 #include "lab/report/contender.hpp"
 #include "lab/run.hpp"
 #include "lab/text_stream.hpp"
+#include "world/input_error.hpp"
 #include "world/refusal.hpp"
 #include "world/scene_file.hpp"
 #include "world/script_file.hpp"
@@ -56,9 +57,6 @@ std::string measure(const Duel& duel, double seconds, const Watch& watch) {
     const auto scene = std::make_shared<const Scene>(load_scene(file));
     const Script script = load_script(*script_beside(file), *scene);
     std::vector<Session> sessions;
-    for (const Contender* contender : {&duel.first, &duel.second})
-        sessions.emplace_back(scene, engine_named(contender->engine), settings_of(*contender, *scene));
-
     TextStream csv;
     CsvRow row;
     row.add("time").add("radii").add("uncertainty").add("failure").write(csv);
@@ -69,10 +67,20 @@ std::string measure(const Duel& duel, double seconds, const Watch& watch) {
         if (sessions[0].world().balls().empty() || !apart.same_balls) return;
         row.add(time).add(apart.radii).add(claimed_radii(sessions[0].world())).add("").write(csv);
     };
+    const auto fail = [&](const std::runtime_error& why) {
+        const double time = sessions.empty() ? 0 : sessions[0].world().time();
+        row.add(time).add(INFINITY).add(0.0).add(why.what()).write(csv);
+    };
     try {
+        for (const Contender* contender : {&duel.first, &duel.second})
+            sessions.emplace_back(scene, engine_named(contender->engine), settings_of(*contender, *scene));
         run(sessions, Timeline(0, seconds, step_for(*scene)), script, after);
     } catch (const Refusal& refusal) {
-        row.add(sessions[0].world().time()).add(INFINITY).add(0.0).add(refusal.what()).write(csv);
+        fail(refusal);
+    } catch (const NotANumber& failure) {
+        fail(failure);
+    } catch (const InputError& error) {  // a table that the engine cannot run
+        fail(error);
     }
     return csv.str();
 }

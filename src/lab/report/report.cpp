@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "lab/build_commit.hpp"
+#include "lab/data_file.hpp"
+#include "lab/engines.hpp"
 #include "lab/report/facts.hpp"
 #include "lab/report/gnuplot.hpp"
 #include "lab/whole_file.hpp"
@@ -20,17 +22,21 @@ constexpr double share_of_drawing = 0.05;  ///< of the time that all takes, for 
 /// Notes what the folder's data are of, or checks that they are of the same.
 void claim(const Data& data, const Effort& effort) {
     const std::string file = "report.json", origin = "report";
-    const nlohmann::ordered_json json{
+    nlohmann::ordered_json json{
         {"format", "flipside-report-data/2"}, {"effort", effort.name}, {"commit", build_commit()}};
+    for (const Engine* engine : engines())
+        if (!engine->file.empty())
+            json["libraries"][std::string(engine->name)] = checksum(read_file(engine->file));
     const std::string text = json_text(json, 2) + '\n';
     const auto found = read_back(
         data.path(file), data.notice(), [&] { return read_data_file(data.path(file), origin); },
         "it is made again");
     if (!found) return write_data_file(data.path(file), origin, text);
     if (*found != text)
-        throw InputError(data.path(file).string() +
-                         ": the data beside it are of another build or of another effort than '" +
-                         effort.name + "' (--quick or not); remove the folder or name another one");
+        throw InputError(
+            data.path(file).string() +
+            ": the data beside it are of another build, of other libraries or of another effort than '" +
+            effort.name + "' (--quick or not); remove the folder or name another one");
 }
 
 void measure(const std::vector<Chapter>& all, const Data& data, const Watch& watch) {

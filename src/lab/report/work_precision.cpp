@@ -6,6 +6,7 @@
 #include "lab/engines.hpp"
 #include "lab/pair_tests.hpp"
 #include "lab/report/chapter.hpp"
+#include "lab/report/contender.hpp"
 #include "lab/sweep/summary.hpp"
 #include "lab/sweep/sweep.hpp"
 
@@ -22,13 +23,15 @@ constexpr double floor_radii = 1e-16;
 Series series_of(const sweep::Figures& first, std::size_t of_engine) {
     constexpr int markers[] = {7, 6, 9, 8, 13, 12}, squares[] = {5, 4, 11, 10, 13, 12};
     const bool is_box2d = first.engine == "box2d";
-    const std::string_view line = is_box2d                   ? colour::box2d
-                                  : first.engine == "custom" ? colour::custom
-                                                             : colour::reference;
     const std::size_t look = of_engine % std::size(markers);
     const int dash = 1 + static_cast<int>(of_engine % 5);
-    return {
-        first.contender, std::string(line), dash, is_box2d ? squares[look] : markers[look], 0.8, true, {}};
+    return {first.contender,
+            colour_of(first.engine),
+            dash,
+            is_box2d ? squares[look] : markers[look],
+            0.8,
+            true,
+            {}};
 }
 
 std::string words_of(const sweep::Figures& f) {

@@ -1,6 +1,7 @@
 #include "lab/sweep/contenders.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <iterator>
 #include <sstream>
 
@@ -34,6 +35,16 @@ constexpr Contender all[] = {
      "fine arcs, more iterations, and a tenth of its slop"},
 };
 
+/// One for each library that was loaded, as it comes. They stay where they are.
+const std::deque<Contender>& loaded_contenders() {
+    static std::deque<Contender> loaded;
+    for (const Engine* engine : engines())
+        if (!engine->file.empty() &&
+            std::ranges::find(loaded, engine->name, &Contender::name) == loaded.end())
+            loaded.push_back({engine->name, engine->name, "", coarse, middle, engine->about});
+    return loaded;
+}
+
 }  // namespace
 
 std::span<const Contender> contenders() {
@@ -43,15 +54,19 @@ std::span<const Contender> contenders() {
 std::vector<const Contender*> all_contenders() {
     std::vector<const Contender*> pointers;
     for (const Contender& contender : all) pointers.push_back(&contender);
+    for (const Contender& contender : loaded_contenders()) pointers.push_back(&contender);
     return pointers;
 }
 
 const Contender& contender_named(std::string_view name) {
-    const auto at = std::ranges::find(all, name, &Contender::name);
-    if (at != std::end(all)) return *at;
+    if (name.find('/') != std::string_view::npos) name = engine_named(name).name;
+    const std::vector<const Contender*> there = all_contenders();
+    const auto at = std::ranges::find(there, name, &Contender::name);
+    if (at != there.end()) return **at;
     std::string known;
-    for (const Contender& contender : all) known += (known.empty() ? "" : ", ") + std::string(contender.name);
-    throw InputError("unknown contender '" + std::string(name) + "' of a sweep; allowed are " + known);
+    for (const Contender* one : there) known += (known.empty() ? "" : ", ") + std::string(one->name);
+    throw InputError("unknown contender '" + std::string(name) + "' of a sweep; allowed are " + known +
+                     ", and the path of a library, after which its own name is known too");
 }
 
 Settings settings_of(const Contender& contender, const Scene& scene) {

@@ -20,9 +20,11 @@ struct Contender {
 };
 inline constexpr int coarsest_steps = 30, finest_steps = 7680;  ///< per second
 
+/// Those that are built in.
 [[nodiscard]] std::span<const Contender> contenders();
+/// And after them the libraries that were loaded, each by its name.
 [[nodiscard]] std::vector<const Contender*> all_contenders();
-/// Throws InputError for an unknown name.
+/// By its name, or by the path of a library, which is loaded. Throws InputError for an unknown one.
 [[nodiscard]] const Contender& contender_named(std::string_view name);
 /// The engine's defaults, what the scene recommends, and the contender's own settings.
 [[nodiscard]] Settings settings_of(const Contender& contender, const Scene& scene);

@@ -54,6 +54,16 @@ void compare_ends(std::span<const Ball> balls, const Window& window, Outcome& ou
     outcome.typical = *middle;
 }
 
+/// The impacts of an outcome, and the errors of one that failed.
+void count_impacts(std::span<const Event> impacts, const Window& window, double dt, Outcome& outcome) {
+    if (!outcome.failure.empty()) outcome.error = outcome.typical = infinite;
+    const double end = window.start.clock.time + window.seconds;
+    const Unmatched unmatched = count_unmatched(window.impacts, impacts, match_tolerance(dt), end);
+    outcome.impacts = window.impacts.size();
+    outcome.missed = unmatched.first;
+    outcome.spurious = unmatched.second;
+}
+
 }  // namespace
 
 Unmatched count_unmatched(std::span<const Event> first, std::span<const Event> second, double tolerance,
@@ -88,15 +98,19 @@ Outcome run_window(World& world, const Window& window, double dt) {
                 if (event.kind == EventKind::impact) impacts.push_back(event);
         }
         compare_ends(world.balls(), window, outcome);
-    } catch (const std::runtime_error&) {
+    } catch (const std::runtime_error& error) {
         outcome.failure = "refused";
+        outcome.why = error.what();
     }
-    if (!outcome.failure.empty()) outcome.error = outcome.typical = infinite;
-    const double end = window.start.clock.time + window.seconds;
-    const Unmatched unmatched = count_unmatched(window.impacts, impacts, match_tolerance(dt), end);
-    outcome.impacts = window.impacts.size();
-    outcome.missed = unmatched.first;
-    outcome.spurious = unmatched.second;
+    count_impacts(impacts, window, dt, outcome);
+    return outcome;
+}
+
+Outcome refused_window(const Window& window, double dt, const std::string& why) {
+    Outcome outcome;
+    outcome.failure = "refused";
+    outcome.why = why;
+    count_impacts({}, window, dt, outcome);
     return outcome;
 }
 

@@ -16,6 +16,7 @@ struct Outcome {
     std::size_t impacts = 0;   ///< of the reference
     std::size_t missed = 0;    ///< of these, without a match
     std::size_t spurious = 0;  ///< of the contender, without a match
+    std::string why{};         ///< of what was refused, in the engine's words; not kept in files
 };
 
 /// Impacts match when ball and other are the same and the times differ by no more than this: a step, since
@@ -35,6 +36,8 @@ struct Unmatched {
 /// Runs the world, made for the window's scene, from the window's start in steps of dt, which divides its
 /// length. Engines' exceptions become failures.
 [[nodiscard]] Outcome run_window(World& world, const Window& window, double dt);
+/// The outcome where the world could not even be made.
+[[nodiscard]] Outcome refused_window(const Window& window, double dt, const std::string& why);
 /// CPU time of the same steps and nothing else, s, once the caches know the world.
 [[nodiscard]] double time_window(World& world, const Window& window, double dt);
 

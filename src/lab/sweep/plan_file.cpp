@@ -58,7 +58,8 @@ constexpr std::string_view plan_schema = R"({
         "name": {"type": "string"},
         "engine": {"type": "string"},
         "settings": {"type": "string"},
-        "about": {"type": "string"}
+        "about": {"type": "string"},
+        "file_xxh3": {"type": "string"}
       }}}
   }
 })";
@@ -88,9 +89,18 @@ Variant parse_variant(const Node& node) {
             .longest = static_cast<int>(node.integer("longest"))};
 }
 
+/// Of the library that a contender was loaded from; "" where it is built in.
+std::string file_checksum(const Contender& contender) {
+    const std::string_view file = engine_named(contender.engine).file;
+    return file.empty() ? "" : checksum(read_file(file));
+}
+
 const Contender* parse_contender(const Node& node) {
+    // A name and not a path: reading a plan loads nothing.
+    require_plain_name(node);
     const Contender& contender = contender_named(node.text("name"));
-    if (node.text("engine") != contender.engine || node.text("settings") != contender.settings)
+    if (node.text("engine") != contender.engine || node.text("settings") != contender.settings ||
+        node.text("file_xxh3") != file_checksum(contender))
         node.fail("is another contender than " + std::string(contender.name) +
                   " of this version; allowed is the same one");
     return &contender;
@@ -120,11 +130,13 @@ std::string to_json(const Plan& plan) {
                             {"until", variant.until},
                             {"shortest", variant.shortest},
                             {"longest", variant.longest}});
-    for (const Contender* contender : plan.contenders)
+    for (const Contender* contender : plan.contenders) {
         all.push_back({{"name", contender->name},
                        {"engine", contender->engine},
                        {"settings", contender->settings},
                        {"about", contender->about}});
+        if (const std::string sum = file_checksum(*contender); !sum.empty()) all.back()["file_xxh3"] = sum;
+    }
     const nlohmann::ordered_json json{{"format", plan_format},
                                       {"commit", build_commit()},
                                       {"seed", plan.seed},

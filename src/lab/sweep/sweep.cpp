@@ -1,6 +1,7 @@
 #include "lab/sweep/sweep.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "lab/failure.hpp"
 #include "lab/sweep/unit.hpp"
@@ -23,6 +24,8 @@ struct Place {
     const fs::path& folder;
     const Notice& notice;
     const char* of_damaged;  ///< what becomes of a damaged file
+    std::set<std::pair<std::string, std::string>>&
+        told;  ///< variants and contenders whose refusals were told
 };
 
 BlockPlan block_of(const Plan& plan, const Unit& unit) {
@@ -60,6 +63,13 @@ std::optional<std::vector<Run>> find_runs(const Place& place, const Unit& unit, 
     return read_back(file, place.notice, read, place.of_damaged);
 }
 
+/// Of each contender, the first run on a variant that could not be made.
+void tell_refusals(const Place& place, const std::vector<Run>& runs) {
+    for (const Run& run : runs)
+        if (!run.outcome.why.empty() && place.told.emplace(run.variant, run.contender).second)
+            place.notice(run.variant + ", window " + std::to_string(run.window + 1) + ": " + run.outcome.why);
+}
+
 /// Makes what is missing of the two files of a unit.
 void make_unit(const Place& place, const Unit& unit, const Watch& watch) {
     const auto scene = load(*unit.variant);
@@ -70,8 +80,9 @@ void make_unit(const Place& place, const Unit& unit, const Watch& watch) {
                         to_json(*block, *scene));
     }
     if (find_runs(place, unit, *block)) return;
-    write_data_file(runs_file(unit, place.folder), origin_of_unit("runs", place.text, unit),
-                    to_csv(measure_unit(place.plan, unit, *block, scene, watch)));
+    const std::vector<Run> runs = measure_unit(place.plan, unit, *block, scene, watch);
+    tell_refusals(place, runs);
+    write_data_file(runs_file(unit, place.folder), origin_of_unit("runs", place.text, unit), to_csv(runs));
 }
 
 /// About how long a unit of a variant takes, in steps of a ball.
@@ -90,7 +101,8 @@ double work_of(const Plan& plan, const Variant& variant) {
 
 void make_runs(const Plan& plan, Shard shard, const fs::path& folder, const Watch& watch,
                const Notice& notice) {
-    const Place place{plan, to_json(plan), folder, notice, "it is made again"};
+    std::set<std::pair<std::string, std::string>> told;
+    const Place place{plan, to_json(plan), folder, notice, "it is made again", told};
     for (const char* part : {"windows", "runs"}) make_folder(folder / part);
     settle_plan(place);
     std::vector<Unit> units;
@@ -109,7 +121,9 @@ void make_runs(const Plan& plan, Shard shard, const fs::path& folder, const Watc
 
 Inventory take_inventory(const Plan& plan, const fs::path& folder) {
     const Notice refuse = [](const std::string& sentence) { throw Failure(sentence); };
-    const Place place{plan, to_json(plan), folder, refuse, "the shard that it belongs to makes it again"};
+    std::set<std::pair<std::string, std::string>> told;
+    const Place place{plan, to_json(plan), folder, refuse, "the shard that it belongs to makes it again",
+                      told};
     Inventory inventory;
     for (const Unit& unit : units_of(plan)) {
         const auto scene = load(*unit.variant);

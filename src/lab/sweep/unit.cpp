@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "world/input_error.hpp"
+#include "world/refusal.hpp"
 
 namespace flipside::lab::sweep {
 
@@ -12,10 +13,16 @@ namespace {
 
 constexpr double not_timed = std::numeric_limits<double>::quiet_NaN();
 
+/// A contender's world for a scene, or why there is none.
+struct Made {
+    std::unique_ptr<World> world;
+    std::string why;
+};
+
 /// A contender at one step size.
 struct Lane {
     const Contender* contender;
-    World* world;  ///< of the contender, the same at all its step sizes
+    const Made* made;  ///< of the contender, the same at all its step sizes
     double dt;
 };
 
@@ -27,6 +34,18 @@ struct Task {
     double work;  ///< balls times steps
     std::vector<double> cpu{};
 };
+
+/// An engine that cannot run the scene at all fails in every window of it, and nobody else does.
+Made make_world(const Contender& contender, const std::shared_ptr<const Scene>& scene) {
+    const Settings settings = settings_of(contender, *scene);
+    try {
+        return {engine_named(contender.engine).make(scene, settings), ""};
+    } catch (const InputError& error) {
+        return {nullptr, error.what()};
+    } catch (const Refusal& refusal) {
+        return {nullptr, refusal.what()};
+    }
+}
 
 /// The windows of the block that are run at this step size.
 std::vector<std::size_t> windows_at(double dt, const Plan& plan, const Unit& unit, const Block& block) {
@@ -54,11 +73,16 @@ std::vector<Task> tasks_of(const Plan& plan, const Unit& unit, const Block& bloc
 
 Run run_of(const Task& task, const Plan& plan, const Unit& unit, const Block& block) {
     const Window& window = block.windows[task.window];
-    Run run{unit.variant->name, std::string(task.lane->contender->name),
-            task.lane->dt,      unit.block * plan.block_size + task.window,
-            window.seconds,     run_window(*task.lane->world, window, task.lane->dt),
-            not_timed,          not_timed};
-    return run;
+    const Lane& lane = *task.lane;
+    return {unit.variant->name,
+            std::string(lane.contender->name),
+            lane.dt,
+            unit.block * plan.block_size + task.window,
+            window.seconds,
+            lane.made->world ? run_window(*lane.made->world, window, lane.dt)
+                             : refused_window(window, lane.dt, lane.made->why),
+            not_timed,
+            not_timed};
 }
 
 void note_times(Run& run, std::vector<double> cpu) {
@@ -73,12 +97,12 @@ void note_times(Run& run, std::vector<double> cpu) {
 std::vector<Run> measure_unit(const Plan& plan, const Unit& unit, const Block& block,
                               const std::shared_ptr<const Scene>& scene,
                               const std::function<void(double)>& watch) {
-    std::vector<std::unique_ptr<World>> worlds;
+    std::vector<Made> made;
+    made.reserve(plan.contenders.size());
     std::vector<Lane> lanes;
     for (const Contender* contender : plan.contenders) {
-        worlds.push_back(engine_named(contender->engine).make(scene, settings_of(*contender, *scene)));
-        for (const double dt : steps_of(*contender, plan))
-            lanes.push_back({contender, worlds.back().get(), dt});
+        made.push_back(make_world(*contender, scene));
+        for (const double dt : steps_of(*contender, plan)) lanes.push_back({contender, &made.back(), dt});
     }
     std::vector<Task> tasks = tasks_of(plan, unit, block, lanes);
     const auto rounds = static_cast<double>(plan.repetitions);
@@ -93,8 +117,9 @@ std::vector<Run> measure_unit(const Plan& plan, const Unit& unit, const Block& b
     }
     for (std::size_t round = 0; round < plan.repetitions; ++round)
         for (Task& task : tasks) {
-            if (!task.timed) continue;
-            task.cpu.push_back(time_window(*task.lane->world, block.windows[task.window], task.lane->dt));
+            if (!task.timed || !task.lane->made->world) continue;
+            task.cpu.push_back(
+                time_window(*task.lane->made->world, block.windows[task.window], task.lane->dt));
             did(task);
         }
     for (std::size_t i = 0; i < runs.size(); ++i) note_times(runs[i], tasks[i].cpu);
