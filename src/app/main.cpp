@@ -82,6 +82,7 @@ int command_line(int argc, char** argv) {
     app::add_scenes(program, chosen);
     app::add_engines(program, chosen);
     app::add_check(program, chosen);
+    app::add_conformance(program, chosen);
     parse(program, chosen, {argv + 1, argv + argc});
     return chosen();
 }

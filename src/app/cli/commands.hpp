@@ -24,5 +24,6 @@ void add_render(CLI::App& program, Action& chosen);
 void add_scenes(CLI::App& program, Action& chosen);
 void add_engines(CLI::App& program, Action& chosen);
 void add_check(CLI::App& program, Action& chosen);
+void add_conformance(CLI::App& program, Action& chosen);
 
 }  // namespace flipside::app
