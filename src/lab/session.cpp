@@ -5,6 +5,7 @@
 
 #include "lab/allocations.hpp"
 #include "lab/cpu_clock.hpp"
+#include "lab/refusing_world.hpp"
 #include "world/refusal.hpp"
 
 namespace flipside::lab {
@@ -16,12 +17,20 @@ constexpr double same_moment = 1e-9;
 
 }  // namespace
 
-Session::Session(std::shared_ptr<const Scene> scene, const Engine& engine, Settings settings)
+Session::Session(std::shared_ptr<const Scene> scene, const Engine& engine, Settings settings,
+                 WithoutWorld otherwise)
     : scene_(std::move(scene)),
       engine_(&engine),
       settings_(std::move(settings)),
-      world_(engine.make(scene_, settings_)),
+      otherwise_(otherwise),
+      world_(make(scene_, engine, settings_)),
       game_(scene_) {}
+
+std::unique_ptr<World> Session::make(const std::shared_ptr<const Scene>& scene, const Engine& engine,
+                                     const Settings& settings) const {
+    return otherwise_ == WithoutWorld::fail ? engine.make(scene, settings)
+                                            : world_or_refusal(engine, scene, settings);
+}
 
 void Session::apply(const Control& control) {
     record(world_->time(), control);
@@ -121,7 +130,7 @@ void Session::change(std::shared_ptr<const Scene> scene, const Engine& engine, S
     // What lay at rest under one gravity need not under another.
     if (scene->gravity != scene_->gravity)
         for (Ball& ball : state.balls) ball.asleep = false;
-    std::unique_ptr<World> next = engine.make(scene, settings);
+    std::unique_ptr<World> next = make(scene, engine, settings);
     next->restore(state);
     world_ = std::move(next);
     under_way_.reset();

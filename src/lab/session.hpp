@@ -29,9 +29,14 @@ struct Totals {
 };
 inline constexpr std::uint64_t warm_up_steps = 60;
 
+/// Where an engine cannot run a scene: throw what it throws, or go on with a world that refuses its first
+/// step (refusing_world.hpp), for those who show several engines at once.
+enum class WithoutWorld { fail, refuse_steps };
+
 class Session {
   public:
-    Session(std::shared_ptr<const Scene> scene, const Engine& engine, Settings settings);
+    Session(std::shared_ptr<const Scene> scene, const Engine& engine, Settings settings,
+            WithoutWorld otherwise = WithoutWorld::fail);
 
     /// Applies a control now and records it.
     void apply(const Control& control);
@@ -70,7 +75,7 @@ class Session {
     void recount(const Totals& totals) { totals_ = totals; }
     /// Another session in the same state, score and all, whose totals start at 0.
     [[nodiscard]] Session fork() const {
-        Session copy(scene_, *engine_, settings_);
+        Session copy(scene_, *engine_, settings_, otherwise_);
         copy.restore(world_->save());
         copy.game_ = game_;
         copy.recording_ = recording_;
@@ -98,9 +103,13 @@ class Session {
     void count(const Event& event);
     void record(double time, const Control& control);
 
+    [[nodiscard]] std::unique_ptr<World> make(const std::shared_ptr<const Scene>& scene, const Engine& engine,
+                                              const Settings& settings) const;
+
     std::shared_ptr<const Scene> scene_;
     const Engine* engine_;
     Settings settings_;
+    WithoutWorld otherwise_;
     std::unique_ptr<World> world_;
     Game game_;
     Script recording_;

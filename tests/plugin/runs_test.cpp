@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "lab/compare.hpp"
+#include "lab/session.hpp"
 #include "lab/sweep/contenders.hpp"
 #include "lab/sweep/unit.hpp"
 #include "support.hpp"
+#include "world/input_error.hpp"
 
 namespace flipside::plugin {
 namespace {
@@ -34,6 +36,21 @@ TEST(PluginCompare, OneThatCrashesEndsAloneAndByName) {
     EXPECT_EQ(comparison.pairs[1].radii.size(), 50U);
     EXPECT_EQ(comparison.times.size(), 50U);
     EXPECT_NE(to_json(comparison).find("has crashed"), std::string::npos);
+}
+
+TEST(PluginSession, BesideOthersAnEngineThatCannotRunASceneRefusesItsFirstStep) {
+    const auto bowl =
+        std::make_shared<const Scene>(load_scene(FLIPSIDE_SOURCE_DIR "/assets/scenes/bowl.json"));
+    const Engine& engine = lab::engine_named(ENGINE_IN_C);
+    EXPECT_THROW(lab::Session(bowl, engine, Settings(engine.settings)), InputError);
+    lab::Session session(bowl, engine, Settings(engine.settings), lab::WithoutWorld::refuse_steps);
+    EXPECT_EQ(session.world().balls().size(), bowl->balls.size());
+    EXPECT_THROW(session.step(0.01), Refusal);
+    // On a scene that it can run it goes on.
+    const Engine& exact = lab::engine_named("reference");
+    session.change(bowl, exact, Settings(exact.settings));
+    session.step(0.01);
+    EXPECT_NEAR(session.world().time(), 0.01, 1e-12);
 }
 
 namespace sweep = lab::sweep;

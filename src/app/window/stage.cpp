@@ -120,8 +120,10 @@ void Stage::start() {
     in_past_ = false;
     runs_.clear();
     for (const lab::Contender* contender : on_show())
-        runs_.emplace_back(*contender, lab::Session(scene_, *contender->engine, contender->settings),
-                           script_);
+        runs_.emplace_back(
+            *contender,
+            lab::Session(scene_, *contender->engine, contender->settings, lab::WithoutWorld::refuse_steps),
+            script_);
     divergences_.clear();
     pressed_.clear();
     pair_up();
