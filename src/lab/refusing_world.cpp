@@ -45,7 +45,7 @@ class RefusingWorld : public World {
 
 }  // namespace
 
-std::unique_ptr<World> world_or_refusal(const Engine& engine, std::shared_ptr<const Scene> scene,
+std::unique_ptr<World> world_or_refusal(const Engine& engine, const std::shared_ptr<const Scene>& scene,
                                         const Settings& settings) {
     try {
         return engine.make(scene, settings);

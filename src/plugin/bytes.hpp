@@ -53,7 +53,7 @@ class Reader {
     template <class T>
     requires std::is_trivially_copyable_v<T>
     [[nodiscard]] T value() {
-        T value;
+        T value{};
         raw(&value, sizeof value);
         return value;
     }

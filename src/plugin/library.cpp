@@ -1,11 +1,10 @@
 #include "plugin/library.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstring>
 #include <ctime>
-#include <span>
 #include <stdexcept>
+#include <utility>
 
 #include <dlfcn.h>
 #include <unistd.h>

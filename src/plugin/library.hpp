@@ -1,6 +1,8 @@
 #pragma once
 /// A library that implements flipside/engine.h, loaded into this process.
 
+#include <cstddef>
+#include <span>
 #include <string>
 
 #include "flipside/engine.h"

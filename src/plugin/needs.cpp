@@ -96,7 +96,7 @@ class Needs {
     /// Of a part or ball for which this is above 0.
     [[nodiscard]] Reason material(double Material::*value) const {
         const auto has = [&](const auto& thing) { return scene_.materials[thing.material].*value > 0; };
-        if (const Reason found = part([&](const Part& one) { return has(one); })) return found;
+        if (Reason found = part([&](const Part& one) { return has(one); })) return found;
         const auto at = std::ranges::find_if(balls_, [&](const NamedBall& one) { return has(*one.ball); });
         return at == balls_.end() ? std::nullopt : Reason(at->name);
     }
@@ -107,7 +107,7 @@ class Needs {
         };
         const auto ball = std::ranges::find_if(balls_, rough);
         if (ball == balls_.end()) return std::nullopt;
-        if (const Reason found = part(
+        if (Reason found = part(
                 [&](const Part& one) { return !one.sensor && scene_.materials[one.material].friction > 0; }))
             return found;
         return scene_.launcher || std::count_if(balls_.begin(), balls_.end(), rough) > 1 ? Reason(ball->name)
@@ -124,7 +124,7 @@ class Needs {
         for (const NamedBall& one : balls_) see(*one.ball);
         if ((layers & ~masks) == 0) return std::nullopt;
         const auto shuns = [&](const auto& thing) { return (layers & ~thing.collides_with) != 0; };
-        if (const Reason found = part([&](const Part& one) { return shuns(one); })) return found;
+        if (Reason found = part([&](const Part& one) { return shuns(one); })) return found;
         const auto at = std::ranges::find_if(balls_, [&](const NamedBall& one) { return shuns(*one.ball); });
         return at->name;
     }

@@ -1,7 +1,9 @@
 #pragma once
 /// What the checks of the items share.
 
+#include <cmath>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -45,8 +47,8 @@ class Subject {
 /// Equal steps for so many seconds, and a look after each.
 template <class See>
 void run_for(World& world, double seconds, double dt, See&& see) {
-    const auto steps = static_cast<int>(seconds / dt + 0.5);
-    for (int i = 0; i < steps; ++i) {
+    const long steps = std::lround(seconds / dt);
+    for (long i = 0; i < steps; ++i) {
         world.step(dt);
         see();
     }
