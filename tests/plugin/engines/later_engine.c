@@ -2,7 +2,7 @@
 
 #include "flipside/engine.h"
 
-const flipside_engine *flipside_engine_entry(void) {
+const flipside_engine* flipside_engine_entry(void) {
     static const flipside_engine engine = {.size = sizeof engine, .version = FLIPSIDE_ENGINE_VERSION + 1};
     return &engine;
 }
