@@ -30,7 +30,8 @@ struct ContactForce {
 };
 
 /// What an engine keeps from step to step beside the balls: the forces from which its next solve begins (warm
-/// starting), or bytes. It counts only for that engine and only at that time, so no other need look at it or clear it.
+/// starting), or bytes. It counts only for that engine and only at that time, so no other need look at it or
+/// clear it.
 struct EngineMemory {
     std::string engine;                ///< its name
     double time = 0;                   ///< s
