@@ -1,10 +1,10 @@
 #include "app/window/advice.hpp"
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 namespace flipside::app {
 namespace {

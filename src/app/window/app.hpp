@@ -36,6 +36,7 @@ class App {
     void press(Action action, sf::Keyboard::Key key, bool down);
     void act(Action action);
     void act_inside(Action action);
+    void act_on_window(Action action);
     void flip(Side side, Action action);
     void nudge(Vec2 velocity);
     void arrange();

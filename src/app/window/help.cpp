@@ -30,7 +30,7 @@ void draw_help(const Rect& place, ControlPlaces& places) {
     const float size = ImGui::GetFontSize();
     const float of_keys = 7.4F * size,
                 of_meaning = std::min(27 * size, 0.42F * static_cast<float>(place.width) - of_keys);
-    const int columns = 1.5 * size * static_cast<double>(lines.size() + 4) < place.height ? 1 : 2;
+    const std::size_t columns = 1.5 * size * static_cast<double>(lines.size() + 4) < place.height ? 1 : 2;
     const std::size_t rows = (lines.size() + columns - 1) / columns;
 
     ImGui::SetNextWindowPos(imgui_vector(place.x + place.width / 2, place.y + place.height / 2),
@@ -42,8 +42,8 @@ void draw_help(const Rect& place, ControlPlaces& places) {
     ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[1]);
     ImGui::TextUnformatted("Keys");
     ImGui::PopFont();
-    if (ImGui::BeginTable("keys", 2 * columns, ImGuiTableFlags_SizingFixedFit)) {
-        for (int i = 0; i < columns; ++i) {
+    if (ImGui::BeginTable("keys", static_cast<int>(2 * columns), ImGuiTableFlags_SizingFixedFit)) {
+        for (std::size_t i = 0; i < columns; ++i) {
             ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, of_keys);
             ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, of_meaning);
         }

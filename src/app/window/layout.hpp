@@ -36,7 +36,7 @@ struct LayoutNeeds {
 
 /// In a header that would be that wide on an ordinary display, px.
 [[nodiscard]] constexpr int lines_of_facts(double width) {
-    return width < 200 ? 4 : width < 260 ? 3 : width < 330 ? 2 : 1;
+    return width < 200 ? 4 : width < 260 ? 3 : width < 430 ? 2 : 1;
 }
 
 /// In rows and columns so that the table is as large as can be: portrait ones side by side, landscape ones
