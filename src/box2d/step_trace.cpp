@@ -223,7 +223,8 @@ void StepTrace::solve_times_of_impact() {
                      ? "The listener saw no sub-step to a time of impact."
                      : counted(stage.items.size(), "call") +
                            " of the listener came from sub-steps to a time of impact; those times are not "
-                           "visible from outside, but follow from how far the balls have come.";
+                           "visible from outside, but follow from how far the balls have come. Box2D goes "
+                           "on until they overlap by some slops.";
 }
 
 }  // namespace flipside::box2d

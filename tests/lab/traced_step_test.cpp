@@ -147,6 +147,55 @@ TEST(TracedStep, OfBox2DTellsWhatItsListenerSees) {
     EXPECT_EQ(impulse->get<std::string>("part"), "floor");
 }
 
+TEST(TracedStep, OfBox2DTellsTheTimeOfImpactFromTheWayThatABallHasCome) {
+    const TracedStep step = bounce_on("box2d");
+    const TraceItem* manifold = find(step.trace.stages[5], "manifold");
+    ASSERT_NE(manifold, nullptr) << to_text(step);
+    // At 1 m/s the ball meets the floor after 5 ms; Box2D lets it go on until they overlap by some slops.
+    const double overlap = -manifold->get<double>("separation");
+    EXPECT_GT(overlap, 0);
+    EXPECT_NEAR(manifold->get<double>("time_of_impact"), 0.005 + overlap, 1e-6);
+    const auto& way = manifold->get<std::vector<double>>("swept");
+    EXPECT_NEAR(way[1], 0.105, 1e-6);
+    EXPECT_EQ(way.back(), manifold->get<Vec2>("position").y);
+}
+
+TEST(TracedStep, OfBox2DTellsWhatIsVisibleOfItsTree) {
+    const TraceStage& tree = bounce_on("box2d").trace.stages[4];
+    std::int64_t leaves = 0;
+    for (const TraceItem& item : tree.items) {
+        if (item.kind != "fat box") continue;
+        ++leaves;
+        const Box &fat = item.get<Box>("box"), &tight = item.get<Box>("tight_box");
+        EXPECT_LT(fat.min.x, tight.min.x);
+        EXPECT_LT(fat.min.y, tight.min.y);
+        EXPECT_GT(fat.max.x, tight.max.x);
+        EXPECT_GT(fat.max.y, tight.max.y);
+    }
+    const TraceItem* whole = find(tree, "tree");
+    ASSERT_NE(whole, nullptr);
+    EXPECT_GE(leaves, 3);  // two balls and the floor
+    EXPECT_EQ(whole->get<std::int64_t>("leaves"), leaves);
+    EXPECT_LE(leaves, std::int64_t{1} << (whole->get<std::int64_t>("levels") - 1));
+    EXPECT_EQ(whole->get<std::string>("inner_nodes"), "not visible from outside");
+}
+
+TEST(TracedStep, PathsThatAreSweptEndWhereTheEventIs) {
+    for (const char* engine : {"custom", "reference"}) {
+        const TracedStep step = bounce_on(engine);
+        SCOPED_TRACE(to_text(step));
+        const TraceItem& impact = impact_in(step);
+        const auto& way = impact.get<std::vector<double>>("swept");
+        const Vec2 end = impact.get<Vec2>("position");
+        EXPECT_NEAR(way[way.size() - 2], end.x, 1e-15);
+        EXPECT_NEAR(way.back(), end.y, 1e-15);
+        EXPECT_NEAR(way[1], 0.105, 1e-15);
+        const TraceItem* path = find(step.trace.stages[0], "path");
+        ASSERT_NE(path, nullptr);
+        EXPECT_NEAR(path->get<std::vector<double>>("swept").back(), 0.1, 1e-12);
+    }
+}
+
 TEST(TracedStep, MayBeNarrowedToABall) {
     TracedStep step = bounce_on("custom", {"solver=simple"});
     keep_ball(step.trace, 1);

@@ -77,8 +77,10 @@ void Screen::draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect&
                                  return &run == &stage.runs()[inside->run()];
                              });
     if (looked_into) canvas_.rectangle({}, {place.width, place.height}, with_alpha(colour::around, 0.45));
+    // A stage shows what it looked at itself; overlays are of the end of the step.
     for (const Run& run : runs)
-        if (seen(run)) draw_overlays(canvas_, camera, run, look);
+        if (seen(run) && !(looked_into && &run == &stage.runs()[inside->run()]))
+            draw_overlays(canvas_, camera, run, look);
     for (const Run& run : runs) {
         if (!seen(run)) continue;
         if (!alone && is_reference(run.engine()))

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/window/constructions.hpp"
 #include "app/window/theme.hpp"
 
 namespace flipside::app {
@@ -22,7 +23,9 @@ class ItemView {
           width_(canvas.scaled(picked ? 2.5 : 1)) {}
 
     void draw() const {
-        if (const auto* box = value<Box>("box")) rectangle(*box);
+        if (const auto* box = value<Box>("box"))
+            rectangle(*box, picked_ ? 1 : item_.kind == "cell" ? 0.25 : 0.4);
+        if (const auto* tight = value<Box>("tight_box"); tight != nullptr && picked_) rectangle(*tight, 0.7);
         const Ball* ball = ball_of("ball");
         const Ball* other = ball_of("other_ball");
         if (ball != nullptr && picked_) ring(*ball);
@@ -32,7 +35,7 @@ class ItemView {
         way("position_before", "position");
         way("other_position_before", "other_position");
         if (const auto* point = value<Vec2>("point")) contact(*point);
-        if (picked_ && ball != nullptr) {
+        if (picked_ && ball != nullptr && item_.find("swept") == nullptr) {
             arrow(*ball, "velocity_before", colour::quiet);
             arrow(*ball, "velocity", color_);
         }
@@ -63,11 +66,11 @@ class ItemView {
     void line(Vec2 a, Vec2 b, sf::Color color) const {
         canvas_.line(camera_.to_pixels(a), camera_.to_pixels(b), width_, color);
     }
-    void rectangle(const Box& box) const {
+    void rectangle(const Box& box, double alpha) const {
         const Vec2 a = camera_.to_pixels(box.min), b = camera_.to_pixels(box.max);
         const Vec2 corners[] = {a, {b.x, a.y}, b, {a.x, b.y}};
         const sf::Color own = item_.kind == "cell" ? colour::cells : colour::boxes;
-        canvas_.stroke(corners, true, width_, with_alpha(own, picked_ ? 1 : 0.5));
+        canvas_.stroke(corners, true, width_, with_alpha(own, alpha));
     }
     void ring(const Ball& ball) const {
         canvas_.ring(camera_.to_pixels(ball.position), camera_.scale * ball.radius + canvas_.scaled(3),
@@ -111,6 +114,37 @@ class ItemView {
     double width_;
 };
 
+/// Box2D's box with room to move, and the one without.
+void draw_fat_box(const Construction& drawn) {
+    const auto &fat = drawn.item.get<Box>("box"), &tight = drawn.item.get<Box>("tight_box");
+    const double most = std::max(
+        {fat.max.x - tight.max.x, fat.max.y - tight.max.y, tight.min.x - fat.min.x, tight.min.y - fat.min.y});
+    const bool ball = drawn.item.find("ball") != nullptr;
+    drawn.word(
+        {0.5 * (fat.min.x + fat.max.x), fat.max.y}, {0, 1}, 3,
+        "fat box: up to " + short_length(most) + (ball ? " more, for where the ball goes next" : " more"),
+        colour::boxes);
+    drawn.word({0.5 * (tight.min.x + tight.max.x), tight.min.y}, {0, -1}, 3,
+               ball ? "what the ball swept in this step" : "its own box", colour::boxes);
+}
+
+/// What the picked item comes from, with words. Under the item itself.
+void draw_construction(const Construction& drawn, std::span<const Ball> balls) {
+    const std::string& kind = drawn.item.kind;
+    if (kind == "closest" && drawn.item.find("shape") != nullptr) draw_closest(drawn);
+    if (kind == "axis") draw_axes(drawn);
+    if (kind == "cell" || kind == "test" || kind == "search") draw_cells(drawn);
+    if (kind == "fat box") draw_fat_box(drawn);
+    const auto radius_of = [&](const char* name) {
+        const auto* number = drawn.value<std::int64_t>(name);
+        if (number == nullptr) return 0.0;
+        const auto at = std::ranges::find(balls, static_cast<BallNumber>(*number), &Ball::number);
+        return at == balls.end() ? 0.0 : at->radius;
+    };
+    if (const double radius = radius_of("ball"); radius > 0)
+        draw_sweep(drawn, radius, radius_of("other_ball"));
+}
+
 }  // namespace
 
 void draw_stage_items(Canvas& canvas, const Camera& camera, const TraceStage& stage, std::size_t picked,
@@ -120,7 +154,10 @@ void draw_stage_items(Canvas& canvas, const Camera& camera, const TraceStage& st
     const std::size_t shown = std::min(stage.items.size(), most);
     for (std::size_t i = 0; i < shown; ++i)
         if (i != picked) ItemView(canvas, camera, stage.items[i], balls, false, color).draw();
-    if (picked < stage.items.size()) ItemView(canvas, camera, stage.items[picked], balls, true, color).draw();
+    if (picked >= stage.items.size()) return;
+    Labels labels(canvas, camera.size, canvas.scaled(34));
+    draw_construction({canvas, camera, labels, stage, stage.items[picked], color}, balls);
+    ItemView(canvas, camera, stage.items[picked], balls, true, color).draw();
 }
 
 }  // namespace flipside::app

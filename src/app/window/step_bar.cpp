@@ -125,9 +125,10 @@ struct StepBar {
 std::string in_one_line(const TraceItem& item) {
     std::string line = item.kind;
     for (const auto& [name, value] : item.fields) {
-        constexpr std::string_view told[] = {"ball",  "other_ball", "part",    "time",
-                                             "event", "separation", "overlap", "answer",
-                                             "way",   "impulse",    "speed",   "residual"};
+        constexpr std::string_view told[] = {
+            "ball",   "other_ball", "part",  "of",      "time",      "event",  "separation", "overlap",
+            "depth",  "answer",     "way",   "next",    "next_time", "level",  "cell",       "parent",
+            "listed", "decides",    "speed", "impulse", "residual",  "levels", "leaves"};
         if (std::ranges::find(told, name) != std::end(told))
             line += "  " + spaced(name) + " " + in_brief(value);
     }

@@ -1,5 +1,7 @@
 #include "custom/simple/simple_trace.hpp"
 
+#include <algorithm>
+
 #include "custom/geometry/explain.hpp"
 #include "custom/tolerances.hpp"
 
@@ -79,13 +81,15 @@ void SimpleTrace::found_pairs(std::span<const Proxy> moving, std::span<const Bal
     begin("broad phase", "find_pairs");
     std::size_t overlapping = 0;
     const Handle first = layout_.size() - static_cast<Handle>(moving.size() - balls.size());
+    const std::vector<Cell> tree = broad_.tree();
+    const bool two_trees = std::ranges::any_of(tree, &Cell::still);
     for (const auto& [pair, overlap, seeker, cell] : log_) {
         TraceItem& item = stage().add("test");
         name_proxy(item, "", pair.b, balls);
         name_proxy(item, pair.a >= layout_.size() ? "other_" : "", pair.a, balls);
         item.with("overlap", overlap);
         if (cell != no_cell) {
-            item.with("cell", cell).with("of_still", pair.a < first);
+            item.with("cell", cell).with("of_still", two_trees && pair.a < first);
             name_proxy(item, "search_of_", seeker, balls);
         }
         overlapping += overlap;
@@ -100,7 +104,7 @@ void SimpleTrace::found_pairs(std::span<const Proxy> moving, std::span<const Bal
         name_proxy(item, "", first + i, balls);
         item.with("box", moving[i].box);
     }
-    add_cells(moving.size(), balls);
+    add_cells(tree, moving.size(), balls);
     const std::uint64_t n = balls.size(), all = n * (n - 1) / 2 + n * layout_.size();
     stage().says = std::to_string(overlapping) + " of " + counted(all, "pair") +
                    " survive the box test, of which the broad phase (" + std::string(broad_.facts().name) +
@@ -109,8 +113,7 @@ void SimpleTrace::found_pairs(std::span<const Proxy> moving, std::span<const Bal
 }
 
 /// The nodes of trees with who goes to which, or the cells that list anything.
-void SimpleTrace::add_cells(std::size_t moving, std::span<const Ball> balls) {
-    const std::vector<Cell> tree = broad_.tree();
+void SimpleTrace::add_cells(std::span<const Cell> tree, std::size_t moving, std::span<const Ball> balls) {
     if (tree.empty()) {
         CellLister cells(stage());
         broad_.inspect(cells);

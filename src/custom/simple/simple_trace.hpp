@@ -44,7 +44,7 @@ class SimpleTrace {
     void begin(std::string_view name, std::string_view function);
     [[nodiscard]] TraceStage& stage() { return trace_.stages.back(); }
     [[nodiscard]] TraceStage& narrow() { return trace_.stages[trace_.stages.size() - 2]; }
-    void add_cells(std::size_t moving, std::span<const Ball> balls);
+    void add_cells(std::span<const Cell> tree, std::size_t moving, std::span<const Ball> balls);
     void add_axes(const Ball& ball, PieceIndex piece, const Pose& pose);
     TraceItem& add_response(const Ball& before, const Ball& after, const Impact& impact,
                             const Mixed& material, double closing);

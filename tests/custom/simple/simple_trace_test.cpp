@@ -233,5 +233,86 @@ TEST(SimpleTrace, ChangesNoBit) {
     EXPECT_EQ(traced->statistics().pair_tests, plain->statistics().pair_tests);
 }
 
+/// The broad phase of a step among many balls.
+TraceStage broad_phase_stage(const char* broad_phase) {
+    Scene scene = load_scene(lab::scene_file("rain"), 120);
+    const auto world = test::make_world(scene, {{"solver", "simple"},
+                                                {"motion_iterations", "1"},
+                                                {"broad_phase", broad_phase},
+                                                {"adaptive_capacity", "3"}});
+    test::run(*world, 0.5);
+    Trace trace;
+    world->trace(&trace);
+    test::run(*world, 1.0 / 60);
+    return trace.stages[1];
+}
+
+using CellName = std::pair<bool, std::int64_t>;  ///< of the still tree, index
+
+std::map<CellName, const TraceItem*> cells_of(const TraceStage& stage) {
+    std::map<CellName, const TraceItem*> cells;
+    for (const TraceItem& item : stage.items)
+        if (item.kind == "cell") {
+            const CellName name{item.get<bool>("of_still"), item.get<std::int64_t>("cell")};
+            EXPECT_TRUE(cells.insert({name, &item}).second);
+        }
+    return cells;
+}
+
+TEST(SimpleTrace, CellsOfTreesAreQuartersOfTheirParents) {
+    for (const char* tree : {"quadtree", "adaptive"}) {
+        SCOPED_TRACE(tree);
+        const TraceStage stage = broad_phase_stage(tree);
+        const auto cells = cells_of(stage);
+        ASSERT_GT(cells.size(), 40U);
+        std::size_t roots = 0;
+        for (const auto& [name, cell] : cells) {
+            if (cell->find("parent") == nullptr) {
+                EXPECT_EQ(name.second, 0);
+                EXPECT_EQ(cell->get<std::int64_t>("level"), 0);
+                ++roots;
+                continue;
+            }
+            const auto above = cells.find({name.first, cell->get<std::int64_t>("parent")});
+            ASSERT_NE(above, cells.end());
+            if (tree == std::string("quadtree")) {
+                EXPECT_EQ(above->first.second, (name.second - 1) / 4);
+            }
+            const Box &box = cell->get<Box>("box"), &parent = above->second->get<Box>("box");
+            EXPECT_EQ(cell->get<std::int64_t>("level"), above->second->get<std::int64_t>("level") + 1);
+            EXPECT_NEAR(box.max.x - box.min.x, 0.5 * (parent.max.x - parent.min.x), 1e-12);
+            EXPECT_NEAR(box.max.y - box.min.y, 0.5 * (parent.max.y - parent.min.y), 1e-12);
+            EXPECT_TRUE(box.min.x == parent.min.x || box.max.x == parent.max.x);
+            EXPECT_TRUE(box.min.y == parent.min.y || box.max.y == parent.max.y);
+        }
+        EXPECT_EQ(roots, tree == std::string("quadtree") ? 1U : 2U);
+    }
+}
+
+TEST(SimpleTrace, EveryTestIsInACellThatItsSearchWentTo) {
+    for (const char* tree : {"quadtree", "adaptive"}) {
+        SCOPED_TRACE(tree);
+        const TraceStage stage = broad_phase_stage(tree);
+        const auto cells = cells_of(stage);
+        std::map<std::int64_t, const TraceItem*> searches;
+        for (const TraceItem& item : stage.items)
+            if (item.kind == "search") searches[item.get<std::int64_t>("ball")] = &item;
+        EXPECT_EQ(searches.size(), 120U);
+        std::size_t tests = 0;
+        for (const TraceItem& item : stage.items) {
+            if (item.kind != "test") continue;
+            ++tests;
+            const bool still = item.get<bool>("of_still");
+            const auto cell = item.get<std::int64_t>("cell");
+            ASSERT_TRUE(cells.contains({still, cell}));
+            EXPECT_GT(cells.at({still, cell})->get<std::int64_t>("listed"), 0);
+            const auto& went_to = searches.at(item.get<std::int64_t>("search_of_ball"))
+                                      ->get<std::vector<double>>(still ? "still_cells" : "cells");
+            EXPECT_EQ(std::ranges::count(went_to, static_cast<double>(cell)), 1);
+        }
+        EXPECT_GT(tests, 100U);
+    }
+}
+
 }  // namespace
 }  // namespace flipside::custom

@@ -1,0 +1,97 @@
+#include "custom/geometry/explain.hpp"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace flipside::custom {
+namespace {
+
+struct ExplainDice {
+    std::mt19937_64 engine{14};
+    double number(double low, double high) { return std::uniform_real_distribution(low, high)(engine); }
+    Vec2 place(double reach) { return {number(-reach, reach), number(-reach, reach)}; }
+    Pose pose() { return {place(1), number(-3, 3)}; }
+};
+
+const piece::Polygon triangle{{{-0.6, -0.3}, {0.7, -0.4}, {0.1, 0.5}}};
+
+TEST(AxesTried, DecideAsTheNarrowPhaseDoes) {
+    ExplainDice dice;
+    int corners = 0, edges = 0;
+    for (int k = 0; k < 10'000; ++k) {
+        const Pose pose = dice.pose();
+        const Vec2 center = pose.apply(dice.place(1.5));
+        const double radius = dice.number(0.01, 0.8);
+        const Touch found = touch(center, radius, Piece{triangle, 0}, pose);
+        const auto axes = axes_tried(center, radius, triangle, pose);
+        const auto decides = std::ranges::find(axes, true, &TriedAxis::decides);
+        ASSERT_NE(decides, axes.end());
+        EXPECT_EQ(std::ranges::count(axes, true, &TriedAxis::decides), 1);
+        EXPECT_NEAR(decides->overlap(), -found.separation, 1e-12);
+        EXPECT_LT(length(decides->axis - found.normal), 1e-9);
+        for (const TriedAxis& axis : axes) {
+            EXPECT_GE(axis.overlap(), decides->overlap() - 1e-12);
+            EXPECT_NEAR(axis.disc[1] - axis.disc[0], 2 * radius, 1e-12);
+            double low = INFINITY, high = -INFINITY;
+            for (const Vec2 corner : triangle.points) {
+                low = std::min(low, dot(pose.apply(corner), axis.axis));
+                high = std::max(high, dot(pose.apply(corner), axis.axis));
+            }
+            EXPECT_NEAR(axis.polygon[0], low, 1e-12);
+            EXPECT_NEAR(axis.polygon[1], high, 1e-12);
+            EXPECT_NEAR(axis.disc[0], dot(center, axis.axis) - radius, 1e-12);
+        }
+        ++(axes.size() == 4 ? corners : edges);
+    }
+    EXPECT_GT(corners, 1000);
+    EXPECT_GT(edges, 1000);
+}
+
+TraceItem explained(Vec2 center, const Piece& piece, const Pose& pose) {
+    TraceItem item;
+    explain_touch(item, center, 0.1, piece, pose);
+    return item;
+}
+
+/// The closest point follows from what the item says.
+TEST(ExplainTouch, TheClampedPlaceIsTheClosestPoint) {
+    ExplainDice dice;
+    const Piece segment{piece::Segment{{-0.5, 0.1}, {0.6, 0.3}}, 0};
+    const Piece arc{piece::Arc{{0.1, 0}, 0.5, 0.4, 5.1}, 0};
+    const Piece polygon{triangle, 0};
+    for (int k = 0; k < 3000; ++k) {
+        const Pose pose = dice.pose();
+        const Vec2 center = pose.apply(dice.place(1.5));
+        for (const Piece* straight : {&segment, &polygon}) {
+            const TraceItem item = explained(center, *straight, pose);
+            const Touch found = touch(center, 0.1, *straight, pose);
+            const Vec2 a = item.get<Vec2>("a"), b = item.get<Vec2>("b");
+            EXPECT_LT(length(a + item.get<double>("along") * (b - a) - item.get<Vec2>("foot")), 1e-12);
+            if (straight == &segment || found.separation > -0.1) {
+                EXPECT_LT(length(a + item.get<double>("clamped") * (b - a) - found.point), 1e-12);
+            }
+        }
+        const TraceItem item = explained(center, arc, pose);
+        const double from = item.get<double>("from"), to = item.get<double>("to");
+        const Vec2 at =
+            item.get<Vec2>("middle") +
+            item.get<double>("core") * from_angle(from + item.get<double>("clamped") * (to - from));
+        EXPECT_LT(length(at - touch(center, 0.1, arc, pose).point), 1e-9);
+    }
+}
+
+TEST(ExplainTouch, OfATaperTellsWhichPartOfItIsNearest) {
+    const Piece taper{piece::Taper{{0, 0}, {1, 0}, 0.3, 0.1}, 0};
+    EXPECT_LT(explained({-1, 0.1}, taper, {}).get<double>("along"), 0);
+    EXPECT_GT(explained({2, 0.1}, taper, {}).get<double>("along"), 1);
+    // Straight out from the middle of the side, which leans by asin(0.2).
+    const double lean = std::asin(0.2);
+    const Vec2 normal{std::sin(lean), std::cos(lean)};
+    const TraceItem item = explained(Vec2{0.5, 0} + 0.7 * normal, taper, {});
+    EXPECT_NEAR(item.get<double>("along"), 0.5, 1e-12);
+    EXPECT_EQ(item.get<std::string>("feature"), "a straight side");
+}
+
+}  // namespace
+}  // namespace flipside::custom
