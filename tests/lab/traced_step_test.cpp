@@ -161,7 +161,7 @@ TEST(TracedStep, OfBox2DTellsTheTimeOfImpactFromTheWayThatABallHasCome) {
 }
 
 TEST(TracedStep, OfBox2DTellsWhatIsVisibleOfItsTree) {
-    const TraceStage& tree = bounce_on("box2d").trace.stages[4];
+    const TraceStage tree = bounce_on("box2d").trace.stages[4];
     std::int64_t leaves = 0;
     for (const TraceItem& item : tree.items) {
         if (item.kind != "fat box") continue;

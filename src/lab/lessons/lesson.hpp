@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lab/contender.hpp"
@@ -55,7 +56,10 @@ struct Lesson {
     Claim claim;
 };
 
-/// Throws InputError with file, JSON pointer, what is wrong and what is allowed.
+/// All but its name and its text. Throws InputError with file, JSON pointer, what is wrong and what is
+/// allowed.
+[[nodiscard]] Lesson parse_lesson(std::string_view text, const std::string& file);
+/// The same of a file, with the Markdown file beside it.
 [[nodiscard]] Lesson load_lesson(const std::filesystem::path& path);
 /// In order. Throws InputError where the folder cannot be read.
 [[nodiscard]] std::vector<std::filesystem::path> lesson_files();

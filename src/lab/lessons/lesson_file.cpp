@@ -172,16 +172,13 @@ fs::path lessons_folder() {
 
 }  // namespace
 
-Lesson load_lesson(const fs::path& path) {
-    const std::string file = path.string();
-    const Json document = parse_json(read_file(path, largest_file), file);
+Lesson parse_lesson(std::string_view text, const std::string& file) {
+    const Json document = parse_json(text, file);
     check_form(document, lesson_schema, file);
     const Node node(document, file);
     Lesson lesson;
-    lesson.name = path.stem().string();
     lesson.title = node.text("title");
     lesson.idea = node.text("idea");
-    lesson.text = read_file(fs::path(path).replace_extension(".md"), largest_file);
     lesson.scene = scene_in(node, file);
     lesson.engines = contenders_in(node, *lesson.scene);
     lesson.split = node.text("view", "single") == std::string("split");
@@ -192,6 +189,13 @@ Lesson load_lesson(const fs::path& path) {
     lesson.task = node.text("do");
     if (node.has("question")) lesson.question = question_in(node.at("question"));
     lesson.claim = claim_in(node.at("claim"), lesson, file);
+    return lesson;
+}
+
+Lesson load_lesson(const fs::path& path) {
+    Lesson lesson = parse_lesson(read_file(path, largest_file), path.string());
+    lesson.name = path.stem().string();
+    lesson.text = read_file(fs::path(path).replace_extension(".md"), largest_file);
     return lesson;
 }
 

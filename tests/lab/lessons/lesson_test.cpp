@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 TEST(Lessons, AllHoldWhatTheyClaim) {
     const auto files = lesson_files();
-    EXPECT_GE(files.size(), 10U);
+    EXPECT_EQ(files.size(), 20U);
     for (const fs::path& file : files) {
         SCOPED_TRACE(file.string());
         const Lesson lesson = load_lesson(file);
@@ -150,6 +150,94 @@ TEST_F(LessonFile, AStatementThatIsNoneIsRefusedWithTheFiguresThereAre) {
     expect_refused("/claim/holds/0", "one.impacts");
     replace("one.colour == 1", "1 +");
     expect_refused("/claim/holds/0", "");
+}
+
+/// What has a fault, where that is, and what the message says of it.
+struct Fault {
+    const char *what, *by, *pointer, *words;
+};
+
+class FaultyLesson : public LessonFile, public testing::WithParamInterface<Fault> {};
+
+TEST_P(FaultyLesson, IsRefusedWithFilePointerAndReason) {
+    const Fault& fault = GetParam();
+    replace(fault.what, fault.by);
+    expect_refused(fault.pointer, fault.words);
+}
+
+constexpr const char* one_run = R"("one": {"engine": "custom", "seconds": 1, "dt": "1/60"})";
+
+INSTANTIATE_TEST_SUITE_P(
+    OfEveryKind, FaultyLesson,
+    testing::Values(
+        // of form
+        Fault{R"("flipside-lesson/1")", R"("flipside-lesson/9")", "/format", "flipside-lesson/1"},
+        Fault{R"("title": "T",)", "", "", "title"}, Fault{R"("idea": "I.")", R"("idea": "")", "/idea", ""},
+        Fault{R"("idea": "I.")", R"("idea": 7)", "/idea", "a text"},
+        Fault{R"("idea": "I.")", R"("idea": "I.", "speed": -1)", "/speed", "0.01"},
+        Fault{R"("idea": "I.")", R"("idea": "I.", "show": ["pairs", "ghosts"])", "/show/1", "hit-points"},
+        Fault{R"("answers": ["a", "b"])", R"("answers": ["a"])", "/question/answers", "2"},
+        Fault{R"("holds": ["abs(one.y0 + 1) < 1e-12"])", R"("holds": [])", "/claim/holds", "1"},
+        // of what it names
+        Fault{R"("engines": [{"engine": "custom")", R"("engines": [{"engine": "cus\u001btom")",
+              "/engines/0/engine", "box2d"},
+        Fault{R"({"solver": "simple"})", R"({"colour": "red"})", "/engines/0/set/colour", "solver"},
+        Fault{R"({"solver": "simple"})", R"({"motion_iterations": -3})", "/engines/0/set/motion_iterations",
+              "is not allowed"},
+        Fault{R"("scene": {"format")", R"("scene": "no-such-scene", "question": {"format")", "", ""},
+        Fault{R"("right": 1)", R"("right": 5)", "/question/right", "0 to 1"},
+        Fault{R"("parts": [])", R"("parts": [{"name": "p", "shape": {"type": "blob"}}])", "/scene", "blob"},
+        // of runs
+        Fault{one_run, R"("one": {"engine": "none", "seconds": 1})", "/claim/runs/one/engine", "custom"},
+        Fault{one_run, R"("one": {"engine": "custom", "seconds": 1, "scene": "nowhere"})",
+              "/claim/runs/one/scene", "nowhere"},
+        Fault{one_run, R"("one": {"engine": "custom", "seconds": 0})", "/claim/runs/one/seconds", "0"},
+        Fault{one_run, R"("one": {"engine": "custom", "seconds": 1, "dt": "soon"})", "/claim/runs/one/dt",
+              "is not allowed"},
+        Fault{one_run, R"("one": {"engine": "custom", "seconds": 1, "compare_with": "two"})",
+              "/claim/runs/one/compare_with", "\"one\""},
+        Fault{R"("one": {"engine": "custom")", R"("1 one": {"engine": "custom")", "/claim/runs/1 one",
+              "a letter"},
+        // of what takes too long
+        Fault{one_run, R"("one": {"engine": "custom", "seconds": 3600, "dt": "1/960"})",
+              "/claim/runs/one/seconds", "1e+06"},
+        Fault{one_run, R"("one": {"engine": "custom", "seconds": 1000, "scene": "rain", "balls": 50000})",
+              "/claim/runs/one/seconds", "times balls"},
+        Fault{one_run,
+              R"("one": {"engine": "custom", "seconds": 0.1, "scene": "rain", "balls": 2000, "trace": true})",
+              "/claim/runs/one/trace", "1000"},
+        // of formulas
+        Fault{"abs(one.y0 + 1) < 1e-12", "one.y0 +", "/claim/holds/0", "one.impacts"},
+        Fault{"abs(one.y0 + 1) < 1e-12", "two.y0 > 0", "/claim/holds/0", "one.impacts"},
+        Fault{"abs(one.y0 + 1) < 1e-12", "system(1)", "/claim/holds/0", "one.impacts"},
+        Fault{"abs(one.y0 + 1) < 1e-12", R"(one.y0 > 0, \u001b[2J)", "/claim/holds/0", ""}));
+
+TEST_F(LessonFile, WithoutItsTextIsRefusedByItsName) {
+    const fs::path file = write();
+    fs::remove(folder / "lesson.md");
+    try {
+        static_cast<void>(load_lesson(file));
+        FAIL() << "taken";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("lesson.md"), std::string::npos) << error.what();
+    }
+}
+
+TEST_F(LessonFile, RunsAreComparedByWhatTouchesWhatWhenTheyBegin) {
+    replace(R"("parts": [])",
+            R"("parts": [{"name": "p", "shape": {"type": "segment", "a": [-1, -0.1], "b": [1, -0.1]}}])");
+    replace(one_run,
+            std::string(one_run) + R"(, "two": {"engine": "box2d", "seconds": 0.1, "compare_with": "one"},
+        "apart": {"engine": "custom", "seconds": 0.1, "compare_with": "one", "scene":
+            {"format": "flipside-scene/1", "name": "apart", "bounds": {"min": [-9, -9], "max": [9, 9]},
+             "balls": [{"position": [0, 1], "radius": 0.1, "mass": 1}],
+             "parts": [{"name": "p", "shape": {"type": "segment", "a": [-1, -0.1], "b": [1, -0.1]}}]}})");
+    const Figures figures = measure(load_lesson(write()).claim);
+    EXPECT_EQ(figures.at("one.touching_first"), 1);
+    EXPECT_EQ(figures.at("apart.touching_first"), 0);
+    EXPECT_EQ(figures.at("two.touching_differs"), 0);
+    EXPECT_EQ(figures.at("apart.touching_differs"), 1);
+    EXPECT_EQ(figures.count("one.touching_differs"), 0U);
 }
 
 TEST_F(LessonFile, CountsBeginBeforeTheEnd) {
