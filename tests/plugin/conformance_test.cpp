@@ -14,10 +14,14 @@ namespace {
 using lab::Conformance;
 using lab::Grade;
 
-std::string schema() {
-    std::ostringstream text;
-    text << std::ifstream(FLIPSIDE_SOURCE_DIR "/assets/conformance.schema.json").rdbuf();
-    return text.str();
+/// It stays where it is: what checks by it remembers it.
+const std::string& schema() {
+    static const std::string text = [] {
+        std::ostringstream words;
+        words << std::ifstream(FLIPSIDE_SOURCE_DIR "/assets/conformance.schema.json").rdbuf();
+        return words.str();
+    }();
+    return text;
 }
 
 /// Checks what holds of all marks.

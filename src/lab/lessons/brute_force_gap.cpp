@@ -41,10 +41,11 @@ class Nearest {
     double of(const piece::Taper& taper) {
         const Vec2 axis = taper.b - taper.a;
         const double span = length(axis), forward = angle_of(axis);
-        const double lean = std::acos((taper.radius_a - taper.radius_b) / span);
+        const double grows = taper.radius_a - taper.radius_b;
+        const double lean = std::acos(grows / span), side = std::sqrt(span * span - grows * grows);
         const double round_a = 2 * (std::numbers::pi - lean) * taper.radius_a;
         const double round_b = 2 * lean * taper.radius_b;
-        const double side = span * std::sin(lean), around = round_a + round_b + 2 * side;
+        const double around = round_a + round_b + 2 * side;
         for (const double angle : {forward + lean, forward - lean})
             line(taper.a + taper.radius_a * from_angle(angle), taper.b + taper.radius_b * from_angle(angle),
                  side / around);
