@@ -12,7 +12,7 @@ find "$passed" -type f -mtime +30 -delete
 # Of every object one line: the file that was compiled, and then all that was read for it, with tabs between.
 files_read() {
     ninja -C "$build" -t deps | awk '/^    / { file = substr($0, 5); line = line "\t" file }
-                                     /^    / && unit == "" && /\.(cpp|cxx)$/ { unit = file }
+                                     /^    / && unit == "" && /\.(c|cpp|cxx)$/ { unit = file }
                                      /^$/ { print unit line; unit = line = "" }'
 }
 # check LINE
@@ -22,7 +22,7 @@ check() {
     # A file that puts others together says nothing that those do not say, but where the build is.
     known=$passed/$({
         echo "$common"
-        tr '\t' '\n' <<<"$1" | grep -v '\.cxx$' | (cd "$build" && xargs -d '\n' sha256sum) | sed "s|$PWD/||"
+        tr '\t' '\n' <<<"$1" | grep -v '/Unity/' | (cd "$build" && xargs -d '\n' sha256sum) | sed "s|$PWD/||"
     } | sha256sum | cut -c 1-32)
     if [[ ! -e $known ]]; then clang-tidy -p "$build" --quiet "$unit" 2> >(grep -v 'warnings generated' >&2); fi
     touch "$known"

@@ -14,10 +14,10 @@ namespace {
 
 struct Meeting {
     Pair pair;
-    cpBody* ball;
-    cpBody* other;
-    cpShape* other_shape;
-    bool swapped;  ///< Chipmunk's first shape is the other one
+    cpBody* ball = nullptr;
+    cpBody* other = nullptr;
+    cpShape* other_shape = nullptr;
+    bool swapped = false;  ///< Chipmunk's first shape is the other one
 };
 
 const Tag& tag_of(const cpShape* shape) {

@@ -13,7 +13,7 @@
 namespace flipside::lab {
 
 struct Contender {
-    const Engine* engine;
+    const Engine* engine = nullptr;
     Settings settings;
     std::string name = {};     ///< told apart from the others by it; the engine's where nothing else is said
     double dt = default_step;  ///< s
@@ -22,7 +22,7 @@ struct Contender {
 /// A contender before the scene is known.
 struct ContenderRequest {
     std::string name;
-    const Engine* engine;
+    const Engine* engine = nullptr;
     std::optional<double> dt;  ///< s; nothing: the step of the run
     std::vector<std::pair<std::string, std::string>> set;
 };

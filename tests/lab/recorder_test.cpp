@@ -12,11 +12,11 @@ namespace {
 
 /// What a person saw of a moment.
 struct Shown {
-    double time;
+    double time = 0;
     std::vector<Ball> balls;
     std::vector<PartState> parts;
-    long score;
-    std::uint64_t impacts, pair_tests;
+    long score = 0;
+    std::uint64_t impacts = 0, pair_tests = 0;
     std::vector<Event> events;
 
     friend bool operator==(const Shown&, const Shown&) = default;

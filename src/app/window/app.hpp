@@ -35,6 +35,7 @@ class App {
     void process(const sf::Event& event);
     void press(Action action, sf::Keyboard::Key key, bool down);
     void act(Action action);
+    void act_on_time(Action action);
     void act_inside(Action action);
     void act_on_window(Action action);
     void flip(Side side, Action action);

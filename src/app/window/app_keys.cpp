@@ -59,6 +59,41 @@ void App::act(Action action) {
             return nudge({0, nudge_speed});
         case Action::nudge_right:
             return nudge({nudge_speed, 0});
+        case Action::restart:
+            stage_.restart();
+            break;
+        case Action::switch_engine:
+            stage_.switch_engine();
+            break;
+        case Action::reference:
+            if (!stage_.show_reference(!stage_.reference())) controls_.notice = no_room;
+            break;
+        case Action::take_up:
+            stage_.take_up();
+            break;
+        case Action::next_view:
+            stage_.set_view(static_cast<View>((static_cast<int>(stage_.view()) + 1) % 3));
+            break;
+        case Action::view_single:
+            stage_.set_view(View::single);
+            break;
+        case Action::view_split:
+            stage_.set_view(View::split);
+            break;
+        case Action::view_overlay:
+            stage_.set_view(View::overlay);
+            break;
+        case Action::next_plots:
+            controls_.plots = static_cast<PlotChoice>((static_cast<int>(controls_.plots) + 1) % plot_choices);
+            break;
+        default:
+            return act_on_time(action);
+    }
+}
+
+/// What stops time, lets it go on, and goes back in it.
+void App::act_on_time(Action action) {
+    switch (action) {
         case Action::pause:
             controls_.paused = !controls_.paused;
             break;
@@ -91,43 +126,7 @@ void App::act(Action action) {
         case Action::slow_motion:
             controls_.speed = controls_.speed < 1 ? 1 : slow_motion;
             break;
-        case Action::restart:
-            stage_.restart();
-            break;
-        case Action::switch_engine:
-            stage_.switch_engine();
-            break;
-        case Action::reference:
-            if (!stage_.show_reference(!stage_.reference())) controls_.notice = no_room;
-            break;
-        case Action::take_up:
-            stage_.take_up();
-            break;
-        case Action::next_view:
-            stage_.set_view(static_cast<View>((static_cast<int>(stage_.view()) + 1) % 3));
-            break;
-        case Action::view_single:
-            stage_.set_view(View::single);
-            break;
-        case Action::view_split:
-            stage_.set_view(View::split);
-            break;
-        case Action::view_overlay:
-            stage_.set_view(View::overlay);
-            break;
-        case Action::next_plots:
-            controls_.plots = static_cast<PlotChoice>((static_cast<int>(controls_.plots) + 1) % plot_choices);
-            break;
-        case Action::fold_panel:
-        case Action::work_controls:
-        case Action::larger:
-        case Action::smaller:
-        case Action::usual_size:
-        case Action::drop_slowest:
-        case Action::screenshot:
-        case Action::export_plots:
-        case Action::help:
-        case Action::quit:
+        default:
             return act_on_window(action);
     }
 }

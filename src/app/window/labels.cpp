@@ -21,7 +21,7 @@ void Labels::put(Vec2 at, std::string_view words, sf::Color color, Type type) {
     const double wanted = place.y;
     constexpr int most_tries = 40;
     for (int k = 0; k < most_tries && !is_free(place); ++k)
-        place.y = wanted + (k % 2 == 0 ? 1 : -1) * (1 + k / 2) * 0.5 * height;
+        place.y = wanted + (k % 2 == 0 ? k + 2 : -k - 1) * 0.25 * height;
     if (!is_free(place)) return;
     places_.push_back(place);
     canvas_.rectangle({place.x, place.y}, {place.x + width, place.y + height},

@@ -58,7 +58,7 @@ namespace {
 struct Axes {
     Rect box;  ///< px
     Plot const& plot;
-    double now;
+    double now = 0;  ///< s
 
     [[nodiscard]] double x(double time) const {
         return box.x + (1 - (now - time) / history_seconds) * box.width;
