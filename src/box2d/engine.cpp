@@ -9,6 +9,7 @@ namespace flipside::box2d {
 namespace {
 
 constexpr std::string_view on[] = {"on"};
+constexpr std::string_view integrators[] = {"euler", "verlet"};
 
 constexpr SettingSpec specs[] = {
     {.name = "velocity_iterations",
@@ -47,6 +48,11 @@ constexpr SettingSpec specs[] = {
      .initial = 1,
      .about = "start the solver from the last step's impulses; off, piles need more iterations",
      .everyday = true},
+    {.name = "integrator",
+     .type = SettingType::choice,
+     .choices = integrators,
+     .about = "euler: Box2D's own, gravity before the motion, so flights fall short by g·t·dt/2; verlet: "
+              "half of it before and half after, so undamped flights are parabolas to rounding"},
     {.name = "sleep",
      .type = SettingType::toggle,
      .initial = 1,
@@ -87,6 +93,7 @@ std::unique_ptr<World> make(std::shared_ptr<const Scene> scene, const Settings& 
         .bullets = settings.toggle("bullets"),
         .continuous = settings.toggle("continuous"),
         .warm_starting = settings.toggle("warm_starting"),
+        .verlet = settings.choice("integrator") == "verlet",
         .sleep = settings.toggle("sleep"),
         .length_scale = scale > 0 ? scale : 0.5 / typical_diameter(*scene),
         .chord_error = settings.real("chord_error"),

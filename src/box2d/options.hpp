@@ -10,6 +10,7 @@ struct Options {
     bool bullets;
     bool continuous;
     bool warm_starting;
+    bool verlet;  ///< gravity acts half before and half after a sub-step on balls that touch nothing
     bool sleep;
     double length_scale;  ///< units per metre, > 0
     double chord_error;   ///< m

@@ -72,7 +72,7 @@ void Box2dWorld::substep(double from, double to) {
     std::optional<StepTrace> traced;
     if (trace_) traced.emplace(*trace_, table_.scene(), units_, bodies_);
     fall(h);
-    if (traced) traced->fell(bodies_, balls_, *world_, h);
+    if (traced) traced->fell(bodies_, balls_, *world_, h, ahead_);
     rules_.write_to(traced ? &*traced : nullptr);
     before_.clear();
     for (const b2Body* body : bodies_) before_.push_back(body->GetPosition());
@@ -82,6 +82,8 @@ void Box2dWorld::substep(double from, double to) {
 
     rules_.write_to(nullptr);
     if (traced) traced->finish(bodies_, balls_, *world_, h);
+    fall_after(h);
+    if (traced && options_.verlet) traced->fell_after(bodies_, balls_, h);
 
     // Box2D turned the moving parts by sums of floats; put them where they are to be.
     for (const PartIndex part : moving_)
@@ -113,16 +115,34 @@ void Box2dWorld::leave_gates() {
     });
 }
 
-/// Gravity and damping, by Box2D's own formula v ← (v + h·g)/(1 + h·c) but ahead of its step, so that the
-/// velocities that ContactRules sees are those that the solver starts from.
-void Box2dWorld::fall(double h) {
+/// Gravity and damping over `h`, by Box2D's own formula v ← (v + h·g)/(1 + h·c).
+void Box2dWorld::gain(b2Body& body, double h) {
     const Scene& scene = table_.scene();
-    for (b2Body* body : bodies_) {
-        if (!body->IsAwake()) continue;
-        const Vec2 v = units_.vector(body->GetLinearVelocity());
-        const Vec2 change = (v + h * scene.gravity) / (1 + h * scene.damping) - v;
-        body->ApplyLinearImpulseToCenter(body->GetMass() * units_.vector(change), false);
+    const Vec2 v = units_.vector(body.GetLinearVelocity());
+    const Vec2 change = (v + h * scene.gravity) / (1 + h * scene.damping) - v;
+    body.ApplyLinearImpulseToCenter(body.GetMass() * units_.vector(change), false);
+}
+
+/// Ahead of Box2D's step, so that the velocities that ContactRules sees are those that the solver starts
+/// from. By the integrator "verlet" what flies gets half of it now, and half in fall_after(); what lies on
+/// something keeps all of it before the solver, which holds the ball against it.
+void Box2dWorld::fall(double h) {
+    ahead_.assign(bodies_.size(), h);
+    if (options_.verlet) {
+        look();
+        std::ranges::fill(ahead_, h / 2);
+        for (const Contact& contact : touching_.contacts) {
+            ahead_[place_of(contact.ball)] = h;
+            if (contact.other.is_ball) ahead_[place_of(contact.other.index)] = h;
+        }
     }
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+        if (bodies_[i]->IsAwake()) gain(*bodies_[i], ahead_[i]);
+}
+
+void Box2dWorld::fall_after(double h) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+        if (ahead_[i] < h && bodies_[i]->IsAwake()) gain(*bodies_[i], h - ahead_[i]);
 }
 
 void Box2dWorld::read_back() {

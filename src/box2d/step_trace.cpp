@@ -31,7 +31,7 @@ StepTrace::FatBoxes StepTrace::fat_boxes(const b2World& world) {
 }
 
 void StepTrace::fell(std::span<b2Body* const> bodies, std::span<const Ball> balls, const b2World& world,
-                     double h) {
+                     double h, std::span<const double> ahead) {
     TraceStage& stage = trace_.stage("gravity and drag", "src/box2d/step.cpp: Box2dWorld::fall");
     std::size_t awake = 0;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -41,15 +41,35 @@ void StepTrace::fell(std::span<b2Body* const> bodies, std::span<const Ball> ball
             .with("position", units_.point(bodies[i]->GetPosition()))
             .with("velocity_before", units_.vector(before_[i].velocity))
             .with("velocity", units_.vector(bodies[i]->GetLinearVelocity()))
+            .with("h", ahead[i])
             .with("formula", "v' = (v + h g) / (1 + h c)");
         before_[i].velocity = bodies[i]->GetLinearVelocity();
     }
+    const auto flying =
+        static_cast<std::size_t>(std::ranges::count_if(ahead, [h](double s) { return s < h; }));
     stage.says = "Balls that are awake get " + brief(1e3 * h) +
                  " ms of gravity and drag ahead of the solver: " + std::to_string(awake) + " of " +
-                 std::to_string(bodies.size()) + ".";
+                 std::to_string(bodies.size()) + "." +
+                 (flying ? " Of them " + std::to_string(flying) + " in flight get half of it now." : "");
+    ahead_.assign(ahead.begin(), ahead.end());
     boxes_ = fat_boxes(world);
     for (const b2Contact* contact = world.GetContactList(); contact; contact = contact->GetNext())
         pairs_.push_back(contact);
+}
+
+void StepTrace::fell_after(std::span<b2Body* const> bodies, std::span<const Ball> balls, double h) {
+    TraceStage& stage =
+        trace_.stage("gravity and drag, second half", "src/box2d/step.cpp: Box2dWorld::fall_after");
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        if (ahead_[i] < h && bodies[i]->IsAwake())
+            stage.add("velocity")
+                .with("ball", balls[i].number)
+                .with("velocity", units_.vector(bodies[i]->GetLinearVelocity()))
+                .with("h", h - ahead_[i])
+                .with("formula", "v' = (v + h g) / (1 + h c)");
+    stage.says = counted(stage.items.size(), "ball") +
+                 " that touched nothing at the start: the half of gravity and drag that was left, so that "
+                 "the flight is a parabola.";
 }
 
 bool StepTrace::at_start(const Meeting& meeting) const {

@@ -20,7 +20,11 @@ class StepTrace {
     StepTrace(Trace& trace, const Scene& scene, const Units& units, std::span<b2Body* const> bodies);
 
     /// Gravity and drag have acted for h seconds: Box2D's own step follows.
-    void fell(std::span<b2Body* const> bodies, std::span<const Ball> balls, const b2World& world, double h);
+    /// `ahead`: for how many of them on each; others get the rest later.
+    void fell(std::span<b2Body* const> bodies, std::span<const Ball> balls, const b2World& world, double h,
+              std::span<const double> ahead);
+    /// They got the rest.
+    void fell_after(std::span<b2Body* const> bodies, std::span<const Ball> balls, double h);
     /// What the listener sees of a contact before it is solved, and how it answers; m and m/s.
     void before_solve(const Meeting& meeting, Vec2 point, Vec2 normal, double separation, double approach,
                       double restitution, double friction);
@@ -52,6 +56,7 @@ class StepTrace {
     const Scene& scene_;
     const Units& units_;
     std::vector<Motion> before_;
+    std::vector<double> ahead_;
     FatBoxes boxes_;
     std::vector<const b2Contact*> pairs_;
     std::vector<TraceItem> contacts_, impulses_, sub_steps_;

@@ -66,6 +66,8 @@ class Box2dWorld : public World {
     void launch();
     void substep(double from, double to);
     void fall(double h);
+    void fall_after(double h);
+    void gain(b2Body& body, double h);
     void read_back();
 
     void report(EventKind kind, const Contact& contact);
@@ -89,6 +91,7 @@ class Box2dWorld : public World {
     mutable Touching touching_;
     mutable bool looked_ = false;         ///< touching_ is up to date
     std::vector<b2Vec2> before_;          ///< of bodies_, at the start of the sub-step
+    std::vector<double> ahead_;           ///< s of gravity that each of bodies_ gets ahead of the solver
     std::vector<BallOnPart> on_sensors_;  ///< reported as begun
     std::vector<Contact> held_;           ///< touches reported as begun
     std::vector<Contact> still_held_;     ///< held_ of the step in hand; kept for its memory

@@ -96,6 +96,41 @@ TEST(Motion, flightIsBox2dsOwnWithGravityAndDamping) {
     EXPECT_NEAR(world->balls()[0].velocity.y, v.y, 5e-6);
 }
 
+TEST(Motion, verletFliesTheParabola) {
+    // To the rounding of 252 sums in single precision; euler would be off by ½·g·h·t = 57 mm.
+    TableTop top;
+    top.ball({0, 1}, {0.5, 2});
+    Settings settings(engine().settings);
+    settings.set("integrator", "verlet");
+    for (const int n : {1, 3}) {
+        settings.set("substeps", n);
+        const auto world = top.world(settings);
+        run(*world, 0.7);
+        const double t = 42 * frame;
+        EXPECT_NEAR(world->balls()[0].position.x, 0.5 * t, 1e-5);
+        EXPECT_NEAR(world->balls()[0].position.y, 1 + 2 * t - 0.5 * 9.81 * t * t, 1e-5);
+        EXPECT_NEAR(world->balls()[0].velocity.y, 2 - 9.81 * t, 1e-5);
+    }
+}
+
+TEST(Motion, verletLiesStillWithoutTremor) {
+    TableTop top;
+    top.part(shape::Segment{{-1, 0}, {1, 0}});
+    top.ball({0, radius + 1e-3}, {}, top.material(0));
+    Settings settings(engine().settings);
+    settings.set("integrator", "verlet");
+    settings.set("sleep", "off");
+    const auto world = top.world(settings);
+    run(*world, 1);
+    const Vec2 rest = world->balls()[0].position;
+    for (int i = 0; i < 60; ++i) {
+        world->step(frame);
+        EXPECT_NEAR(world->balls()[0].position.y, rest.y, 1e-6);
+        EXPECT_NEAR(world->balls()[0].velocity.y, 0, 1e-6);
+        EXPECT_TRUE(world->events().empty()) << i;
+    }
+}
+
 TEST(Motion, box2dSlowsWhatMovesMoreThanTwoUnitsPerSubstep) {
     // Half a unit per ball diameter: four diameters per step are the most, 6.48 m/s at 1/60 s.
     TableTop top;

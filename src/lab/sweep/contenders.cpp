@@ -25,6 +25,8 @@ constexpr Contender all[] = {
     {"box2d-20-10", "box2d", "velocity_iterations=20 position_iterations=10", coarse, middle,
      "more iterations"},
     {"box2d-substeps-4", "box2d", "substeps=4", coarse, middle, "four sub-steps a step"},
+    {"box2d-verlet", "box2d", "integrator=verlet", coarse, middle,
+     "flies the parabola: what is left of its error is that of contacts"},
     {"box2d-fine-arcs", "box2d", "chord_error=1e-6", coarse, middle, "twenty times smaller error of arcs"},
     {"reference-53", "reference", "precision=53", 60, 60,
      "the exact engine in double precision: its error is what rounding leaves to nobody"},
