@@ -45,7 +45,9 @@ class RunMeasure {
             if (!contact.other.is_ball) touching_.emplace_back(contact.ball, contact.other.index);
         set("touching_first", static_cast<double>(touching_.size()));
         if (run_.trace) trace();
-        const Timeline timeline(session_.world().time(), run_.seconds - session_.world().time(), *run_.on.dt);
+        // A traced step may be all there is to the run.
+        const double begun = session_.world().time(), rest = std::max(0.0, run_.seconds - begun);
+        const Timeline timeline(begun, rest, *run_.on.dt);
         Totals before;
         const Script nothing;
         std::size_t next = 0;
