@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs clang-tidy over every file that a finished build compiled: scripts/tidy.sh PRESET
+# Runs clang-tidy over every C++ file that a finished build compiled: scripts/tidy.sh PRESET
 # What passed is remembered, as ccache remembers objects: a file is looked at again when it or any file that it reads
 # has changed, or the compile commands, the checks, or clang-tidy.
 set -euo pipefail
@@ -12,8 +12,8 @@ find "$passed" -type f -mtime +30 -delete
 # Of every object one line: the file that was compiled, and then all that was read for it, with tabs between.
 files_read() {
     ninja -C "$build" -t deps | awk '/^    / { file = substr($0, 5); line = line "\t" file }
-                                     /^    / && unit == "" && /\.(c|cpp|cxx)$/ { unit = file }
-                                     /^$/ { print unit line; unit = line = "" }'
+                                     /^    / && unit == "" && /\.(cpp|cxx)$/ { unit = file }
+                                     /^$/ { if (unit != "") print unit line; unit = line = "" }'
 }
 # check LINE
 check() {
