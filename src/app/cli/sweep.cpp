@@ -6,6 +6,7 @@
 #include "app/cli/output.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/run_options.hpp"
+#include "app/cli/tuning.hpp"
 #include "lab/assets.hpp"
 #include "lab/engines.hpp"
 #include "lab/sweep/summary.hpp"
@@ -27,6 +28,8 @@ struct SweepOptions {
     std::string shard = "1/1";
     std::uint64_t seed = 1;
     std::string out;
+    std::string tune;
+    std::vector<double> errors;
 };
 
 sweep::Shard parse_shard(const std::string& text) {
@@ -76,7 +79,22 @@ FilesOfCommand files_of(const SweepOptions& options) {
     return files;
 }
 
+/// Settings are searched instead of a sweep.
+int tune(const SweepOptions& options) {
+    lab::tune::Request request{.engine = &lab::engine_named(options.tune), .seed = options.seed};
+    if (!options.errors.empty()) request.targets = options.errors;
+    request.finest = options.quick ? std::min(960, options.finest) : options.finest;
+    if (options.quick) request.windows = 10;
+    const std::filesystem::path folder = options.out;
+    FilesOfCommand files{{}, {{"the figures", folder / "tuning.csv"}}, true};
+    for (const std::string& scene : options.scenes)
+        files.inputs.push_back({"the scene", lab::scene_file(scene)});
+    require_distinct(files);
+    return run_tuning(request, sweep::variants_of(options.scenes, options.balls), folder);
+}
+
 int run_sweep(const SweepOptions& options) {
+    if (!options.tune.empty()) return tune(options);
     const sweep::Shard shard = parse_shard(options.shard);
     for (const std::string& engine : options.engines) static_cast<void>(lab::engine_named(engine));
     auto variants = sweep::variants_of(options.scenes, options.balls);
@@ -132,6 +150,19 @@ void add_sweep(CLI::App& program, Action& chosen) {
     command.add_option("--seed", options->seed, "Of the windows (default 1)")
         ->check(number_from(0, sweep::largest_seed))
         ->type_name("S");
+    command
+        .add_option("--tune", options->tune,
+                    "Instead of a sweep, search this engine's cheapest settings and step for each scene")
+        ->excludes("--contenders")
+        ->excludes("--shard")
+        ->type_name("ENGINE");
+    command
+        .add_option("--error", options->errors,
+                    "With --tune: the errors that are allowed, in radii (default 0.1,0.01,0.001)")
+        ->needs("--tune")
+        ->check(number_from(1e-13, 10))
+        ->delimiter(',')
+        ->type_name("E,E");
     command.add_option("--out", options->out, "Folder of the data; what is finished there is not done again")
         ->required()
         ->type_name("DIR");

@@ -1,0 +1,93 @@
+#include "lab/tune/tune.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lab/csv.hpp"
+#include "lab/whole_file.hpp"
+
+namespace flipside::lab::tune {
+
+namespace {
+
+std::optional<Median> ratio(const std::vector<double>& a, const std::vector<double>& b) {
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (std::isfinite(a[i] / b[i])) ratios.push_back(a[i] / b[i]);
+    if (ratios.empty()) return {};
+    return median_of(std::move(ratios));
+}
+
+/// Of windows that did not fail; infinite where all did.
+double mean(const std::vector<double>& times) {
+    double sum = 0, count = 0;
+    for (const double time : times)
+        if (std::isfinite(time)) sum += time, ++count;
+    return sum / count;
+}
+
+/// Both figures of each, all of them in turn on the same windows.
+void judge(Tuning& tuning, const Trials& trials) {
+    Judged* const all[] = {&tuning.tuned, &tuning.untuned, &tuning.ours};
+    std::vector<Contender> contenders;
+    for (const Judged* judged : all) contenders.push_back(judged->contender);
+    const std::vector<std::vector<double>> times = trials.times(contenders);
+    for (std::size_t i = 0; i < std::size(all); ++i) {
+        all[i]->score = {trials.error(contenders[i]), mean(times[i])};
+        all[i]->text = text_of(contenders[i], trials.scene());
+    }
+    tuning.over_untuned = ratio(times[0], times[1]);
+    tuning.over_ours = ratio(times[0], times[2]);
+}
+
+}  // namespace
+
+std::vector<Tuning> tune(const Request& request, const sweep::Variant& variant,
+                         const std::function<void(double)>& watch) {
+    double done = 0;
+    const std::function<void()> look = [&] { watch(done); };
+    const Trials search(variant, request.seed, Trials::search_block, request.windows, look);
+    const Trials check(variant, request.seed, Trials::check_block, request.windows, look);
+    std::vector<double> targets = request.targets;
+    std::ranges::sort(targets, std::greater<>());
+    Tuner tuner(*request.engine, search, request.finest);
+    std::vector<Tuning> all;
+    for (const double target : targets) {
+        const auto as_it_comes = [&](const Engine& engine) {
+            return Judged{untuned(engine, search, request.finest, target).contender};
+        };
+        const Found found = tuner.cheapest(target);
+        Tuning tuning{variant.name,
+                      target,
+                      {found.contender},
+                      as_it_comes(*request.engine),
+                      as_it_comes(engine_named("custom")),
+                      found.tried};
+        tuning.tuned.contender.name += "-tuned";
+        judge(tuning, check);
+        all.push_back(std::move(tuning));
+        ++done;
+    }
+    return all;
+}
+
+void write_csv(const std::filesystem::path& file, std::span<const Tuning> all) {
+    WholeFile whole(file);
+    whole.out() << "variant,target,tried,role,contender,error,cpu,ratio,ratio_low,ratio_high\n";
+    CsvRow row;
+    const auto write = [&](const Tuning& tuning, const char* role, const Judged& judged,
+                           const std::optional<Median>& ratio) {
+        row.add(tuning.variant).add(tuning.target).add(tuning.tried).add(role).add(judged.text);
+        row.add(judged.score.error).add(judged.score.cost);
+        const Median none{NAN, NAN, NAN}, shown = ratio.value_or(none);
+        row.add(shown.value).add(shown.low).add(shown.high).write(whole.out());
+    };
+    for (const Tuning& tuning : all) {
+        write(tuning, "tuned", tuning.tuned, Median{1, 1, 1});
+        write(tuning, "untuned", tuning.untuned, tuning.over_untuned);
+        write(tuning, "custom", tuning.ours, tuning.over_ours);
+    }
+    whole.finish();
+}
+
+}  // namespace flipside::lab::tune
