@@ -52,6 +52,15 @@ TEST(Plot, TicksAreRoundFewAndInside) {
             }
 }
 
+TEST(Plot, TimeFillsTheBoxAndThenGoesThroughIt) {
+    EXPECT_EQ(span_until(0).from, 0);
+    EXPECT_EQ(span_until(0).to, 0.5);
+    EXPECT_EQ(span_until(3).from, 0);
+    EXPECT_EQ(span_until(3).to, 3);
+    EXPECT_EQ(span_until(100).from, 100 - history_seconds);
+    EXPECT_EQ(span_until(100).to, 100);
+}
+
 TEST(Plot, ARangeHoldsItsCurves) {
     Plot plot{"t", "t"};
     plot.curves.push_back({"a", {}, {{0, 5}, {1, 7}, {2, 900}}, "", nullptr});

@@ -41,11 +41,16 @@ bool wide_button(const std::string& words, ControlPlaces& places) {
 void Lessons::open(const std::filesystem::path& file, Stage& stage, WindowControls& controls) {
     lab::Lesson lesson = lab::load_lesson(file);
     stage.open(lesson);
-    if (!lesson_) shows_before_ = controls.look.shows, bar_before_ = controls.bar_open;
+    if (!lesson_) {
+        shows_before_ = controls.look.shows;
+        bar_before_ = controls.bar_open;
+        plots_before_ = controls.plots;
+    }
     controls.look.shows = shows_before_;
     for (const std::string& name : lesson.show)
         controls.look.shows.set(static_cast<std::size_t>(
             std::ranges::find(show_specs, name, &ShowSpec::name) - std::begin(show_specs)));
+    controls.plots = lesson.plots.empty() ? plots_before_ : plots_named(lesson.plots);
     controls.bar_open = lesson.inside;
     controls.paused = lesson.paused;
     controls.speed = lesson.speed;
@@ -62,6 +67,7 @@ void Lessons::close(WindowControls& controls) {
     if (!lesson_) return;
     controls.look.shows = shows_before_;
     controls.bar_open = bar_before_;
+    controls.plots = plots_before_;
     controls.speed = 1;
     lesson_.reset();
 }

@@ -53,6 +53,7 @@ class Lessons {
     std::string trouble_;
     Shows shows_before_;
     bool bar_before_ = false;
+    PlotChoice plots_before_{};
 };
 
 }  // namespace flipside::app

@@ -41,7 +41,7 @@ void notice(const Panel& panel) {
 void tabs(const Panel& panel, const Load& load) {
     WindowControls& controls = panel.controls;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
-                        {0.2F * ImGui::GetFontSize(), ImGui::GetStyle().FramePadding.y});
+                        {0.15F * ImGui::GetFontSize(), ImGui::GetStyle().FramePadding.y});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, {0.12F * ImGui::GetFontSize(), 0});
     const bool open = ImGui::BeginTabBar("tabs");
     ImGui::PopStyleVar(2);

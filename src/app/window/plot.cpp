@@ -53,15 +53,23 @@ void fit(Plot& plot, double from, double to) {
     plot.top = 0.5 * (low + high) + 0.55 * span;
 }
 
+TimeSpan span_until(double now) {
+    constexpr double least = 0.5;
+    return {std::max(0.0, now - history_seconds), std::max(now, least)};
+}
+
 namespace {
 
 struct Axes {
     Rect box;  ///< px
     Plot const& plot;
-    double now = 0;  ///< s
+    TimeSpan time;
 
-    [[nodiscard]] double x(double time) const {
-        return box.x + (1 - (now - time) / history_seconds) * box.width;
+    [[nodiscard]] double x(double at) const {
+        return box.x + (at - time.from) / (time.to - time.from) * box.width;
+    }
+    [[nodiscard]] double time_at(double px) const {
+        return time.from + (px - box.x) / box.width * (time.to - time.from);
     }
     [[nodiscard]] double y(double value) const {
         const bool decades = plot.scale == Scale::decades;
@@ -72,7 +80,7 @@ struct Axes {
 };
 
 void draw_curve(Canvas& canvas, const Axes& axes, const Curve& curve, double gap) {
-    for (const auto& run : unbroken(curve.samples, axes.now - history_seconds, axes.now, gap)) {
+    for (const auto& run : unbroken(curve.samples, axes.time.from, axes.time.to, gap)) {
         std::vector<Vec2> points;
         for (const Sample& sample : run) {
             const Vec2 next{axes.x(sample.time), axes.y(sample.value)};
@@ -154,9 +162,14 @@ std::vector<Level> levels_of(const Plot& plot, double height, double line) {
 
 void draw_time(Canvas& canvas, const Axes& axes) {
     const int most = std::max(2, static_cast<int>(axes.box.width / canvas.scaled(70)));
-    for (const double tick : round_ticks(std::max(0.0, axes.now - history_seconds), axes.now, most)) {
+    const std::vector<double> ticks = round_ticks(axes.time.from, axes.time.to, most);
+    const auto whole = [](double value) { return std::abs(value - std::round(value)) < 1e-9; };
+    int digits = 0;
+    while (!std::ranges::all_of(ticks, [&](double tick) { return whole(tick * std::pow(10, digits)); }))
+        ++digits;
+    for (const double tick : ticks) {
         const double x = std::round(axes.x(tick));
-        const std::string words = with_unit(tick, tick == std::round(tick) ? 0 : 1, "s");
+        const std::string words = with_unit(tick, digits, "s");
         const double half = 0.5 * canvas.lettering().width(words, Type::small);
         canvas.line({x, axes.box.y + axes.box.height}, {x, axes.box.y + axes.box.height + canvas.scaled(3)},
                     1, colour::quiet);
@@ -191,8 +204,7 @@ void draw_mark(Canvas& canvas, const Axes& axes, const Plot::Mark& mark, double 
 void draw_readout(Canvas& canvas, const Axes& axes, const PlotTime& time) {
     const Rect& box = axes.box;
     if (!box.contains(time.mouse.x, time.mouse.y)) return;
-    const double at = time.now - (1 - (time.mouse.x - box.x) / box.width) * history_seconds;
-    if (at < 0) return;
+    const double at = axes.time_at(time.mouse.x);
     canvas.line({time.mouse.x, box.y}, {time.mouse.x, box.y + box.height}, 1, colour::quiet);
     const double line = canvas.lettering().line_height(Type::small), pad = canvas.scaled(5);
     std::vector<std::pair<std::string, sf::Color>> lines{{with_unit(at, 2, "s"), colour::text}};
@@ -227,7 +239,7 @@ void draw_plot(Canvas& canvas, const Rect& place, const Plot& plot, const PlotTi
     const Axes axes{
         {place.x + margin + wide, place.y + top, std::max(1.0, place.width - 2 * margin - wide), height},
         plot,
-        time.now};
+        span_until(time.now)};
     for (const Level& level : levels) {
         const double y = std::round(axes.y(level.value));
         canvas.text({axes.box.x - canvas.scaled(6), y - 0.55 * line}, level.words, Type::small, colour::quiet,
@@ -236,7 +248,7 @@ void draw_plot(Canvas& canvas, const Rect& place, const Plot& plot, const PlotTi
     }
     draw_time(canvas, axes);
     for (const double impact : plot.impacts)
-        if (impact >= time.now - history_seconds && impact <= time.now) {
+        if (impact >= axes.time.from && impact <= time.now) {
             const double x = std::round(axes.x(impact)), y = axes.box.y + axes.box.height;
             canvas.line({x, y - canvas.scaled(4)}, {x, y}, 1, with_alpha(colour::lit, 0.7));
         }

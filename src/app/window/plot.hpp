@@ -47,11 +47,17 @@ struct Plot {
     std::vector<double> impacts = {};  ///< times, ticks at the foot
 };
 
+/// What the axis of time spans, s: all that has passed, or the last of it.
+struct TimeSpan {
+    double from = 0, to = 1;
+};
+[[nodiscard]] TimeSpan span_until(double now);
+
 /// Whose range holds all of the curves within `from`…`to`, and 0 where it is near.
 void fit(Plot& plot, double from, double to);
 
 struct PlotTime {
-    double now = 0;  ///< s, at the right edge
+    double now = 0;  ///< s
     double gap = 0;  ///< s: longer than this apart, samples are not joined
     /// Where the mouse rests, px; no readout outside of the box.
     Vec2 mouse{-1, -1};

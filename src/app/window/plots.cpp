@@ -50,10 +50,8 @@ Curve distance_curve(std::string name, sf::Color color, const std::deque<Sample>
 
 }  // namespace
 
-std::string_view name_of(PlotChoice choice) {
-    constexpr std::string_view names[plot_choices] = {
-        "Distance and energy", "All four", "Distance", "Energy", "Cost per step", "Tests per step"};
-    return names[static_cast<int>(choice)];
+PlotChoice plots_named(std::string_view name) {
+    return std::ranges::find(plot_specs, name, &PlotSpec::name)->choice;
 }
 
 Plot distance_plot(const Stage& stage) {
@@ -140,6 +138,8 @@ std::vector<Plot> plots_of(PlotChoice choice, const Stage& stage) {
     switch (choice) {
         case PlotChoice::distance_and_energy:
             return with_distance({energy_plot(stage)});
+        case PlotChoice::distance_and_cost:
+            return with_distance({cost_plot(stage)});
         case PlotChoice::all:
             return with_distance({energy_plot(stage), cost_plot(stage), tests_plot(stage)});
         case PlotChoice::distance:

@@ -11,9 +11,25 @@
 namespace flipside::app {
 
 /// Which plots stand in the strip. The key for the next one goes through them in this order.
-enum class PlotChoice { distance_and_energy, all, distance, energy, cost, tests };
-inline constexpr int plot_choices = 6;
-[[nodiscard]] std::string_view name_of(PlotChoice choice);
+enum class PlotChoice { distance_and_energy, distance_and_cost, all, distance, energy, cost, tests };
+struct PlotSpec {
+    PlotChoice choice;
+    std::string_view name;   ///< in files
+    std::string_view label;  ///< in the window
+};
+inline constexpr PlotSpec plot_specs[] = {
+    {PlotChoice::distance_and_energy, "distance-and-energy", "Distance and energy"},
+    {PlotChoice::distance_and_cost, "distance-and-cost", "Distance and cost"},
+    {PlotChoice::all, "all", "All four"},
+    {PlotChoice::distance, "distance", "Distance"},
+    {PlotChoice::energy, "energy", "Energy"},
+    {PlotChoice::cost, "cost", "Cost per step"},
+    {PlotChoice::tests, "tests", "Tests per step"}};
+[[nodiscard]] constexpr const PlotSpec& spec_of(PlotChoice choice) {
+    return plot_specs[static_cast<int>(choice)];
+}
+/// The one of that name in files. There must be one.
+[[nodiscard]] PlotChoice plots_named(std::string_view name);
 
 /// From the reference, where it takes part; else of the others from the first.
 [[nodiscard]] Plot distance_plot(const Stage& stage);

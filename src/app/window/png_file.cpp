@@ -18,6 +18,7 @@ void write_png(const sf::Image& picture, const std::filesystem::path& file) {
     png.width = picture.getSize().x;
     png.height = picture.getSize().y;
     png.format = PNG_FORMAT_RGB;
+    png.flags = PNG_IMAGE_FLAG_FAST;  // without filters: letters and plain areas come out smaller
     // What a display shows has no alpha, whatever blending has left there.
     const std::size_t count = std::size_t{png.width} * png.height;
     std::string pixels(3 * count, '\0');

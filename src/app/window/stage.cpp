@@ -36,6 +36,12 @@ std::vector<lab::ContenderRequest> everybody(const Engine& first) {
     return requests;
 }
 
+View view_of(lab::LessonView view) {
+    return view == lab::LessonView::split     ? View::split
+           : view == lab::LessonView::overlay ? View::overlay
+                                              : View::single;
+}
+
 }  // namespace
 
 bool is_reference(const Engine& engine) {
@@ -88,7 +94,7 @@ void Stage::open(const std::string& scene) {
 void Stage::open(const lab::Lesson& lesson) {
     std::vector<lab::ContenderRequest> requests = lesson.engines;
     // In the single view the others wait for Tab.
-    if (!lesson.split)
+    if (lesson.view == lab::LessonView::single)
         for (const lab::ContenderRequest& other : everybody(*lesson.engines.front().engine))
             if (std::ranges::find(requests, other.engine, &lab::ContenderRequest::engine) == requests.end())
                 requests.push_back(other);
@@ -97,7 +103,7 @@ void Stage::open(const lab::Lesson& lesson) {
     Before before = before_lesson_.value_or(Before{line_up_, view_});
     show_scene("lesson " + lesson.name, lesson.scene, std::move(requests));
     before_lesson_ = std::move(before);
-    view_ = lesson.split ? View::split : View::single;
+    view_ = view_of(lesson.view);
     start();
 }
 

@@ -46,7 +46,7 @@ Json still(const Stage& stage, const WindowState& window, const WindowControls& 
     j["gravity"] = stage.gravity();
     j["panel"] = controls.panel_open;
     j["help"] = controls.help_open;
-    j["plots"] = name_of(controls.plots);
+    j["plots"] = spec_of(controls.plots).label;
     j["step_bar"] = controls.bar_open;
     j["by_keys"] = controls.by_keys;
     j["focus"] = places.focus;

@@ -40,14 +40,17 @@ struct Question {
     std::string because;
 };
 
+enum class LessonView { single, split, overlay };
+
 struct Lesson {
     std::string name;  ///< of its file, without the ending: "02-which-pairs"
     std::string title, idea;
     std::string text;  ///< Markdown
     std::shared_ptr<const Scene> scene;
-    std::vector<ContenderRequest> engines;  ///< the first is shown; all are where it is a split view
-    bool split = false;
+    std::vector<ContenderRequest> engines;  ///< the first is shown; in the other views all are
+    LessonView view = LessonView::single;
     std::vector<std::string> show;  ///< overlays, by the names of `flipside render --show`
+    std::string plots;              ///< which ones stand below, by name; "": as they were
     bool inside = false;            ///< begins with the step bar open, paused
     bool paused = false;            ///< begins paused
     double speed = 1;               ///< simulated seconds per second

@@ -166,6 +166,11 @@ Question question_in(const Node& node) {
     return question;
 }
 
+LessonView view_in(const Node& node) {
+    const std::string name = node.text("view", "single");
+    return name == "split" ? LessonView::split : name == "overlay" ? LessonView::overlay : LessonView::single;
+}
+
 fs::path lessons_folder() {
     return assets_folder() / "lessons";
 }
@@ -181,8 +186,9 @@ Lesson parse_lesson(std::string_view text, const std::string& file) {
     lesson.idea = node.text("idea");
     lesson.scene = scene_in(node, file);
     lesson.engines = contenders_in(node, *lesson.scene);
-    lesson.split = node.text("view", "single") == std::string("split");
+    lesson.view = view_in(node);
     for (const Node& show : node.each("show")) lesson.show.push_back(show.json().get<std::string>());
+    lesson.plots = node.text("plots");
     lesson.inside = node.toggle("inside");
     lesson.paused = node.toggle("paused", lesson.inside);
     lesson.speed = node.real("speed", 1);

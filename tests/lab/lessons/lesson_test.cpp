@@ -1,6 +1,8 @@
 #include "lab/lessons/lesson.hpp"
 
 #include <fstream>
+#include <iterator>
+#include <set>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -33,6 +35,32 @@ TEST(Lessons, TellOneIdeaInAShortText) {
         EXPECT_TRUE(lesson.question.has_value()) << file;
         EXPECT_TRUE(lesson.idea.ends_with('.')) << file;
     }
+}
+
+/// scripts/pictures.sh makes both.
+TEST(Lessons, HaveAPictureEachAndAnIndexOfAll) {
+    const fs::path folder = fs::path(FLIPSIDE_SOURCE_DIR) / "docs" / "lessons";
+    std::ifstream in(folder / "README.md");
+    const std::string index(std::istreambuf_iterator<char>(in), {});
+    std::set<fs::path> pictures;
+    std::size_t at = 0;
+    for (const fs::path& file : lesson_files()) {
+        const Lesson lesson = load_lesson(file);
+        const fs::path picture = folder / (lesson.name + ".png");
+        pictures.insert(picture);
+        std::ifstream png(picture, std::ios::binary);
+        std::string signature(8, ' ');
+        EXPECT_TRUE(png.read(signature.data(), 8)) << picture;
+        EXPECT_EQ(signature, "\x89PNG\r\n\x1a\n") << picture;
+        const std::string number = lesson.name.substr(0, 2);
+        const std::size_t entry = index.find("## " + number + " " + lesson.title + "\n\n" + lesson.idea +
+                                             "\n\n![" + lesson.title + "](" + lesson.name + ".png)\n");
+        ASSERT_NE(entry, std::string::npos) << lesson.name;
+        EXPECT_GT(entry, at) << lesson.name;
+        at = entry;
+    }
+    for (const auto& entry : fs::directory_iterator(folder))
+        EXPECT_TRUE(entry.path().extension() != ".png" || pictures.contains(entry.path())) << entry.path();
 }
 
 TEST(Lessons, AreFoundByNameNumberAndPath) {
