@@ -61,6 +61,21 @@ TEST_F(ContenderWindow, EnginesAndStepsAreChosenByClicksWhileTheBallGoesOn) {
     EXPECT_EQ(state["reference"], false);
 }
 
+TEST_F(ContenderWindow, AStepIsChosenByAClickInItsHeader) {
+    open("drop", "split");
+    const Json before = settled();
+    choose("box2d: Step in the header", "Step 1/120 s");
+    Json state = window->wait("its step", [](const Json& s) { return s["panes"][1]["dt"] == 1.0 / 120; });
+    EXPECT_EQ(state["panes"][0]["dt"], 1.0 / 60);
+    EXPECT_EQ(state["center"], before["center"]);
+    // A click on the header beside it chooses nothing.
+    const Json header = state["layout"]["headers"][0];
+    window->click({header[0], header[1], 4, 4});
+    EXPECT_FALSE(settled()["controls"].contains("Step 1/120 s"));
+    choose("custom: Step in the header", "Step 1/15 s");
+    window->wait("the other's", [](const Json& s) { return s["panes"][0]["dt"] == 1.0 / 15; });
+}
+
 TEST_F(ContenderWindow, TheOneThatAllWaitForIsNamedAndTakenAwayByAKey) {
     // One that takes some milliseconds for a step of 1/60 s.
     open_with({"quick=custom", "slow=box2d,substeps=1000"}, "rain");

@@ -1,5 +1,7 @@
 /// Where everything is in windows from small to very large: inside, and not over one another.
 
+#include <algorithm>
+
 #include "app/window/layout.hpp"
 #include "app/window_fixture.hpp"
 
@@ -70,6 +72,15 @@ void expect_in_order(const Json& state) {
     for (const char* names : {"panes", "headers"})
         for (const Json& rect : layout[names]) rects.emplace_back(names, rect_of(rect));
     expect_apart(rects, {0, 0, layout["window"][0], layout["window"][1]});
+
+    // A step in a header is there as a whole or not at all.
+    for (const auto& [name, rect] : state["controls"].items())
+        if (name.ends_with(": Step in the header")) {
+            const Rect step = rect_of(rect);
+            const auto around = std::ranges::count_if(
+                layout["headers"], [&](const Json& header) { return lies_in(step, rect_of(header)); });
+            EXPECT_EQ(around, 1) << name;
+        }
 
     rects.clear();
     const Rect panel = rect_of(layout["panel"]);

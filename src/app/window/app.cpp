@@ -10,6 +10,7 @@
 #include <SFML/Window/Event.hpp>
 #include <SFML/Window/Mouse.hpp>
 
+#include "app/window/contender_choice.hpp"
 #include "app/window/help.hpp"
 #include "app/window/panel.hpp"
 #include "app/window/plot_export.hpp"
@@ -247,6 +248,7 @@ void App::draw() {
     // The panel may change what is on show, so it comes before the picture of it.
     places_ = draw_panel(layout_.panel, stage_, controls_, lessons_, load_);
     arrange();
+    choose_steps_in_headers(screen_->steps(), stage_, places_, controls_.notice);
     draw_scrubber(layout_.scrubber, stage_, controls_, places_);
     if (controls_.bar_open) draw_step_bar(layout_.bar, stage_, microscope_, places_);
     const bool inside = controls_.bar_open && microscope_.shows(stage_);

@@ -82,9 +82,30 @@ double draw_score(Canvas& canvas, double left, double right, double y, double he
     return begin - room;
 }
 
+/// The step and, where there is room too, the solver or at least the engine before it, in the line of the
+/// name.
+std::optional<Rect> draw_step(Canvas& canvas, const Run& run, double left, double right, double top) {
+    const auto width_of = [&](const std::string& words) {
+        return canvas.lettering().width(words, Type::small);
+    };
+    const std::string step = step_in_words(run.dt()), engine(run.engine().name);
+    const double pad = canvas.scaled(6), frame = width_of(step) + 2 * pad;
+    for (const std::string& how : {method(run), run.name() == engine ? "" : engine}) {
+        const double begin = left + (how.empty() ? 0 : width_of(how) + canvas.scaled(8));
+        if (begin + frame > right) continue;
+        canvas.text({left, top + canvas.scaled(3)}, how, Type::small, colour::quiet);
+        const Rect place{begin, top, frame, canvas.scaled(22)};
+        canvas.rectangle({place.x, place.y}, {place.x + place.width, place.y + place.height}, colour::rule);
+        canvas.text({begin + pad, top + canvas.scaled(3)}, step, Type::small, colour::text);
+        return place;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
-void draw_header(Canvas& canvas, const Rect& place, const Run& run, long score, std::optional<double> pace) {
+std::optional<Rect> draw_header(Canvas& canvas, const Rect& place, const Run& run, long score,
+                                std::optional<double> pace) {
     const lab::Session& session = run.session();
     const sf::Color color = colour_of(run);
     const double margin = canvas.scaled(12), left = place.x + margin;
@@ -108,17 +129,10 @@ void draw_header(Canvas& canvas, const Rect& place, const Run& run, long score, 
         free_below = draw_score(canvas, right, right, place.y + canvas.scaled(45),
                                 canvas.scaled(small_led_height), session.game(), score) -
                      margin;
-    // As much as there is room for, the step before the solver.
-    const std::string step = step_in_words(run.dt()), engine(run.engine().name), how_it_works = method(run);
-    for (const std::string& how : {(how_it_works.empty() ? "" : how_it_works + "  ·  ") + step,
-                                   (run.name() == engine ? "" : engine + "  ·  ") + step})
-        if (after + canvas.lettering().width(how, Type::small) < free) {
-            canvas.text({after, place.y + canvas.scaled(13)}, how, Type::small, colour::quiet);
-            break;
-        }
+    const std::optional<Rect> step = draw_step(canvas, run, after, free, place.y + canvas.scaled(10));
     if (const auto& halt = run.halt()) {
         canvas.text({left, y}, "stopped at " + with_unit(halt->time, 2, "s"), Type::small, colour::warning);
-        return;
+        return step;
     }
     std::vector<double> rooms(static_cast<std::size_t>(lines_of_facts(place.width / canvas.scaled(1))),
                               right - left);
@@ -127,6 +141,7 @@ void draw_header(Canvas& canvas, const Rect& place, const Run& run, long score, 
         canvas.text({left, y}, line, Type::small, colour::text);
         y += canvas.scaled(20);
     }
+    return step;
 }
 
 }  // namespace flipside::app

@@ -1,6 +1,8 @@
 #pragma once
 /// The header over a pane: engine, solver, cost per step, energy, balls; score and balls left.
 
+#include <optional>
+
 #include "app/window/canvas.hpp"
 #include "app/window/layout.hpp"
 #include "app/window/run.hpp"
@@ -8,7 +10,9 @@
 namespace flipside::app {
 
 /// `score` is the one to show, which may still be counting up. `pace` is there where this run keeps the table
-/// slower than it should be: simulated seconds per second.
-void draw_header(Canvas& canvas, const Rect& place, const Run& run, long score, std::optional<double> pace);
+/// slower than it should be: simulated seconds per second. Returns where its step stands, which is to be
+/// clicked; nothing where there is no room for it.
+[[nodiscard]] std::optional<Rect> draw_header(Canvas& canvas, const Rect& place, const Run& run, long score,
+                                              std::optional<double> pace);
 
 }  // namespace flipside::app

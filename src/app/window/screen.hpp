@@ -40,6 +40,8 @@ class Screen {
     /// `camera` is that of every pane. Where a step is looked into, `inside` says what to show of it.
     void draw(sf::RenderTarget& target, const Stage& stage, const Layout& layout, const Camera& camera,
               const Look& look, const Readings& readings, const Microscope* inside = nullptr);
+    /// Where the step of each run stands in its header, as drawn last.
+    [[nodiscard]] std::span<const std::optional<Rect>> steps() const { return steps_; }
     [[nodiscard]] double scale() const { return lettering_.scale(); }
 
   private:
@@ -52,6 +54,7 @@ class Screen {
 
     Lettering lettering_;
     Canvas canvas_;
+    std::vector<std::optional<Rect>> steps_;
 };
 
 }  // namespace flipside::app
