@@ -76,11 +76,14 @@ TEST_F(KeptWindow, WhatWasOnShowIsOnShowAgain) {
     click("Boxes");
     click("custom.collision_iterations");
     click("Overlay");
-    const Json before = wait_for_view("overlay");
+    window->key("g");
+    const Json before = window->wait("the next plots", [](const Json& s) {
+        return s["view"] == "overlay" && s["plots"] == "Distance and cost";
+    });
     end();
     start();
     const Json after = settled();
-    for (const char* what : {"scene", "view", "show", "engines", "letters", "panel"})
+    for (const char* what : {"scene", "view", "show", "engines", "letters", "panel", "plots"})
         EXPECT_EQ(after[what], before[what]) << what;
     EXPECT_EQ(after["layout"]["window"], before["layout"]["window"]);
 }
@@ -171,6 +174,8 @@ TEST(Kept, ComesBackAsItWas) {
     kept.look.shows.set(3);
     kept.look.random_colours = true;
     kept.panel_open = false;
+    kept.plots = PlotChoice::tests;
+    kept.strip = 201.5;
     Keeper keeper(file);
     EXPECT_TRUE(keeper.first_start());
     EXPECT_EQ(keeper.keep(kept), "");

@@ -41,6 +41,25 @@ TEST(Layout, NothingOverlapsAndAllIsInsideTheWindow) {
                 }
 }
 
+TEST(Layout, PlotsAreAsHighAsAskedWithinBounds) {
+    const auto strip_of = [](double asked, bool bar, double height = 800) {
+        return lay_out(1280, height, 1, {2, 2, 0.5, Column::open, bar, true, asked}).strip.height;
+    };
+    EXPECT_EQ(strip_of(0, false), 120);
+    EXPECT_EQ(strip_of(200, false), 200);
+    EXPECT_EQ(strip_of(1, false), 80);
+    EXPECT_EQ(strip_of(5000, false), 360);
+    EXPECT_EQ(strip_of(5000, true), 176);
+    EXPECT_LE(strip_of(5000, true, 300), 66);
+    for (const double height : {400.0, 640.0, 800.0})
+        for (const bool bar : {false, true}) {
+            const Layout layout = lay_out(1024, height, 1, {4, 4, 1, Column::open, bar, true, 5000});
+            EXPECT_GE(layout.panes.back().height, 1);
+            EXPECT_LE(layout.strip.y + layout.strip.height, height);
+            EXPECT_FALSE(overlap(layout.strip, layout.scrubber));
+        }
+}
+
 TEST(Layout, PanesAreEqualAndOnWholePixels) {
     for (const int panes : {2, 3, 4}) {
         const Layout layout = lay_out(1281, 797, 1, {panes, panes, 1.3, Column::open, false});

@@ -1,6 +1,7 @@
 /// The plots in the real window: which ones, and what is exported of them.
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 
 #include "app/window_fixture.hpp"
@@ -36,6 +37,48 @@ TEST_F(PlotsWindow, AKeyGoesThroughThemAndAnotherSavesThem) {
     const Json strip = saved["layout"]["strip"];
     EXPECT_EQ(image.getSize().x, strip[2].get<unsigned>());
     EXPECT_EQ(image.getSize().y, strip[3].get<unsigned>());
+}
+
+TEST_F(PlotsWindow, AreChosenByClicks) {
+    open("drop");
+    click("Plots");
+    const Json list =
+        window->wait("the list", [](const Json& s) { return s["controls"].contains("Plots Cost per step"); });
+    window->click(list["controls"]["Plots Cost per step"]);
+    window->wait("the plot", [](const Json& s) { return s["plots"] == "Cost per step"; });
+}
+
+TEST_F(PlotsWindow, TheirUpperEdgeIsDraggedWithinBoundsAndComesBack) {
+    open("drop", "split", "custom", {"--width", "1280", "--height", "800", "--scale", "1"});
+    Json state = settled();
+    EXPECT_EQ(state["layout"]["strip"][3], 120);
+    const auto drag_to = [&](double y) {
+        const Json edge = state["controls"]["Edge of the plots"];
+        const auto point = [](double px, double py) {
+            return "mousemove " + std::to_string(std::lround(px)) + ' ' + std::to_string(std::lround(py)) +
+                   ' ';
+        };
+        const double x = edge[0].get<double>() + 40;
+        window->xdotool(point(x, edge[1].get<double>() + 0.5 * edge[3].get<double>()) + "mousedown 1");
+        for (const double step : {0.5, 1.0})
+            window->xdotool(point(x, edge[1].get<double>() + step * (y - edge[1].get<double>())));
+        state = settled();
+        window->xdotool("mouseup 1");
+        state = settled();
+    };
+    const Json center = state["center"];
+    drag_to(550);
+    EXPECT_NEAR(state["layout"]["strip"][3].get<double>(), 240, 12);
+    EXPECT_NEAR(state["layout"]["strip"][1].get<double>(), 553, 12);
+    EXPECT_LT(state["layout"]["panes"][0][3], 500);
+    EXPECT_EQ(state["center"], center);
+    drag_to(10);
+    EXPECT_EQ(state["layout"]["strip"][3], 360);
+    drag_to(795);
+    EXPECT_EQ(state["layout"]["strip"][3], 80);
+    window->click(state["controls"]["Edge of the plots"]);
+    window->click(state["controls"]["Edge of the plots"]);
+    window->wait("the usual height", [](const Json& s) { return s["layout"]["strip"][3] == 120; });
 }
 
 }  // namespace

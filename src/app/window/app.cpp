@@ -17,6 +17,7 @@
 #include "app/window/png_file.hpp"
 #include "app/window/scrubber.hpp"
 #include "app/window/step_bar.hpp"
+#include "app/window/strip.hpp"
 #include "app/window/words.hpp"
 #include "lab/assets.hpp"
 #include "lab/whole_file.hpp"
@@ -81,6 +82,8 @@ App::App(const PlayOptions& options)
     controls_.scale = scale_;
     controls_.look = kept_.look;
     controls_.panel_open = kept_.panel_open;
+    controls_.plots = kept_.plots;
+    controls_.strip = kept_.strip;
     if (keeper_ && !keeper_->trouble().empty()) controls_.notice = keeper_->trouble();
     if (options.report) report_.emplace(*options.report);
     if (options.lesson) lessons_.open(*options.lesson, stage_, controls_);
@@ -162,6 +165,7 @@ void App::keep() {
     kept_.height = static_cast<unsigned>(std::clamp(state_.height, 200.0, 8192.0));
     kept_.scale = controls_.scale;
     kept_.panel_open = controls_.panel_open;
+    kept_.strip = controls_.strip;
     kept_.lesson = lessons_.lesson() ? lessons_.lesson()->name : "";
     // A lesson's own view, overlays and contenders end with it.
     if (!stage_.is_lesson()) {
@@ -170,6 +174,7 @@ void App::keep() {
         const bool known = std::ranges::find(names, name) != names.end();
         kept_.scene = known ? name : absolute(lab::scene_file(name)).string();
         kept_.view = stage_.view();
+        kept_.plots = controls_.plots;
         kept_.look = {look.shows, look.random_colours};
         kept_.contenders.clear();
         for (const lab::Contender& contender : stage_.contenders())
@@ -233,7 +238,7 @@ void App::arrange() {
     state_.width = size.x;
     state_.height = size.y;
     layout_ = layout_of(stage_, size.x, size.y, scale_, controls_.panel_open ? Column::open : Column::folded,
-                        controls_.bar_open);
+                        controls_.bar_open, controls_.strip);
     camera_.size = {layout_.panes.front().width, layout_.panes.front().height};
     if (shown_scene_ != stage_.scene_name()) {
         mouse_.fit();
@@ -249,6 +254,7 @@ void App::draw() {
     places_ = draw_panel(layout_.panel, stage_, controls_, lessons_, load_);
     arrange();
     choose_steps_in_headers(screen_->steps(), stage_, places_, controls_.notice);
+    drag_strip(layout_, scale_, controls_, places_);
     draw_scrubber(layout_.scrubber, stage_, controls_, places_);
     if (controls_.bar_open) draw_step_bar(layout_.bar, stage_, microscope_, places_);
     const bool inside = controls_.bar_open && microscope_.shows(stage_);

@@ -24,6 +24,7 @@ struct WindowControls {
     bool newcomer = false;       ///< has an offer of where to begin
     bool lesson_wanted = false;  ///< the lessons come to the front of the panel
     PlotChoice plots = PlotChoice::distance_and_energy;
+    double strip = 0;          ///< height of the plots, as in LayoutNeeds
     bool table_wanted = true;  ///< or the table does
     int launch_count = 1;
     double launch_size = 1;        ///< radius over that of the launcher's ball

@@ -35,6 +35,8 @@ std::string text_of(const Kept& kept) {
         if (kept.look.shows[i]) j["show"].push_back(show_specs[i].name);
     j["random_colours"] = kept.look.random_colours;
     j["panel_open"] = kept.panel_open;
+    j["plots"] = spec_of(kept.plots).name;
+    j["strip"] = kept.strip;
     return json_text(j, 2) + '\n';
 }
 
@@ -78,6 +80,8 @@ Kept load_kept(const fs::path& file) {
             if (shown.json() == show_specs[i].name) kept.look.shows.set(i);
     kept.look.random_colours = node.toggle("random_colours");
     kept.panel_open = node.toggle("panel_open");
+    if (node.has("plots")) kept.plots = plots_named(node.text("plots"));
+    kept.strip = node.real("strip", kept.strip);
     return kept;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/play.hpp"
+#include "app/window/plots.hpp"
 #include "app/window/table_view.hpp"
 
 namespace flipside::app {
@@ -21,6 +22,8 @@ struct Kept {
     std::vector<std::string> contenders;  ///< as in PlayOptions
     Look look;
     bool panel_open = true;
+    PlotChoice plots = PlotChoice::distance_and_energy;
+    double strip = 0;  ///< height of the plots, as in LayoutNeeds
 
     friend bool operator==(const Kept&, const Kept&) = default;
 };

@@ -8,12 +8,12 @@ namespace flipside::app {
 
 namespace {
 
-constexpr double strip_height = 120, bar_height = 216, scrubber_height = 20, column_width = 332,
-                 folded_width = 30, gap = 6;
+constexpr double usual_strip = 120, least_strip = 80, bar_height = 216, scrubber_height = 20,
+                 column_width = 332, folded_width = 30, gap = 6;
 
 /// Name and score, and below them what the run does: in more lines where the header is narrow.
 double header_height(double width) {
-    return 42 + 20 * lines_of_facts(width);
+    return 39 + 20 * lines_of_facts(width);
 }
 
 double column_of(Column column, double scale) {
@@ -58,7 +58,8 @@ Layout lay_out(double width, double height, double scale, const LayoutNeeds& nee
     layout.panel = {width - panel, 0, panel, height};
 
     // On a small display the table keeps most of the height.
-    const double strip = std::round(std::min(scale * strip_height, 0.18 * height));
+    const double strip = needs.strip > 0 ? strip_height(scale * needs.strip, height, scale, needs.step_bar)
+                                         : std::round(std::min(scale * usual_strip, 0.18 * height));
     const double room = std::max(1.0, width - panel - (panel > 0 ? space : 0));
     const double bar = needs.step_bar ? std::round(std::min(scale * bar_height, 0.3 * height)) : 0;
     const double scrubber = needs.scrubber ? std::round(scale * scrubber_height) : 0;
@@ -93,6 +94,11 @@ Layout lay_out(double width, double height, double scale, const LayoutNeeds& nee
         if (h > 0) y += h + space;
     }
     return layout;
+}
+
+double strip_height(double wanted, double height, double scale, bool step_bar) {
+    const double most = (step_bar ? 0.22 : 0.45) * height;
+    return std::round(std::clamp(wanted, std::min(scale * least_strip, most), most));
 }
 
 double usual_scale(double display_lines, double width, double height) {

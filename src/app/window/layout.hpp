@@ -32,6 +32,7 @@ struct LayoutNeeds {
     Column column = Column::open;
     bool step_bar = false;
     bool scrubber = false;
+    double strip = 0;  ///< height of the plots where the user chose one, px on an ordinary display; else 0
 };
 
 /// In a header that would be that wide on an ordinary display, px.
@@ -42,6 +43,9 @@ struct LayoutNeeds {
 /// In rows and columns so that the table is as large as can be: portrait ones side by side, landscape ones
 /// one below the other. `scale` is 1 on an ordinary display. All corners are whole pixels.
 [[nodiscard]] Layout lay_out(double width, double height, double scale, const LayoutNeeds& needs);
+
+/// Within what is allowed in a window of that height, px: of a strip that would be `wanted` px high.
+[[nodiscard]] double strip_height(double wanted, double height, double scale, bool step_bar);
 
 /// Of letters, lines and controls where the user says nothing: what the display asks for, as far as the
 /// window has room for it. 1 on a display of 1080 lines and in a window of 1024 × 640 px.

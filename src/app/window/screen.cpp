@@ -32,13 +32,13 @@ const Box& sight_of(const Scene& scene) {
     return scene.camera ? *scene.camera : scene.bounds;
 }
 
-Layout layout_of(const Stage& stage, double width, double height, double scale, Column column,
-                 bool step_bar) {
+Layout layout_of(const Stage& stage, double width, double height, double scale, Column column, bool step_bar,
+                 double strip) {
     const int runs = static_cast<int>(stage.runs().size());
     const Vec2 sight = sight_of(stage.scene()).max - sight_of(stage.scene()).min;
     const int panes = stage.view() == View::split ? runs : 1;
     return lay_out(width, height, scale,
-                   {panes, runs, sight.x / sight.y, column, step_bar, column != Column::none});
+                   {panes, runs, sight.x / sight.y, column, step_bar, column != Column::none, strip});
 }
 
 void Screen::draw(sf::RenderTarget& target, const Stage& stage, const Layout& layout, const Camera& camera,

@@ -14,7 +14,7 @@ namespace flipside::app {
 
 /// Panes and headers that a view needs, in a window of this size.
 [[nodiscard]] Layout layout_of(const Stage& stage, double width, double height, double scale, Column column,
-                               bool step_bar = false);
+                               bool step_bar = false, double strip = 0);
 /// Around a table that fills its pane, px on an ordinary display.
 inline constexpr double pane_margin = 12;
 /// What a scene wants to be seen of it.

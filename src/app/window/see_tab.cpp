@@ -81,6 +81,21 @@ void letters(const Panel& panel) {
     note(panel.places, "Size of letters");
 }
 
+void plots(const Panel& panel) {
+    label("Plots", "What stands below the table (G for the next ones)");
+    const PlotSpec& now = spec_of(panel.controls.plots);
+    if (ImGui::BeginCombo("##plots", std::string(now.label).c_str())) {
+        for (const PlotSpec& spec : plot_specs) {
+            const std::string words(spec.label);
+            if (ImGui::Selectable(words.c_str(), spec.choice == now.choice))
+                panel.controls.plots = spec.choice;
+            note(panel.places, "Plots " + words);
+        }
+        ImGui::EndCombo();
+    }
+    note(panel.places, "Plots");
+}
+
 }  // namespace
 
 void draw_see_tab(const Panel& panel) {
@@ -90,7 +105,9 @@ void draw_see_tab(const Panel& panel) {
                      "Tint each ball, to tell them apart");
     }
     if (panel.controls.look.shows.any() && region("What it means")) legend(panel);
-    if (region("Window")) letters(panel);
+    if (!region("Window")) return;
+    plots(panel);
+    letters(panel);
 }
 
 }  // namespace flipside::app
