@@ -122,6 +122,15 @@ TEST_P(WindowSizes, FourContendersHaveRoomInEveryView) {
             EXPECT_GT(pane[3], 90 * GetParam().scale);
         }
     }
+    window->key("2");
+    window->key("i");
+    window->key("period");
+    window->wait("a stage", [](const Json& s) { return s.contains("inside") && s["view"] == "split"; });
+    for (const char* tab : {"Lesson", "Table", "See", "Engines", "Numbers"}) {
+        SCOPED_TRACE(tab);
+        window->click(settled()["controls"][tab]);
+        expect_in_order(settled());
+    }
 }
 
 TEST_P(WindowSizes, LettersSuitTheWindowUntilTheUserSaysOtherwise) {

@@ -90,7 +90,7 @@ std::optional<Rect> draw_step(Canvas& canvas, const Run& run, double left, doubl
     };
     const std::string step = step_in_words(run.dt()), engine(run.engine().name);
     const double pad = canvas.scaled(6), frame = width_of(step) + 2 * pad;
-    for (const std::string& how : {method(run), run.name() == engine ? "" : engine}) {
+    for (const std::string& how : {method(run), run.name() == engine ? "" : engine, std::string()}) {
         const double begin = left + (how.empty() ? 0 : width_of(how) + canvas.scaled(8));
         if (begin + frame > right) continue;
         canvas.text({left, top + canvas.scaled(3)}, how, Type::small, colour::quiet);

@@ -26,18 +26,31 @@ void row(const Stage& stage, const char* words, const char* meaning, const Value
     }
 }
 
+/// With an ellipsis where there is no room for all of it. Names are in ASCII.
+std::string cut(std::string name, float room) {
+    const auto width_of = [](const std::string& words) { return ImGui::CalcTextSize(words.c_str()).x; };
+    if (width_of(name) <= room) return name;
+    while (!name.empty() && width_of(name + "…") > room) name.pop_back();
+    return name + "…";
+}
+
 bool begin_table(const Stage& stage, const char* id) {
     const int columns = 1 + static_cast<int>(stage.runs().size());
-    if (!ImGui::BeginTable(id, columns, ImGuiTableFlags_SizingStretchProp)) return false;
-    ImGui::TableSetupColumn("", 0, 1.7F);
+    // With four contenders a column has room for little more than "12.4 µs".
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {1, ImGui::GetStyle().CellPadding.y});
+    const bool open = ImGui::BeginTable(id, columns, ImGuiTableFlags_SizingStretchProp);
+    ImGui::PopStyleVar();
+    if (!open) return false;
+    ImGui::TableSetupColumn("", 0, 1.45F);
     for (std::size_t i = 0; i < stage.runs().size(); ++i) ImGui::TableSetupColumn("", 0, 1);
     ImGui::TableNextColumn();
     for (const Run& run : stage.runs()) {
         ImGui::TableNextColumn();
-        const std::string& name = run.name();
+        const std::string name = cut(run.name(), ImGui::GetContentRegionAvail().x);
         const float slack = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(name.c_str()).x;
         ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, slack));
         ImGui::TextColored(imgui_color(colour_of(run)), "%s", name.c_str());
+        if (name != run.name()) tooltip(run.name());
     }
     return true;
 }

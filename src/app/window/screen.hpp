@@ -2,11 +2,14 @@
 /// Everything but the control column: headers, panes and plots, drawn the same into the window and into a
 /// picture.
 
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "app/window/layout.hpp"
 #include "app/window/microscope.hpp"
+#include "app/window/plots.hpp"
 #include "app/window/stage.hpp"
 #include "app/window/table_view.hpp"
 
