@@ -84,8 +84,7 @@ void App::act(Action action) {
             stage_.set_view(View::overlay);
             break;
         case Action::next_plots:
-            controls_.plots = static_cast<PlotChoice>((static_cast<int>(controls_.plots) + 1) %
-                                                      static_cast<int>(std::size(plot_specs)));
+            controls_.plots = after(controls_.plots);
             break;
         default:
             return act_on_time(action);

@@ -2,6 +2,7 @@
 /// What the window plots over time: how far the contenders are apart, their energy, what a step costs, how
 /// many tests it makes.
 
+#include <iterator>
 #include <string_view>
 #include <vector>
 
@@ -27,6 +28,9 @@ inline constexpr PlotSpec plot_specs[] = {
     {PlotChoice::tests, "tests", "Tests per step"}};
 [[nodiscard]] constexpr const PlotSpec& spec_of(PlotChoice choice) {
     return plot_specs[static_cast<int>(choice)];
+}
+[[nodiscard]] constexpr PlotChoice after(PlotChoice choice) {
+    return plot_specs[(static_cast<std::size_t>(choice) + 1) % std::size(plot_specs)].choice;
 }
 /// The one of that name in files. There must be one.
 [[nodiscard]] PlotChoice plots_named(std::string_view name);
