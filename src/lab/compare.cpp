@@ -86,6 +86,10 @@ Comparison compare(CompareInput input, const std::function<void(double)>& watch)
             match_impacts(result.runs.front().impacts, result.runs[pair.second].impacts, step * (1 + 1e-9),
                           std::min(last_time(result.runs.front()), last_time(result.runs[pair.second])));
     }
+    for (EngineRun& run : result.runs)
+        if (run.contender.engine->name != "reference")
+            run.blame = blame_run(result.input.scene, run.contender, result.input.seconds,
+                                  result.input.script, [&](double) {});
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "lab/blame/blame_run.hpp"
 #include "lab/contender.hpp"
 #include "lab/parting.hpp"
 #include "lab/run.hpp"
@@ -28,7 +29,8 @@ struct EngineRun {
         double time = 0;  ///< s, where the step begins that could not be made
         std::string why;
     };
-    std::optional<Ended> ended{};  ///< before its time: the figures are those until then
+    std::optional<Ended> ended{};     ///< before its time: the figures are those until then
+    std::optional<RunBlame> blame{};  ///< against the reference; nothing for the reference itself
 };
 
 /// The first contender against another one.

@@ -1,7 +1,9 @@
 #pragma once
 /// A ball: the only dynamic body. A disc with moment of inertia ½·m·r².
 
+#include <algorithm>
 #include <cstdint>
+#include <span>
 
 #include "world/vec2.hpp"
 
@@ -27,6 +29,12 @@ struct Ball {
 
     friend bool operator==(const Ball&, const Ball&) = default;
 };
+
+/// Of that number, in a list by rising number; null where there is none.
+[[nodiscard]] inline const Ball* find_ball(std::span<const Ball> balls, BallNumber number) {
+    const auto at = std::ranges::lower_bound(balls, number, {}, &Ball::number);
+    return at != balls.end() && at->number == number ? &*at : nullptr;
+}
 
 inline double inertia(const Ball& ball) {
     return 0.5 * ball.mass * ball.radius * ball.radius;

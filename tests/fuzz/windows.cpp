@@ -20,7 +20,8 @@ void run(const lab::sweep::Window& window, const Contender& contender) {
     set_subject(contender.name);
     const auto world = contender.engine->make(table_scene(), settings);
     const CpuLimit limit(2 * longest_answer);
-    static_cast<void>(lab::sweep::run_window(*world, window, dt));
+    lab::History history;
+    static_cast<void>(lab::sweep::run_window(*world, window, dt, history));
 }
 
 }  // namespace

@@ -92,6 +92,22 @@ void print_pair(const lab::Pair& pair, const lab::Comparison& comparison) {
     print(shown > enough ? " ...\n" : "\n");
 }
 
+/// Of each contender, the first wrong decision, by the reference's account.
+void print_blame(const lab::Comparison& comparison) {
+    print("\nBlame: the first wrong decision of each, by the reference's account\n");
+    for (const lab::EngineRun& run : comparison.runs) {
+        if (!run.blame) continue;
+        const lab::RunBlame& found = *run.blame;
+        if (found.blame)
+            print("  %-10s %s; ball %u is %.3g radii off at %.4f s\n", name_of(run).c_str(),
+                  lab::in_words(*found.blame, *comparison.input.scene).c_str(), found.ball, found.radii,
+                  found.until);
+        else
+            print("  %-10s none until %.4f s%s%s\n", name_of(run).c_str(), found.until,
+                  found.why.empty() ? "" : ": ", printable(found.why).c_str());
+    }
+}
+
 void print_comparison(const lab::Comparison& comparison) {
     const lab::CompareInput& input = comparison.input;
     const int width = name_width(comparison);
@@ -108,6 +124,7 @@ void print_comparison(const lab::Comparison& comparison) {
             print("%s ended at %.6g s: %s\n", name_of(run).c_str(), run.ended->time,
                   printable(run.ended->why).c_str());
     for (const lab::Pair& pair : comparison.pairs) print_pair(pair, comparison);
+    print_blame(comparison);
 }
 
 std::vector<const Engine*> chosen_engines(const std::vector<std::string>& names) {

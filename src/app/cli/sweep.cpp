@@ -9,7 +9,7 @@
 #include "app/cli/tuning.hpp"
 #include "lab/assets.hpp"
 #include "lab/engines.hpp"
-#include "lab/sweep/summary.hpp"
+#include "lab/sweep/blame_counts.hpp"
 #include "world/input_error.hpp"
 #include "world/printable.hpp"
 
@@ -70,10 +70,29 @@ void print_figures(const std::vector<sweep::Figures>& all) {
         lab::libraries().c_str());
 }
 
+/// The most frequent first wrong decisions of each contender.
+void print_blame(const std::vector<sweep::Figures>& all) {
+    print("\nBlame: the first wrong decision of each run that is not exact, over all steps\n");
+    constexpr std::size_t enough = 6;
+    for (const sweep::BlameShares& one : sweep::blame_shares(all)) {
+        print("%s, %s: %zu divergences", printable(one.variant).c_str(), printable(one.contender).c_str(),
+              one.divergences);
+        for (std::size_t i = 0; i < std::min(enough, one.shares.size()); ++i) {
+            const auto& share = one.shares[i];
+            const std::string most = share.part.empty() ? "" : " (mostly " + printable(share.part) + ")";
+            print("\n  %s%s", sweep::in_words(share, one.divergences).c_str(), most.c_str());
+        }
+        print(one.shares.size() > enough ? "\n  ...\n" : "\n");
+    }
+}
+
 FilesOfCommand files_of(const SweepOptions& options) {
     const std::filesystem::path folder = options.out;
-    FilesOfCommand files{
-        {}, {{"the plan", folder / "plan.json"}, {"the summary", folder / "sweep.csv"}}, true};
+    FilesOfCommand files{{},
+                         {{"the plan", folder / "plan.json"},
+                          {"the summary", folder / "sweep.csv"},
+                          {"the blame", folder / "blame.csv"}},
+                         true};
     for (const std::string& scene : options.scenes)
         files.inputs.push_back({"the scene", lab::scene_file(scene)});
     return files;
@@ -120,7 +139,9 @@ int run_sweep(const SweepOptions& options) {
     }
     const std::vector<sweep::Figures> figures = sweep::summarize(sweep::gather({&folder, 1}));
     sweep::write_summary(folder / "sweep.csv", figures);
+    sweep::write_blame(folder / "blame.csv", figures);
     print_figures(figures);
+    print_blame(figures);
     return 0;
 }
 

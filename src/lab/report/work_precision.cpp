@@ -5,9 +5,10 @@
 
 #include "lab/engines.hpp"
 #include "lab/pair_tests.hpp"
+#include "lab/report/blame_tables.hpp"
 #include "lab/report/chapter.hpp"
 #include "lab/report/contender.hpp"
-#include "lab/sweep/summary.hpp"
+#include "lab/sweep/blame_counts.hpp"
 #include "lab/sweep/sweep.hpp"
 
 namespace flipside::lab::report {
@@ -113,7 +114,7 @@ Figure order_figure(const std::vector<sweep::Figures>& all, const std::string& v
 }
 
 Content content_of(const std::vector<sweep::Figures>& all) {
-    Content content;
+    Content content{{}, blame_tables(all)};
     std::string last;
     for (const sweep::Figures& f : all) {
         if (f.variant == last) continue;
@@ -134,7 +135,7 @@ Chapter work_precision_chapter(const Effort& effort, const std::vector<fs::path>
         "least one hit. Every engine runs every window at steps of 1/30 s and finer; its error is the "
         "distance "
         "between its worst ball and the exact place at the end. The cost is the least CPU time of several "
-        "repetitions, all engines in turn.",
+        "repetitions, all engines in turn. The tables say which decision of an engine its errors begin with.",
         {},
         {}};
     if (!from.empty()) {
@@ -146,7 +147,9 @@ Chapter work_precision_chapter(const Effort& effort, const std::vector<fs::path>
         effort.quick_sweep ? sweep::quick_plan(effort.variants, 1) : sweep::Plan{.variants = effort.variants};
     const auto take = [plan](const Data& data, const Watch& watch) {
         sweep::make_runs(plan, {}, data.folder(), watch, data.notice());
-        sweep::write_summary(data.path("sweep.csv"), sweep::summarize(sweep::gather({&data.folder(), 1})));
+        const auto figures = sweep::summarize(sweep::gather({&data.folder(), 1}));
+        sweep::write_summary(data.path("sweep.csv"), figures);
+        sweep::write_blame(data.path("blame.csv"), figures);
     };
     // A sweep looks itself at which of its files are there.
     const auto never = [](const Data&) { return false; };

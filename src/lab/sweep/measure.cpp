@@ -87,13 +87,17 @@ Unmatched count_unmatched(std::span<const Event> first, std::span<const Event> s
     return unmatched;
 }
 
-Outcome run_window(World& world, const Window& window, double dt) {
+Outcome run_window(World& world, const Window& window, double dt, History& history) {
     Outcome outcome;
+    history.dt = dt;
+    history.end = window.start.clock.time + window.seconds;
     std::vector<Event> impacts;
     try {
         world.restore(window.start);
+        history.begin(world);
         for (std::uint64_t step = steps_in(window, dt); step > 0; --step) {
             world.step(dt);
+            history.add(world, world.events());
             for (const Event& event : world.events())
                 if (event.kind == EventKind::impact) impacts.push_back(event);
         }
@@ -112,6 +116,17 @@ Outcome refused_window(const Window& window, double dt, const std::string& why) 
     outcome.why = why;
     count_impacts({}, window, dt, outcome);
     return outcome;
+}
+
+bool diverged(const Outcome& outcome) {
+    return outcome.error > exact_radii;
+}
+
+Blame blame_of(const Outcome& outcome, const Window& window, const History& history, const Scene& scene,
+               World& exact) {
+    std::vector<KnownEnd> ends;
+    for (const Window::End& end : window.ends) ends.push_back({end.ball, end.position, end.radius});
+    return find_blame({scene, history, ends, outcome.error}, exact);
 }
 
 double time_window(World& world, const Window& window, double dt) {

@@ -1,6 +1,7 @@
 #pragma once
 /// One contender on one window: how far from the exact outcome, and at what cost.
 
+#include "lab/blame/find_blame.hpp"
 #include "lab/sweep/windows.hpp"
 
 namespace flipside::lab::sweep {
@@ -19,12 +20,6 @@ struct Outcome {
     std::string why{};         ///< of what was refused, in the engine's words; not kept in files
 };
 
-/// Impacts match when ball and other are the same and the times differ by no more than this: a step, since
-/// some engines only know the step, and 5 ms, in which a slow ball may yet sink through a solver's slop.
-[[nodiscard]] inline double match_tolerance(double dt) {
-    return dt + 5e-3;
-}
-
 /// Impacts of each run that the other has not, matched in order of time per ball and other. One that lies
 /// within `tolerance` of `end` and has no match may have had it after the end, and is not counted.
 struct Unmatched {
@@ -34,10 +29,15 @@ struct Unmatched {
                                         double tolerance, double end);
 
 /// Runs the world, made for the window's scene, from the window's start in steps of dt, which divides its
-/// length. Engines' exceptions become failures.
-[[nodiscard]] Outcome run_window(World& world, const Window& window, double dt);
+/// length. Engines' exceptions become failures. What it did is added to `history`, which must be empty.
+[[nodiscard]] Outcome run_window(World& world, const Window& window, double dt, History& history);
 /// The outcome where the world could not even be made.
 [[nodiscard]] Outcome refused_window(const Window& window, double dt, const std::string& why);
+/// A run diverged whose error is above exact_radii. Its first wrong decision; `exact` is a world of the
+/// reference for the scene, in double precision.
+[[nodiscard]] bool diverged(const Outcome& outcome);
+[[nodiscard]] Blame blame_of(const Outcome& outcome, const Window& window, const History& history,
+                             const Scene& scene, World& exact);
 /// CPU time of the same steps and nothing else, s, once the caches know the world.
 [[nodiscard]] double time_window(World& world, const Window& window, double dt);
 

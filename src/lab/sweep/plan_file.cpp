@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 const fs::path file_name = "plan.json";
-constexpr const char *plan_format = "flipside-sweep/3", *plan_origin = "plan";
+constexpr const char *plan_format = "flipside-sweep/4", *plan_origin = "plan";
 
 /// Numbers stay so small that nothing that is reckoned from them overflows.
 constexpr std::string_view plan_schema = R"({
@@ -27,7 +27,7 @@ constexpr std::string_view plan_schema = R"({
   "required": ["format", "commit", "seed", "blocks", "windows_per_block", "timed_per_block", "repetitions",
                "finest_steps_per_second", "most_work", "variants", "contenders"],
   "properties": {
-    "format": {"const": "flipside-sweep/3"},
+    "format": {"const": "flipside-sweep/4"},
     "commit": {"type": "string"},
     "seed": {"type": "integer", "minimum": 0, "maximum": 9007199254740991},
     "blocks": {"type": "integer", "minimum": 1, "maximum": 10000},

@@ -2,15 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include "lab/csv.hpp"
 #include "lab/csv_table.hpp"
 #include "lab/text_stream.hpp"
+#include "world/printable.hpp"
 
 namespace flipside::lab::sweep {
 
 namespace {
+
+constexpr const char* blame_columns[] = {"fault", "kind", "met", "ball", "at", "amount"};
 
 /// Reads the rows of one unit, and refuses numbers that its runs cannot have.
 class RunReader {
@@ -31,6 +35,7 @@ class RunReader {
             run.seconds > window_unit * unit_.variant->longest)
             table_.refuse(row, "seconds", "the length of a window of this variant");
         read_outcome(row, run.outcome);
+        run.blame = read_blame(row, run.outcome);
         read_times(row, run);
         return run;
     }
@@ -73,6 +78,29 @@ class RunReader {
         if (value > most) table_.refuse(row, column, "a number of impacts");
         return value;
     }
+    std::optional<Charge> read_blame(std::size_t row, const Outcome& outcome) const {
+        if (!diverged(outcome)) {
+            for (const char* column : blame_columns)
+                if (!table_.text(row, column).empty())
+                    table_.refuse(row, column, "empty, as that of a run that is exact");
+            return std::nullopt;
+        }
+        Charge charge;
+        const std::string& fault = table_.one_of(row, "fault", fault_names);
+        charge.fault = static_cast<Fault>(std::ranges::find(fault_names, fault) - fault_names);
+        charge.kind = table_.one_of(row, "kind", met_kinds);
+        charge.met = table_.text(row, "met");
+        constexpr std::size_t longest = 255;
+        if (charge.met.size() > longest || charge.met != printable(charge.met))
+            table_.refuse(row, "met", "a name in print");
+        const std::uint64_t ball = table_.count(row, "ball");
+        if (ball > std::numeric_limits<BallNumber>::max()) table_.refuse(row, "ball", "the number of a ball");
+        charge.ball = static_cast<BallNumber>(ball);
+        charge.time = table_.finite(row, "at");
+        charge.amount = table_.finite(row, "amount");
+        if (charge.amount < 0) table_.refuse(row, "amount", "0 or above");
+        return charge;
+    }
     void read_times(std::size_t row, Run& run) const {
         constexpr double longest = 1e9;  // s
         run.cpu_min = table_.number(row, "cpu_min");
@@ -93,15 +121,31 @@ class RunReader {
 
 }  // namespace
 
+Charge charge_of(const Blame& blame, const Scene& scene) {
+    Event met;
+    if (blame.other) met.other = *blame.other;
+    return {blame.fault, blame.kind, blame.other ? printable(name_of_other(met, scene)) : "",
+            blame.ball,  blame.time, blame.amount};
+}
+
 std::string to_csv(const std::vector<Run>& runs) {
     TextStream out;
-    out << "variant,contender,dt,window,seconds,failure,error,typical,impacts,missed,spurious,cpu_min,"
-           "cpu_median\n";
+    out << "variant,contender,dt,window,seconds,failure,error,typical,impacts,missed,spurious,fault,"
+           "kind,met,ball,at,amount,cpu_min,cpu_median\n";
     CsvRow row;
     for (const Run& run : runs) {
         row.add(run.variant).add(run.contender).add(run.dt).add(run.window).add(run.seconds);
         row.add(run.outcome.failure).add(run.outcome.error).add(run.outcome.typical);
         row.add(run.outcome.impacts).add(run.outcome.missed).add(run.outcome.spurious);
+        if (const auto& blame = run.blame)
+            row.add(name_of(blame->fault))
+                .add(blame->kind)
+                .add(blame->met)
+                .add(blame->ball)
+                .add(blame->time)
+                .add(blame->amount);
+        else
+            for ([[maybe_unused]] const char* column : blame_columns) row.add("");
         row.add(run.cpu_min).add(run.cpu_median).write(out);
     }
     return out.str();

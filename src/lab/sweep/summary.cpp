@@ -51,6 +51,7 @@ Figures figures_of(std::span<const Run> runs) {
         figures.impacts += outcome.impacts;
         figures.missed += outcome.missed;
         figures.spurious += outcome.spurious;
+        if (const auto& blame = run.blame) ++figures.blame[{blame->fault, blame->kind, blame->met}];
         if (std::isnan(run.cpu_min)) continue;
         ++figures.timed;
         seconds += run.seconds;

@@ -9,6 +9,15 @@
 
 namespace flipside::lab::sweep {
 
+/// What divergences are counted by.
+struct BlameKey {
+    Fault fault;
+    std::string kind, met;  ///< as in Charge
+
+    friend auto operator<=>(const BlameKey&, const BlameKey&) = default;
+};
+using BlameCounts = std::map<BlameKey, std::size_t>;
+
 struct Figures {
     std::string variant, contender;
     std::string engine, settings;                 ///< of the contender
@@ -23,7 +32,8 @@ struct Figures {
     double typical_median = 0, typical_p95 = 0;
     std::size_t exact = 0;                              ///< windows with an error of exact_radii at most
     std::size_t impacts = 0, missed = 0, spurious = 0;  ///< sums over all windows
-    std::size_t timed = 0;                              ///< windows that were timed
+    BlameCounts blame;      ///< of the windows that are not exact, what each is blamed on
+    std::size_t timed = 0;  ///< windows that were timed
     /// CPU seconds per simulated second: sums over the timed windows of the least and of the median time.
     double cpu_min = 0, cpu_median = 0;
 };
@@ -35,7 +45,8 @@ struct Figures {
 /// In the order of `runs`, which must be sorted as gather() does.
 [[nodiscard]] std::vector<Figures> summarize(std::span<const Run> runs);
 
-/// The CSV of the same columns, failures as "2 lost ball; 1 refused".
+/// The CSV of the same columns, failures as "2 lost ball; 1 refused", without what blame.csv holds
+/// (blame_counts.hpp).
 void write_summary(const std::filesystem::path& file, std::span<const Figures> all);
 
 }  // namespace flipside::lab::sweep

@@ -71,18 +71,25 @@ std::vector<Task> tasks_of(const Plan& plan, const Unit& unit, const Block& bloc
     return tasks;
 }
 
-Run run_of(const Task& task, const Plan& plan, const Unit& unit, const Block& block) {
+/// `exact` is the reference, for blame.
+Run run_of(const Task& task, const Plan& plan, const Unit& unit, const Block& block, const Scene& scene,
+           World& exact) {
     const Window& window = block.windows[task.window];
     const Lane& lane = *task.lane;
-    return {unit.variant->name,
+    History history;
+    Run run{unit.variant->name,
             std::string(lane.contender->name),
             lane.dt,
             unit.block * plan.block_size + task.window,
             window.seconds,
-            lane.made->world ? run_window(*lane.made->world, window, lane.dt)
+            lane.made->world ? run_window(*lane.made->world, window, lane.dt, history)
                              : refused_window(window, lane.dt, lane.made->why),
+            {},
             not_timed,
             not_timed};
+    if (diverged(run.outcome))
+        run.blame = charge_of(blame_of(run.outcome, window, history, scene, exact), scene);
+    return run;
 }
 
 void note_times(Run& run, std::vector<double> cpu) {
@@ -110,9 +117,11 @@ std::vector<Run> measure_unit(const Plan& plan, const Unit& unit, const Block& b
     for (const Task& task : tasks) whole += task.work * (task.timed ? 1 + rounds : 1);
     const auto did = [&](const Task& task) { watch((done += task.work) / whole); };
 
+    const Truth truth = reference_for(*scene);
+    const auto exact = truth.engine->make(scene, truth.trajectory);
     std::vector<Run> runs;
     for (const Task& task : tasks) {
-        runs.push_back(run_of(task, plan, unit, block));
+        runs.push_back(run_of(task, plan, unit, block, *scene, *exact));
         did(task);
     }
     for (std::size_t round = 0; round < plan.repetitions; ++round)

@@ -56,7 +56,8 @@ double Trials::median_error(World& world, double dt, double most_error, double m
     const double began = cpu_seconds();
     for (const sweep::Window& window : block_.windows) {
         watch_();
-        errors.push_back(sweep::run_window(world, window, dt).error);
+        History unused;
+        errors.push_back(sweep::run_window(world, window, dt, unused).error);
         above += errors.back() > most_error;
         seconds += window.seconds;
         if (2 * above > block_.windows.size() || cpu_seconds() - began > 2 * most_cost * seconds)

@@ -42,6 +42,9 @@ inline void make_up_sweep(const std::filesystem::path& folder) {
                                2,
                                0,
                                0};
+                if (sweep::diverged(run.outcome))
+                    run.blame = window == 0 ? sweep::Charge{Fault::drift, "none", "", 0, 1, 0.01}
+                                            : sweep::Charge{Fault::late, "arc", "corner", 0, 1, 0.01};
                 run.cpu_min = run.cpu_median = 0.1 * made_up_cost(dt);
                 runs.push_back(run);
             }

@@ -64,7 +64,8 @@ TEST_P(EverySceneAgrees, WithTheContinuousSolver) {
     const auto reference = truth.engine->make(scene, truth.trajectory);
     for (const double dt : {1.0 / 30, 1.0 / 60, 1.0 / 960})
         for (const Window& window : block.windows) {
-            const Outcome outcome = run_window(*custom, window, dt);
+            History history;
+            const Outcome outcome = run_window(*custom, window, dt, history);
             EXPECT_EQ(outcome.failure, "");
             EXPECT_LE(outcome.error, exact_radii)
                 << "dt " << dt << " from " << window.start.clock.time << " s";

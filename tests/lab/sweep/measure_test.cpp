@@ -96,7 +96,8 @@ Window two_balls() {
 
 TEST(RunWindow, TellsTheWorstBallAndTheTypicalOneThatWasHit) {
     Scripted world(Scripted::Fate::fall);
-    const Outcome outcome = run_window(world, two_balls(), 1.0 / 60);
+    History history;
+    const Outcome outcome = run_window(world, two_balls(), 1.0 / 60, history);
     EXPECT_EQ(outcome.failure, "");
     EXPECT_NEAR(outcome.error, 0.5, 1e-12);
     EXPECT_NEAR(outcome.typical, 0.25, 1e-12);
@@ -112,7 +113,8 @@ TEST(RunWindow, NamesFailures) {
                                                             {Scripted::Fate::nan, "not a number"}};
     for (const auto& [fate, name] : fates) {
         Scripted world(fate);
-        const Outcome outcome = run_window(world, two_balls(), 1.0 / 30);
+        History history;
+        const Outcome outcome = run_window(world, two_balls(), 1.0 / 30, history);
         EXPECT_EQ(outcome.failure, name);
         EXPECT_EQ(outcome.error, std::numeric_limits<double>::infinity());
         EXPECT_EQ(outcome.typical, std::numeric_limits<double>::infinity());

@@ -10,6 +10,7 @@
 
 #include "lab/csv_table.hpp"
 #include "lab/data_file.hpp"
+#include "lab/sweep/blame_counts.hpp"
 #include "lab/whole_file.hpp"
 #include "world/input_error.hpp"
 
@@ -23,8 +24,9 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 using Runs = std::vector<Run>;  // within a test, Run is one of gtest's own
 
 Run run(const char* contender, double dt, std::size_t window, double error) {
-    Run made{"toy", contender, dt, window, 0.5, {"", error, error / 2, 3, 1, 0}, 1e-3, 2e-3};
+    Run made{"toy", contender, dt, window, 0.5, {"", error, error / 2, 3, 1, 0}, {}, 1e-3, 2e-3};
     if (error == inf) made.outcome.failure = "lost ball";
+    if (diverged(made.outcome)) made.blame = {Fault::late, "arc", "corner", 0, 1.5, 0.002};
     return made;
 }
 
@@ -85,8 +87,9 @@ TEST_F(SweepSummary, RefusesRunsWhoseNamesAreMoreThanNames) {
         }
         return "";
     };
+    const std::string blame = ",late,arc,corner,0,1.5,0.002";
     for (const std::string bad : hostile_names) {
-        const std::string field = in_quotes_of_csv(bad), rest = ",0.1,0.05,3,1,0,nan,nan\n";
+        const std::string field = in_quotes_of_csv(bad), rest = ",0.1,0.05,3,1,0" + blame + ",nan,nan\n";
         EXPECT_NE(refusal(field + ",box2d,0.016666666666666666,1,0.5," + rest).find(": line 3: variant '"),
                   std::string::npos);
         EXPECT_NE(
@@ -96,7 +99,24 @@ TEST_F(SweepSummary, RefusesRunsWhoseNamesAreMoreThanNames) {
         EXPECT_NE(refusal("toy,box2d,0.016666666666666666,1,0.5," + field + rest).find(": line 3: failure '"),
                   std::string::npos);
     }
-    EXPECT_EQ(refusal("toy,box2d,0.016666666666666666,1,0.5,,0.1,0.05,3,1,0,nan,nan\n"), "");
+    const std::string begun = "toy,box2d,0.016666666666666666,1,0.5,,", end = ",nan,nan\n";
+    EXPECT_EQ(refusal(begun + "0.1,0.05,3,1,0" + blame + end), "");
+    // What diverged is blamed on something that there is, and nothing else is.
+    const std::pair<const char*, const char*> bad_blame[] = {{",,,,,,", "fault ''"},
+                                                             {",luck,arc,corner,0,1.5,0.002", "fault 'luck'"},
+                                                             {",late,moon,corner,0,1.5,0.002", "kind 'moon'"},
+                                                             {",late,arc,\x1b[31m,0,1.5,0.002", "met '"},
+                                                             {",late,arc,corner,-1,1.5,0.002", "ball '-1'"},
+                                                             {",late,arc,corner,4294967296,1.5,0", "ball '"},
+                                                             {",late,arc,corner,0,inf,0.002", "at 'inf'"},
+                                                             {",late,arc,corner,0,1.5,-1", "amount '-1'"}};
+    for (const auto& [fields, named] : bad_blame)
+        EXPECT_NE(refusal(begun + "0.1,0.05,3,1,0" + fields + end).find(": line 3: " + std::string(named)),
+                  std::string::npos)
+            << fields;
+    EXPECT_NE(refusal(begun + "1e-10,0,3,1,0" + blame + end).find(": line 3: fault 'late'"),
+              std::string::npos);
+    EXPECT_EQ(refusal(begun + "1e-10,0,3,1,0,,,,,," + end), "");
 }
 
 TEST_F(SweepSummary, RefusesPlansWhoseNamesAreMoreThanNames) {
@@ -159,6 +179,36 @@ TEST_F(SweepSummary, FiguresByNearestRankWithFailuresAsInfinite) {
     EXPECT_NEAR(f.cpu_median, 4e-3, 1e-15);
 }
 
+TEST_F(SweepSummary, BlameIsCountedByFaultKindAndPart) {
+    Runs runs;
+    for (std::size_t i = 0; i < 10; ++i) runs.push_back(run("box2d", 1.0 / 30, i, i == 0 ? 1e-10 : 0.1));
+    for (std::size_t i = 0; i < 10; ++i) runs.push_back(run("box2d", 1.0 / 60, i, i == 1 ? inf : 0.1));
+    runs[3].blame = runs[13].blame = {Fault::late, "arc", "rim", 0, 1.5, 0.002};
+    for (const std::size_t i : {4U, 5U, 15U, 16U}) runs[i].blame = {Fault::drift, "none", "", 0, 1.5, 0.002};
+    const std::vector<Figures> all = summarize(runs);
+    ASSERT_EQ(all.size(), 2U);
+    EXPECT_EQ(all[0].blame.at({Fault::late, "arc", "corner"}), 6U);
+    EXPECT_EQ(all[0].blame.at({Fault::late, "arc", "rim"}), 1U);
+    EXPECT_EQ(all[0].blame.at({Fault::drift, "none", ""}), 2U);
+    const std::vector<BlameShares> shares = blame_shares(all);
+    ASSERT_EQ(shares.size(), 1U);
+    EXPECT_EQ(shares[0].divergences, 19U);
+    ASSERT_EQ(shares[0].shares.size(), 2U);
+    EXPECT_EQ(shares[0].shares[0].count, 15U);
+    EXPECT_EQ(shares[0].shares[0].part, "corner");
+    EXPECT_EQ(sentence_of(shares[0]),
+              "Of the 19 divergences of box2d on toy 79 % begin at arcs, as late contacts, and 21 % begin in "
+              "flight, as drift.");
+    fs::create_directories(base);
+    write_blame(base / "blame.csv", all);
+    const CsvTable table(base / "blame.csv");
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < table.rows(); ++i) sum += table.count(i, "divergences");
+    EXPECT_EQ(sum, 19U);
+    EXPECT_EQ(table.text(0, "stage"), "integration");
+    EXPECT_EQ(table.text(1, "met"), "corner");
+}
+
 TEST_F(SweepSummary, FoldersTogetherAreAsOne) {
     const Plan plan{.variants = variants_of({"toy"}, 0), .block_size = 1};
     const Runs a{run("custom-simple", 1.0 / 60, 0, 0.3), run("box2d", 1.0 / 30, 0, 0.2),
@@ -180,6 +230,7 @@ TEST_F(SweepSummary, FoldersTogetherAreAsOne) {
     EXPECT_EQ(first.number(1, "max"), inf);
     EXPECT_EQ(first.text(1, "failures"), "1 lost ball");
     EXPECT_EQ(first.text(2, "contender"), "custom-simple");
+    for (const Figures& f : figures) EXPECT_EQ(f.blame.at({Fault::late, "arc", "corner"}), 2U);
 }
 
 TEST_F(SweepSummary, RefusesWhatDoesNotBelongTogether) {

@@ -11,7 +11,7 @@
 #include "lab/assets.hpp"
 #include "lab/csv_table.hpp"
 #include "lab/failure.hpp"
-#include "lab/sweep/summary.hpp"
+#include "lab/sweep/blame_counts.hpp"
 #include "world/input_error.hpp"
 #include "world/json_file.hpp"
 
@@ -74,6 +74,7 @@ class Sweeps : public ::testing::Test {
         const fs::path made = base / "figures";
         fs::create_directories(made);
         write_summary(made / "sweep.csv", summarize(gather(folders)));
+        write_blame(made / "blame.csv", summarize(gather(folders)));
         return contents(made);
     }
 };
@@ -91,6 +92,15 @@ TEST_F(Sweeps, MeasureEveryContenderOnEveryWindow) {
         EXPECT_GT(f.cpu_min, 0) << f.contender;
         EXPECT_LE(f.cpu_min, f.cpu_median) << f.contender;
         EXPECT_GE(f.impacts, f.windows) << f.contender;
+        std::size_t blamed = 0;
+        for (const auto& [key, count] : f.blame) {
+            blamed += count;
+            EXPECT_NE(key.fault, Fault::unknown) << f.contender;
+            const bool met = key.fault != Fault::drift && key.fault != Fault::stopped;
+            EXPECT_EQ(met, key.kind != "none") << f.contender << ' ' << name_of(key.fault);
+            EXPECT_EQ(met, !key.met.empty()) << f.contender << ' ' << name_of(key.fault);
+        }
+        EXPECT_EQ(blamed, f.windows - f.exact) << f.contender;
     }
     const Inventory inventory = take_inventory(small_plan(), folder);
     EXPECT_EQ(inventory.windows.at("pinball-1").windows, small_plan().windows());

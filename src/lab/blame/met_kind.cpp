@@ -1,0 +1,59 @@
+#include "lab/blame/met_kind.hpp"
+
+#include <cmath>
+
+#include "custom/geometry/narrow_phase.hpp"
+
+namespace flipside::lab {
+
+namespace {
+
+struct KindOfPiece {
+    std::string_view operator()(const piece::Point&) const { return "point"; }
+    std::string_view operator()(const piece::Segment&) const { return "segment"; }
+    std::string_view operator()(const piece::Arc&) const { return "arc"; }
+    std::string_view operator()(const piece::Circle&) const { return "circle"; }
+    std::string_view operator()(const piece::Polygon&) const { return "polygon"; }
+    std::string_view operator()(const piece::Taper&) const { return "taper"; }
+};
+
+Pose pose_of(const Part& part, double angle) {
+    if (const auto* turn = std::get_if<motion::Turn>(&part.motion)) return {turn->pivot, angle};
+    if (const auto* flipper = std::get_if<shape::Flipper>(&part.shape.is)) return {flipper->pivot, angle};
+    return {};
+}
+
+/// The piece of a part nearest to a disc: how it is touched.
+struct Nearest {
+    custom::Touch touch;
+    std::string_view kind = "none";
+};
+Nearest nearest(const Scene& scene, PartIndex part, const PartState& state, Vec2 center, double radius) {
+    const Pose pose = pose_of(scene.parts[part], state.angle);
+    Nearest found;
+    double least = INFINITY;
+    for (const Piece& piece : surface_of(scene)) {
+        if (piece.part != part) continue;
+        const custom::Touch touch = custom::touch(center, radius, piece, pose);
+        if (std::abs(touch.separation) >= least) continue;
+        least = std::abs(touch.separation);
+        found = {touch, std::visit(KindOfPiece{}, piece.is)};
+    }
+    return found;
+}
+
+}  // namespace
+
+std::string_view met_kind(const Scene& scene, Other other, const PartState& state, Vec2 point) {
+    if (other.is_ball) return "ball";
+    const Part& part = scene.parts[other.index];
+    if (gate_of(part) != nullptr) return "gate";
+    if (std::holds_alternative<shape::Flipper>(part.shape.is)) return "flipper";
+    return nearest(scene, other.index, state, point, 0).kind;
+}
+
+Vec2 surface_normal(const Scene& scene, PartIndex part, const PartState& state, Vec2 center, double radius) {
+    return nearest(scene, part, state, center, radius).touch.normal;
+}
+
+}  // namespace flipside::lab
