@@ -55,6 +55,12 @@ Comparison compare(CompareInput input, const std::function<void(double)>& watch)
     }
 
     const Timeline timeline(0, result.input.seconds, result.dt);
+    // The run of all, and one more for each of them: about as long.
+    const double share = 1 / (1 + static_cast<double>(sessions.size()));
+    double done = 0;
+    const auto watch_part = [&](double time) {
+        if (watch) watch(done + share * std::min(1.0, time / result.input.seconds));
+    };
     std::vector<std::size_t> next(sessions.size(), next_control(result.input.script, timeline.start()));
     Clock clock;
     for (std::uint64_t k = 0; k < timeline.steps(); ++k) {
@@ -73,7 +79,7 @@ Comparison compare(CompareInput input, const std::function<void(double)>& watch)
         for (Pair& pair : result.pairs)
             if (!result.runs.front().ended && !result.runs[pair.second].ended)
                 watch_pair(pair, sessions, result.runs, result.times.back());
-        if (watch) watch(result.times.back());
+        watch_part(result.times.back());
     }
 
     const auto last_time = [&](const EngineRun& one) { return one.ended ? one.ended->time : timeline.end(); };
@@ -86,10 +92,13 @@ Comparison compare(CompareInput input, const std::function<void(double)>& watch)
             match_impacts(result.runs.front().impacts, result.runs[pair.second].impacts, step * (1 + 1e-9),
                           std::min(last_time(result.runs.front()), last_time(result.runs[pair.second])));
     }
-    for (EngineRun& run : result.runs)
+    for (EngineRun& run : result.runs) {
+        done += share;
         if (run.contender.engine->name != "reference")
-            run.blame = blame_run(result.input.scene, run.contender, result.input.seconds,
-                                  result.input.script, [&](double) {});
+            run.blame = blame_run(result.input.scene, run.contender,
+                                  run.ended ? run.ended->time : result.input.seconds, result.input.script,
+                                  watch_part);
+    }
     return result;
 }
 

@@ -56,8 +56,9 @@ struct Comparison {
 };
 
 /// Runs all contenders side by side, each for the longest step of all in turn, so that all meet the same
-/// machine. One that cannot go on ends alone. `watch` is called after each of these with the time. Throws
-/// InputError where their steps do not meet (common_step).
+/// machine. One that cannot go on ends alone. Then each but the reference is held against that, for blame.
+/// `watch` is called after every step with the share of all this that is done. Throws InputError where their
+/// steps do not meet (common_step).
 [[nodiscard]] Comparison compare(CompareInput input, const std::function<void(double)>& watch = {});
 
 [[nodiscard]] std::string to_json(const Comparison& comparison);

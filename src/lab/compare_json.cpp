@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "lab/compare.hpp"
@@ -24,7 +26,36 @@ Json json_of(const std::optional<Event>& impact, const Scene& scene) {
             {"speed", impact->speed}};
 }
 
-Json json_of(const EngineRun& run) {
+/// A number, or nothing where it is infinite, which JSON has not.
+Json finite(double value) {
+    return std::isfinite(value) ? Json(value) : Json();
+}
+
+Json json_of(const std::optional<RunBlame>& found, const Scene& scene) {
+    if (!found) return nullptr;
+    Json json{{"until", found->until}, {"why", found->why}, {"divergence", nullptr}};
+    if (!found->blame) return json;
+    const Blame& blame = *found->blame;
+    Json met = nullptr;
+    if (blame.other) {
+        Event event;
+        event.other = *blame.other;
+        met = name_of_other(event, scene);
+    }
+    json["divergence"] = {{"ball", found->ball},
+                          {"radii", finite(found->radii)},
+                          {"fault", name_of(blame.fault)},
+                          {"stage", stage_of(blame.fault)},
+                          {"kind", blame.kind},
+                          {"met", met},
+                          {"of_ball", blame.ball},
+                          {"time", blame.time},
+                          {"amount", blame.amount},
+                          {"says", in_words(blame, scene)}};
+    return json;
+}
+
+Json json_of(const EngineRun& run, const Scene& scene) {
     Json settings = Json::object();
     for (const SettingSpec& spec : run.contender.settings.specs())
         settings[std::string(spec.name)] = run.contender.settings.text(spec.name);
@@ -40,6 +71,7 @@ Json json_of(const EngineRun& run) {
         figures.sim_seconds > 0 ? totals.step_seconds / figures.sim_seconds : 0.0;
     json["energy_drift"] = figures.energy_last - figures.energy_first;
     json["ended"] = run.ended ? Json{{"time", run.ended->time}, {"why", run.ended->why}} : Json();
+    json["blame"] = json_of(run.blame, scene);
     return json;
 }
 
@@ -81,7 +113,7 @@ Json json_of(const Pair& pair, const Comparison& comparison) {
 
 std::string to_json(const Comparison& comparison) {
     Json engines = Json::array(), pairs = Json::array();
-    for (const EngineRun& run : comparison.runs) engines.push_back(json_of(run));
+    for (const EngineRun& run : comparison.runs) engines.push_back(json_of(run, *comparison.input.scene));
     for (const Pair& pair : comparison.pairs) pairs.push_back(json_of(pair, comparison));
     const Json json{{"scene", comparison.input.scene->name},
                     {"seconds", comparison.input.seconds},

@@ -188,6 +188,12 @@ TEST_F(CommandLine, AComparisonSaysWhereTheEnginesPart) {
     EXPECT_TRUE(pair["first_parting"].contains("custom"));
     EXPECT_TRUE(pair["first_parting"].contains("box2d"));
     EXPECT_GT(pair["contacts_in_same_order"], 0);
+    EXPECT_NE(result.out.find("Blame: the first wrong decision of each"), std::string::npos);
+    const auto& blame = json["engines"][1]["blame"]["divergence"];
+    EXPECT_GT(blame["radii"], 1);
+    EXPECT_NE(blame["fault"], "unknown");
+    EXPECT_LE(blame["time"], json["engines"][1]["blame"]["until"]);
+    EXPECT_NE(result.out.find(blame["says"].get<std::string>()), std::string::npos);
 }
 
 TEST_F(CommandLine, ATraceTellsAStepStageByStage) {

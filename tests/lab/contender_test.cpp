@@ -104,6 +104,10 @@ TEST(Contender, InAComparisonTakesItsOwnSteps) {
     };
     error(0, 1.0 / 30);
     error(1, 1.0 / 240);
+    EXPECT_FALSE(result.runs[0].blame);  // is the reference
+    ASSERT_TRUE(result.runs[1].blame);
+    EXPECT_FALSE(result.runs[1].blame->blame);  // less than a radius off
+    EXPECT_EQ(result.runs[1].blame->until, 0.51);
 }
 
 }  // namespace

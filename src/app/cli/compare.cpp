@@ -163,8 +163,8 @@ int compare(const CompareOptions& options) {
     input.script = options.load_script(*input.scene);
 
     const lab::Comparison comparison = [&] {
-        Progress progress(options.seconds);
-        return lab::compare(std::move(input), [&](double time) { progress.at(time); });
+        Progress progress(1);
+        return lab::compare(std::move(input), [&](double share) { progress.at(share); });
     }();
     if (!options.json.empty()) lab::write_whole_file(options.json, to_json(comparison));
     print_comparison(comparison);
@@ -176,10 +176,11 @@ int compare(const CompareOptions& options) {
 
 void add_compare(CLI::App& program, Action& chosen) {
     auto options = std::make_shared<CompareOptions>();
-    CLI::App& command = *program.add_subcommand(
-        "compare",
-        "Run a scene on several engines side by side: cost, energy, and where they part (exit 1 where "
-        "one could not go on)");
+    CLI::App& command =
+        *program.add_subcommand("compare",
+                                "Run a scene on several engines side by side: cost, energy, where they part, "
+                                "and the first wrong decision of each (exit 1 where "
+                                "one could not go on)");
     options->add_to(command, "E.K=V");
     options->add_seconds(command);
     CLI::Option* engines =

@@ -149,8 +149,9 @@ int run_sweep(const SweepOptions& options) {
 
 void add_sweep(CLI::App& program, Action& chosen) {
     auto options = std::make_shared<SweepOptions>();
-    CLI::App& command = *program.add_subcommand(
-        "sweep", "Work-precision data: error against the exact outcome, and cost, of every solver and step");
+    CLI::App& command = *program.add_subcommand("sweep",
+                                                "Work-precision data: error against the exact outcome, what "
+                                                "it begins with, and cost, of every solver and step");
     command.add_option("scenes", options->scenes, "Scenes or files (default: pinball, toy and rain)")
         ->type_name("SCENE");
     command.add_option("--balls", options->balls, "Number of balls fired, or of a generated field")

@@ -6,10 +6,11 @@
 ///     windows/VARIANT-BLOCK.json   the states windows start from, and their exact outcome (windows.hpp)
 ///     runs/VARIANT-BLOCK.csv       a row per run (runs.hpp)
 ///     sweep.csv                 the figures of merit (summary.hpp), once all runs are there
+///     blame.csv                 divergences by what they begin with (blame_counts.hpp), then too
 ///
 /// A work unit is a block of a variant's windows with all contenders, interleaved. Each unit has its own
 /// trajectories and its own files: units may be made in any order, by any number of processes at once, and a
-/// sweep that was stopped goes on with those that are missing. All but sweep.csv are data files
+/// sweep that was stopped goes on with those that are missing. All but sweep.csv and blame.csv are data files
 /// (data_file.hpp): one that is damaged, or of another sweep, is made again.
 
 #include <functional>
