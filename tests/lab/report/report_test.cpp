@@ -93,6 +93,11 @@ TEST_F(Reports, EveryFigureShowsWhatItsCsvSaysInAPageThatNeedsNothingElse) {
     for (const char* words : {"Compiler", "-ffp-contract=off", "Box2D 2.", "Commit"})
         EXPECT_NE(page.find(words), std::string::npos) << words;
     EXPECT_TRUE(std::regex_search(page, std::regex("gnuplot [0-9]")));
+    EXPECT_NE(
+        page.find(
+            "of box2d on toy 67 % begin at arcs, as late contacts, and 33 % begin in flight, as drift."),
+        std::string::npos);
+    EXPECT_NE(page.find("custom-continuous never diverges on toy."), std::string::npos);
     for (const char* outside : {"<script src", "<link rel=\"stylesheet", "@import", "url(", "<img"})
         EXPECT_EQ(page.find(outside), std::string::npos) << outside;
     // Ids are there once only, though every picture brings its own.
