@@ -7,9 +7,9 @@
 
 namespace flipside::lab {
 
-/// m/s, of `ball` relative to what it meets, at the time of the impact. Of a moving part only the normal
-/// speed, which is in the event, tells that it moves.
-[[nodiscard]] Vec2 approach_velocity(const Event& impact, BallNumber ball, const State& before,
+/// m/s, of the ball of that number relative to what it meets, at the time of the impact. Of a moving part
+/// only the normal speed, which is in the event, tells that it moves.
+[[nodiscard]] Vec2 approach_velocity(const Event& impact, BallNumber number, const State& before,
                                      const Scene& scene);
 /// Whether the friction between the two is above 0.
 [[nodiscard]] bool rubs(const Event& impact, const State& before, const Scene& scene);

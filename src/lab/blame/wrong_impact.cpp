@@ -33,7 +33,7 @@ WrongImpact compare_impacts(const ImpactPair& pair) {
                                            : WrongImpact{Fault::normal, jump > 0 ? across / jump : 0};
     const double left = pair.end - pair.exact.time;
     struct Part {
-        double moves;  ///< m until the end
+        double moves = 0;  ///< m until the end
         WrongImpact wrong;
     };
     const Part parts[] = {{left * length(turned), normal},

@@ -18,7 +18,7 @@ struct BlameShares {
     std::vector<Share> shares;  ///< most frequent first; their counts add up to `divergences`
 };
 /// In the order of the figures.
-[[nodiscard]] std::vector<BlameShares> blame_shares(std::span<const Figures> all);
+[[nodiscard]] std::vector<BlameShares> blame_shares(std::span<const Figures> figures);
 
 /// "61 % begin at arcs, as late contacts", "12 % begin in flight, as drift".
 [[nodiscard]] std::string in_words(const BlameShares::Share& share, std::size_t divergences);
