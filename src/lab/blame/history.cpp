@@ -18,10 +18,10 @@ void History::begin(const World& world) {
     contacts.emplace_back(world.contacts().begin(), world.contacts().end());
 }
 
-void History::add(const World& world, std::span<const Event> of_step) {
+void History::add(const World& world, std::span<const Event> happened) {
     begin(world);
     auto& kept = events.emplace_back();
-    for (const Event& event : of_step)
+    for (const Event& event : happened)
         if (event.kind == EventKind::impact || event.kind == EventKind::begin) kept.push_back(event);
 }
 

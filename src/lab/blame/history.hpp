@@ -19,7 +19,7 @@ struct History {
     /// Starts at the world as it is.
     void begin(const World& world);
     /// After a step: the world as it is, and what happened in it.
-    void add(const World& world, std::span<const Event> events);
+    void add(const World& world, std::span<const Event> happened);
 
     [[nodiscard]] std::size_t steps() const { return events.size(); }
 };
