@@ -72,6 +72,7 @@ int command_line(int argc, char** argv) {
     app::add_play(program, chosen);
     app::add_run(program, chosen);
     app::add_compare(program, chosen);
+    app::add_certify(program, chosen);
     app::add_trace(program, chosen);
     app::add_lessons(program, chosen);
     app::add_cases(program, chosen);

@@ -110,6 +110,7 @@ void Simulation<R>::hit_feature(Place i) {
     const FeatureIndex f = mover.met;
     const PartIndex index = features_[f].part;
     const Part& part = scene_->parts[index];
+    if (certificate_) note_meeting(i);
     advance(mover);
     Body<R>& body = mover.body;
     const Closest<R> seen = closest(f, body.position, mover.radius);
@@ -128,7 +129,10 @@ void Simulation<R>::hit_feature(Place i) {
         const Impact<R> impact = respond(body, mover.mass, normal, surface, material, scene_->rest_speed);
         require_speed(mover, Other::part(index));
         if (impact.happened) report(EventKind::impact, mover, Other::part(index), impact, point, normal);
-        if (impact.happened && part.target) parts_[index].down = true;
+        if (impact.happened && part.target) {
+            parts_[index].down = true;
+            if (certificate_) note_target(index);
+        }
     }
     set_out(i);
     predict(i);
@@ -151,6 +155,7 @@ template <class R>
 void Simulation<R>::hit_ball(Place i) {
     const Place j = movers_[i].met;
     Mover &a = movers_[std::min(i, j)], &b = movers_[std::max(i, j)];
+    if (certificate_) note_meeting(i);
     advance(a);
     advance(b);
     const V<R> between = a.body.position - b.body.position, normal = unit(between);

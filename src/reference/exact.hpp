@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "reference/certificate.hpp"
 #include "world/controls.hpp"
 #include "world/events.hpp"
 #include "world/state.hpp"
@@ -47,6 +48,9 @@ class Exact {
 
     /// From the next run on, each writes its paths and events there; null: nowhere.
     virtual void write_to(Trace* trace) = 0;
+
+    /// From now on writes there how every ball moves and why; null: nowhere any more. Nothing is closed.
+    virtual void certify(Certificate* certificate) = 0;
 
     /// By rising number.
     virtual void read(std::vector<Ball>& balls) const = 0;

@@ -32,6 +32,7 @@ class Taker {
     std::vector<Feature<R>> take(const std::vector<Piece>& pieces) {
         for (const Piece& piece : pieces) {
             part_ = piece.part;
+            piece_ = static_cast<std::uint32_t>(&piece - pieces.data());
             if (!scene_.parts[part_].sensor) std::visit(*this, piece.is);
         }
         return std::move(features_);
@@ -78,7 +79,7 @@ class Taker {
     }
 
   private:
-    void add(auto&& feature) { features_.push_back({feature, part_}); }
+    void add(auto&& feature) { features_.push_back({feature, part_, piece_}); }
 
     static Line<R> line_between(const V<R>& a, const V<R>& b) {
         return {a, unit(b - a), length(b - a), {}, {}};
@@ -147,6 +148,7 @@ class Taker {
     std::vector<End<R>> ends_;
     std::vector<Feature<R>> features_;
     PartIndex part_ = 0;
+    std::uint32_t piece_ = 0;
 };
 
 }  // namespace

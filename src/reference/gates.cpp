@@ -57,7 +57,10 @@ bool Simulation<R>::settle_gates() {
         });
         for (Mover& mover : movers_) {
             const bool near = is_near(mover), open = parts_[part].open;
-            changed |= set(mover.inside, part, near && open);
+            if (set(mover.inside, part, near && open)) {
+                changed = true;
+                if (certificate_) note_passage(mover, part, near && open);
+            }
             changed |= set(mover.blocked, part, near && !open);
         }
     }
@@ -73,6 +76,8 @@ bool Simulation<R>::meet_gate(Place i, PartIndex part) {
         return false;
     }
     set(mover.inside, part, true);
+    mover.begins = {};
+    if (certificate_) note_passage(mover, part, true);
     parts_[part].open = true;
     set_out(i);
     predict(i);
@@ -81,6 +86,7 @@ bool Simulation<R>::meet_gate(Place i, PartIndex part) {
         Mover& other = movers_[j];
         if (other.gone || !set(other.blocked, part, false)) continue;
         set(other.inside, part, true);
+        if (certificate_) note_passage(other, part, true);
         refresh(j);
         predict(j);
     }
@@ -92,6 +98,7 @@ template <class R>
 void Simulation<R>::leave_gate(Mover& mover, PartIndex part) {
     set(mover.blocked, part, false);
     if (!set(mover.inside, part, false)) return;
+    if (certificate_) note_passage(mover, part, false);
     parts_[part].open = std::ranges::any_of(
         movers_, [&](const Mover& other) { return !other.gone && contains(other.inside, part); });
 }

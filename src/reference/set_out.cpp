@@ -188,8 +188,7 @@ bool Simulation<R>::take_two(Mover& mover) {
 
 /// Finds the path of a ball from where it is: free, or along what it touches.
 template <class R>
-void Simulation<R>::set_out(Place i) {
-    Mover& mover = movers_[i];
+void Simulation<R>::find_path(Mover& mover) {
     ++mover.changes;
     mover.held[0] = mover.held[1] = nothing;
     mover.glide_count = 0;
@@ -236,6 +235,13 @@ void Simulation<R>::set_out(Place i) {
         names += (names.empty() ? "" : " and ") + scene_->parts[features_[one.feature].part].name;
     throw Refusal("reference: ball " + std::to_string(mover.ball.number) + " is held between " + names +
                   at_time(now_) + ", and not at rest: no closed motion for that");
+}
+
+template <class R>
+void Simulation<R>::set_out(Place i) {
+    const bool given = movers_[i].given;
+    find_path(movers_[i]);
+    if (certificate_) note_leg(movers_[i], given);
 }
 
 #define FLIPSIDE_SET_OUT(R)                                         \

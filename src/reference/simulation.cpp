@@ -1,6 +1,7 @@
 #include "reference/simulation.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "world/refusal.hpp"
 #include "world/table.hpp"
@@ -187,6 +188,7 @@ void Simulation<R>::set_motion(PartIndex part) {
         for (FeatureIndex f = parts_[part].first; f < parts_[part].last; ++f)
             posed_[f] = posed(features_[f], turning.pivot, turn);
     }
+    if (certificate_) note_motion(part);
 }
 
 template <class R>
@@ -238,12 +240,15 @@ void Simulation<R>::apply(const Control& control) {
             if (!movers_[i].gone) predict(i);
     } else if (const auto* raise = std::get_if<control::RaiseTargets>(&control)) {
         for (PartIndex part = 0; part < parts_.size(); ++part)
-            if (raise->parts.empty() || std::ranges::find(raise->parts, part) != raise->parts.end())
-                parts_[part].down = false;
+            if (raise->parts.empty() || std::ranges::find(raise->parts, part) != raise->parts.end()) {
+                const bool was_down = std::exchange(parts_[part].down, false);
+                if (certificate_ && was_down) note_target(part);
+            }
         for (Mover& mover : movers_)
             if (!mover.gone) {
                 advance(mover);
                 come_out(mover);
+                mover.begins.why = Beginning::Why::given;
             }
         refresh_all();
     }
@@ -281,6 +286,7 @@ void Simulation<R>::remove(BallNumber number) {
     Mover& mover = movers_[*i];
     cells_.unlink(*i, mover.cell);
     mover.gone = true;
+    if (certificate_) certificate_->balls[number].gone = static_cast<double>(since_certificate_ + now_);
     ++mover.changes;
     ++mover.predictions;
     std::erase(reported_lost_, number);
@@ -358,6 +364,7 @@ void Simulation<R>::set_clock_back() {
         part.turning.stop -= now_;
     }
     for (Entry& entry : queue_) entry.time -= now_;
+    since_certificate_ += now_;
     std::make_heap(queue_.begin(), queue_.end());
     now_ = R(0);
 }

@@ -40,6 +40,7 @@ class Simulation final : public Exact {
     [[nodiscard]] bool go_on(std::chrono::steady_clock::time_point deadline) override;
 
     void write_to(Trace* trace) override { trace_ = trace; }
+    void certify(Certificate* certificate) override;
 
     void read(std::vector<Ball>& balls) const override;
     [[nodiscard]] std::span<const Event> events() const override { return events_; }
@@ -90,6 +91,7 @@ class Simulation final : public Exact {
         std::uint32_t met_changes = 0;  ///< the other ball's when this was predicted
         R busy_since{};                 ///< events pile up since then
         int busy = 0;
+        Beginning begins;   ///< of its next path; kept for certificates only
         R pressed_since{};  ///< slow touches of other balls pile up since then
         int pressed = 0;
     };
@@ -167,6 +169,7 @@ class Simulation final : public Exact {
 
     // Its path (set_out.cpp).
     void set_out(Place i);
+    void find_path(Mover& mover);
     void come_out(Mover& mover);
     void find_touching(Mover& mover);
     void note_glides(Mover& mover);
@@ -187,6 +190,14 @@ class Simulation final : public Exact {
     void sense(Place i);
     void lose(Place i);
     void release(PartIndex part);
+
+    // For those who check (certify.cpp).
+    [[nodiscard]] R isolated_within(const Mover& mover, const R& digit, const R& margin) const;
+    void note_meeting(Place i);
+    void note_leg(Mover& mover, bool given);
+    void note_motion(PartIndex part);
+    void note_target(PartIndex part);
+    void note_passage(const Mover& mover, PartIndex gate, bool begins);
 
     // For those who look inside (trace.cpp).
     [[nodiscard]] static std::string_view name_of_next(const Mover& mover);
@@ -219,6 +230,8 @@ class Simulation final : public Exact {
     std::vector<Event> events_;
     Counts counts_;
     Trace* trace_ = nullptr;
+    Certificate* certificate_ = nullptr;
+    R since_certificate_{};  ///< from its beginning to where times are counted from, s
 };
 
 }  // namespace flipside::reference

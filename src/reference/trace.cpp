@@ -9,18 +9,6 @@ namespace flipside::reference {
 
 namespace {
 
-/// Half the width of the narrowest interval about `time` over which `gap` falls from above 0 to below, tried
-/// in doublings from the last digit on; infinite where it does not change its sign: a graze, or a touch that
-/// lasts.
-template <class R>
-R isolate(const R& time, auto&& gap) {
-    constexpr int most_doublings = 48;
-    R half = epsilon<R>() * std::max(R(1), magnitude(time));
-    for (int k = 0; k < most_doublings; ++k, half *= 2)
-        if (gap(R(time - half)) > 0 && gap(R(time + half)) < 0) return half;
-    return infinity<R>();
-}
-
 /// For a picture.
 template <class R>
 std::vector<double> way_of(const Path<R>& path, const R& from, const R& to) {
@@ -99,24 +87,16 @@ void Simulation<R>::trace_event(Place i) {
     const bool meets_part = mover.next == Next::feature, meets_ball = mover.next == Next::ball;
     TraceItem& item = stage.add("event").with("time", clock(now_)).with("ball", mover.ball.number);
     item.with("event", name_of_next(mover));
-    R half = infinity<R>();
+    const R half = isolated_within(mover, epsilon<R>(), R(0));
     if (meets_part) {
         const PartIndex part = features_[mover.met].part;
         item.with("part", std::string_view(scene_->parts[part].name));
-        const View<R> seen{mover.path, turning(part)};
-        half = isolate(now_, [&](const R& t) {
-            return closest_point(shape(mover.met), seen.at(t).position, mover.radius).gap;
-        });
     }
     if (meets_ball) {
         const Mover other = movers_[mover.met];
         item.with("other_ball", other.ball.number);
         if (other.gone || other.changes != mover.met_changes)
             item.with("answer", "the other has changed its path meanwhile: predicted again");
-        half = isolate(now_, [&](const R& t) {
-            return length(mover.path.at(t).position - other.path.at(t).position) - mover.radius -
-                   other.radius;
-        });
     }
     if (half < infinity<R>()) item.with("isolated_within", static_cast<double>(half));
     item.with("position", narrow(mover.path.at(now_).position))

@@ -130,6 +130,11 @@ void ReferenceWorld::apply(const Control& control) {
     if (std::holds_alternative<control::RaiseTargets>(control) && !refusal_) exact_->contacts(contacts_);
 }
 
+void ReferenceWorld::certify(Certificate* certificate) {
+    load_once();
+    if (exact_) exact_->certify(certificate);
+}
+
 BallNumber ReferenceWorld::add(const Ball& ball) {
     load_once();
     Ball added = ball;

@@ -35,6 +35,9 @@ class ReferenceWorld final : public World {
     void restore(const State& state) override;
     void inspect(Inspector& inspector) const override;
     void trace(Trace* trace) override { trace_ = trace; }
+    /// Writes from now on, at a moment between steps, what every ball does and why. The world keeps the
+    /// pointer.
+    void certify(Certificate* certificate);
 
   private:
     /// Calls `act` on the simulation and on its twin. Where the simulation refuses, the refusal is kept for

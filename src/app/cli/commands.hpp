@@ -14,6 +14,7 @@ using Action = std::function<int()>;
 void add_play(CLI::App& program, Action& chosen);
 void add_run(CLI::App& program, Action& chosen);
 void add_compare(CLI::App& program, Action& chosen);
+void add_certify(CLI::App& program, Action& chosen);
 void add_trace(CLI::App& program, Action& chosen);
 void add_lessons(CLI::App& program, Action& chosen);
 void add_cases(CLI::App& program, Action& chosen);

@@ -1,0 +1,75 @@
+#pragma once
+/// What a run of the exact engine was made of, for a check that needs nothing of the engine: every path of
+/// every ball and why it began, and how the parts moved. All numbers are rounded to double; times are in s
+/// since the certificate began.
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "world/ball.hpp"
+#include "world/scene.hpp"
+
+namespace flipside::reference {
+
+/// Why a path begins.
+struct Beginning {
+    enum class Why { given, goes_on, meets_part, meets_ball };
+    Why why = Why::goes_on;        ///< given: from outside (the start, a launch, a nudge)
+    std::uint32_t met = 0;         ///< index of a piece of the scene's surface, or the number of a ball
+    std::optional<double> within;  ///< s: the touch is isolated by this much on either side
+    Vec2 velocity_before;
+    double spin_before = 0;
+    Vec2 normal;  ///< unit, to the ball
+};
+
+/// A path from `start` to the start of the ball's next one, with t counted from `start`:
+/// - closed: v' = acceleration − drag·v; the spin is `roll`·v where roll is not 0, else spin + spin_rate·t;
+/// - series: position + Σ displacements[k]·t^(k+1), spin + Σ spins[k]·t^(k+1);
+/// - rest: it stays; the spin is spin + spin_rate·t.
+struct Leg {
+    enum class Form { closed, series, rest };
+    Form form = Form::closed;
+    Beginning begins;
+    double start = 0;
+    Vec2 position, velocity, acceleration, roll;
+    double drag = 0, spin = 0, spin_rate = 0;
+    std::vector<Vec2> displacements;
+    std::vector<double> spins;
+    std::vector<std::uint32_t> held;  ///< pieces on which it lies
+};
+
+struct CertifiedBall {
+    Ball ball;
+    std::vector<Leg> legs;
+    std::optional<double> gone;  ///< when it left the world
+};
+
+/// From `since` to the next span of the same part it turns at `rate`.
+struct TurningSpan {
+    double since = 0, angle = 0, rate = 0;
+};
+
+/// A ball is let through by a gate, from its coming within a radius to its leaving.
+struct Passage {
+    BallNumber ball = 0;
+    PartIndex gate = 0;
+    double from = 0;
+    std::optional<double> until;
+};
+
+/// A drop target is down (or up again) from then on.
+struct TargetChange {
+    PartIndex part = 0;
+    double time = 0;
+    bool down = false;
+};
+
+struct Certificate {
+    std::map<BallNumber, CertifiedBall> balls;
+    std::map<PartIndex, std::vector<TurningSpan>> motions;
+    std::vector<Passage> passages;
+    std::vector<TargetChange> targets;
+};
+
+}  // namespace flipside::reference

@@ -1,0 +1,153 @@
+// What the exact engine writes down for those who check it (certificate.hpp).
+
+#include <algorithm>
+
+#include "reference/simulation.hpp"
+
+namespace flipside::reference {
+
+namespace {
+
+/// Half the width of the narrowest interval about `time` over which `gap` falls from above `margin` to below
+/// −margin, tried in doublings from `half` on; infinite where it does not change its sign: a graze, or a
+/// touch that lasts.
+template <class R>
+R isolate(const R& time, R half, const R& margin, auto&& gap) {
+    constexpr int most_doublings = 48;
+    for (int k = 0; k < most_doublings; ++k, half *= 2)
+        if (gap(R(time - half)) > margin && gap(R(time + half)) < -margin) return half;
+    return infinity<R>();
+}
+
+}  // namespace
+
+/// Half the width of an interval about now that isolates the touch of a ball that meets something.
+/// `digit` is what times are rounded to, relative, and `margin` what counts as no gap, m.
+template <class R>
+R Simulation<R>::isolated_within(const Mover& mover, const R& digit, const R& margin) const {
+    const R half = digit * std::max(R(1), magnitude(now_));
+    if (mover.next == Next::feature) {
+        const View<R> seen{mover.path, turning(features_[mover.met].part)};
+        return isolate(now_, half, margin, [&](const R& t) {
+            return closest_point(shape(mover.met), seen.at(t).position, mover.radius).gap;
+        });
+    }
+    if (mover.next != Next::ball) return infinity<R>();
+    const Mover& other = movers_[mover.met];
+    return isolate(now_, half, margin, [&](const R& t) {
+        return length(mover.path.at(t).position - other.path.at(t).position) - mover.radius - other.radius;
+    });
+}
+
+/// Before a ball is moved to where it meets something.
+template <class R>
+void Simulation<R>::note_meeting(Place i) {
+    // Wide enough for a reader of the numbers rounded to double.
+    const R size = length(movers_[i].path.at(now_).position) + movers_[i].radius;
+    const R half = isolated_within(movers_[i], R(0x1p-48), R(0x1p-48 * size));
+    const auto note = [&](Mover& mover, Beginning::Why why, std::uint32_t met, const V<R>& normal) {
+        Beginning& begins = mover.begins;
+        begins = {why,
+                  met,
+                  {},
+                  narrow(mover.path.at(now_).velocity),
+                  static_cast<double>(mover.path.spinning_at(now_).spin),
+                  narrow(normal)};
+        if (half < infinity<R>()) begins.within = static_cast<double>(half);
+    };
+    Mover& mover = movers_[i];
+    const V<R> place = mover.path.at(now_).position;
+    if (mover.next == Next::feature)
+        return note(mover, Beginning::Why::meets_part, features_[mover.met].piece,
+                    closest(mover.met, place, mover.radius).normal);
+    Mover& other = movers_[mover.met];
+    const V<R> normal = unit(V<R>(place - other.path.at(now_).position));
+    note(mover, Beginning::Why::meets_ball, other.ball.number, normal);
+    note(other, Beginning::Why::meets_ball, mover.ball.number, -normal);
+}
+
+template <class R>
+void Simulation<R>::note_leg(Mover& mover, bool given) {
+    const Path<R>& path = mover.path;
+    CertifiedBall& certified = certificate_->balls[mover.ball.number];
+    if (certified.legs.empty()) certified.ball = mover.ball;
+    Leg& leg = certified.legs.emplace_back();
+    leg.begins = mover.begins;
+    mover.begins = {};
+    if (given) leg.begins.why = Beginning::Why::given;
+    leg.start = static_cast<double>(since_certificate_ + path.start);
+    leg.position = narrow(path.position);
+    leg.velocity = narrow(path.velocity);
+    leg.spin = static_cast<double>(path.spin);
+    for (const FeatureIndex f : mover.held)
+        if (f != nothing) leg.held.push_back(features_[f].piece);
+    if (path.rides) {
+        leg.form = Leg::Form::series;
+        for (std::size_t k = 1; k <= taylor_order<R>; ++k) {
+            leg.displacements.push_back(narrow(path.displacements[k]));
+            leg.spins.push_back(static_cast<double>(path.spins[k]));
+        }
+        return;
+    }
+    leg.form = path.rests ? Leg::Form::rest : Leg::Form::closed;
+    leg.spin_rate = static_cast<double>(path.spin_rate);
+    if (path.rests) return;
+    leg.acceleration = narrow(path.acceleration);
+    leg.drag = static_cast<double>(path.drag);
+    leg.roll = narrow(path.roll);
+}
+
+template <class R>
+void Simulation<R>::note_motion(PartIndex part) {
+    const Turning<R>& turning = parts_[part].turning;
+    certificate_->motions[part].push_back({static_cast<double>(since_certificate_ + turning.since),
+                                           static_cast<double>(turning.angle),
+                                           static_cast<double>(turning.rate)});
+}
+
+template <class R>
+void Simulation<R>::note_target(PartIndex part) {
+    certificate_->targets.push_back(
+        {part, static_cast<double>(since_certificate_ + now_), parts_[part].down});
+}
+
+template <class R>
+void Simulation<R>::note_passage(const Mover& mover, PartIndex gate, bool begins) {
+    const auto time = static_cast<double>(since_certificate_ + now_);
+    auto& passages = certificate_->passages;
+    if (begins) return passages.push_back({mover.ball.number, gate, time, {}});
+    for (Passage& passage : passages)
+        if (passage.ball == mover.ball.number && passage.gate == gate && !passage.until) passage.until = time;
+}
+
+template <class R>
+void Simulation<R>::certify(Certificate* certificate) {
+    certificate_ = certificate;
+    if (certificate_ == nullptr) return;
+    since_certificate_ = -now_;
+    for (PartIndex part = 0; part < parts_.size(); ++part) {
+        if (parts_[part].moves) note_motion(part);
+        if (parts_[part].down) certificate_->targets.push_back({part, 0, true});
+    }
+    for (Mover& mover : movers_) {
+        if (mover.gone) continue;
+        note_leg(mover, true);
+        for (const PartIndex part : mover.inside)
+            if (!scene_->parts[part].sensor) note_passage(mover, part, true);
+    }
+}
+
+#define FLIPSIDE_CERTIFY(R)                                                            \
+    template R Simulation<R>::isolated_within(const Mover&, const R&, const R&) const; \
+    template void Simulation<R>::note_meeting(Place);                                  \
+    template void Simulation<R>::note_leg(Mover&, bool);                               \
+    template void Simulation<R>::note_target(PartIndex);                               \
+    template void Simulation<R>::note_motion(PartIndex);                               \
+    template void Simulation<R>::note_passage(const Mover&, PartIndex, bool);          \
+    template void Simulation<R>::certify(Certificate*);
+FLIPSIDE_CERTIFY(double)
+FLIPSIDE_CERTIFY(Real113)
+FLIPSIDE_CERTIFY(Real226)
+#undef FLIPSIDE_CERTIFY
+
+}  // namespace flipside::reference
