@@ -113,7 +113,7 @@ CertificateJson part_json(const Scene& scene, PartIndex index, const Certificate
             {"layer", part.layer},
             {"collides_with", part.collides_with},
             {"sensor", part.sensor},
-            {"gate", gate_of(part) != nullptr},
+            {"gate", pair_of(gate_of(part) != nullptr ? gate_of(part)->normal : Vec2{})},
             {"pivot", pair_of(pivot_of(part))},
             {"turns", std::move(turns)},
             {"target", std::move(changes)}};
@@ -132,6 +132,7 @@ void cut(Certificate& certificate, double seconds) {
     std::erase_if(certificate.passages, [&](const auto& passage) { return passage.from > seconds; });
     for (auto& passage : certificate.passages)
         if (passage.until > seconds) passage.until.reset();
+    std::erase_if(certificate.inputs, [&](const auto& input) { return input.time > seconds; });
     std::erase_if(certificate.targets, [&](const auto& change) { return change.time > seconds; });
 }
 
@@ -168,6 +169,13 @@ CertificateJson whole(const Session& session, const Certificate& certificate, co
                                   })},
             {"parts", std::move(parts)},
             {"pieces", list_of(surface_of(scene), [](const Piece& piece) { return to_json(piece); })},
+            {"inputs", list_of(certificate.inputs,
+                               [](const reference::Input& input) {
+                                   return CertificateJson{
+                                       {"time", input.time},
+                                       {"ball", input.ball ? std::int64_t{*input.ball} : -1},
+                                       {"velocity", pair_of(input.velocity)}};
+                               })},
             {"passages", list_of(certificate.passages, passage_json)},
             {"balls", list_of(certificate.balls, [](const auto& entry) { return to_json(entry.second); })}};
 }

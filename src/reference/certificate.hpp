@@ -58,6 +58,13 @@ struct Passage {
     std::optional<double> until;
 };
 
+/// From outside: one ball's velocity is set (a launch), or that of all is changed by this (a nudge).
+struct Input {
+    double time = 0;
+    std::optional<BallNumber> ball;  ///< none: all
+    Vec2 velocity;
+};
+
 /// A drop target is down (or up again) from then on.
 struct TargetChange {
     PartIndex part = 0;
@@ -70,6 +77,7 @@ struct Certificate {
     std::map<PartIndex, std::vector<TurningSpan>> motions;
     std::vector<Passage> passages;
     std::vector<TargetChange> targets;
+    std::vector<Input> inputs;
 };
 
 }  // namespace flipside::reference

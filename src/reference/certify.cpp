@@ -112,6 +112,11 @@ void Simulation<R>::note_target(PartIndex part) {
 }
 
 template <class R>
+void Simulation<R>::note_input(std::optional<BallNumber> ball, Vec2 velocity) {
+    certificate_->inputs.push_back({static_cast<double>(since_certificate_ + now_), ball, velocity});
+}
+
+template <class R>
 void Simulation<R>::note_passage(const Mover& mover, PartIndex gate, bool begins) {
     const auto time = static_cast<double>(since_certificate_ + now_);
     auto& passages = certificate_->passages;
@@ -141,6 +146,7 @@ void Simulation<R>::certify(Certificate* certificate) {
     template R Simulation<R>::isolated_within(const Mover&, const R&, const R&) const; \
     template void Simulation<R>::note_meeting(Place);                                  \
     template void Simulation<R>::note_leg(Mover&, bool);                               \
+    template void Simulation<R>::note_input(std::optional<BallNumber>, Vec2);          \
     template void Simulation<R>::note_target(PartIndex);                               \
     template void Simulation<R>::note_motion(PartIndex);                               \
     template void Simulation<R>::note_passage(const Mover&, PartIndex, bool);          \

@@ -227,6 +227,7 @@ void Simulation<R>::apply(const Control& control) {
         rotating_ = rotate->on;
         change_motions();
     } else if (const auto* nudge = std::get_if<control::Nudge>(&control)) {
+        if (certificate_) note_input({}, nudge->velocity);
         for (Mover& mover : movers_) {
             if (mover.gone) continue;
             advance(mover);
@@ -248,7 +249,6 @@ void Simulation<R>::apply(const Control& control) {
             if (!mover.gone) {
                 advance(mover);
                 come_out(mover);
-                mover.begins.why = Beginning::Why::given;
             }
         refresh_all();
     }
@@ -257,6 +257,7 @@ void Simulation<R>::apply(const Control& control) {
 template <class R>
 void Simulation<R>::add(const Ball& ball) {
     join(ball);
+    if (certificate_) note_input(ball.number, ball.velocity);
     const auto i = static_cast<Place>(movers_.size() - 1);
     if (ball.radius > cells_.largest()) {
         rebuild_cells();
@@ -302,6 +303,7 @@ void Simulation<R>::set_velocity(BallNumber number, Vec2 velocity) {
     const auto i = find(number);
     if (!i) return;
     Mover& mover = movers_[*i];
+    if (certificate_) note_input(number, velocity);
     advance(mover);
     mover.body.velocity = V<R>(velocity);
     mover.given = true;

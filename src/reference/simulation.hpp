@@ -197,6 +197,7 @@ class Simulation final : public Exact {
     void note_leg(Mover& mover, bool given);
     void note_motion(PartIndex part);
     void note_target(PartIndex part);
+    void note_input(std::optional<BallNumber> ball, Vec2 velocity);
     void note_passage(const Mover& mover, PartIndex gate, bool begins);
 
     // For those who look inside (trace.cpp).

@@ -1,5 +1,5 @@
 #pragma once
-/// What has to hold of a run, piece by piece.
+/// What has to hold of a run.
 
 #include <map>
 #include <stdexcept>
@@ -14,14 +14,20 @@ struct Rejected : std::runtime_error {
 };
 
 struct Verdict {
-    std::size_t balls = 0, legs = 0, impacts = 0, given = 0, held = 0, comparisons = 0;
-    std::size_t not_isolated = 0;           ///< impacts without an interval: grazes
-    double let_through = 0;                 ///< ball-seconds in gates, which nothing is checked of
+    std::size_t balls = 0, legs = 0, held = 0, impacts = 0, enclosures = 0;
+    std::size_t touches = 0;                ///< without approach: they change nothing
+    std::size_t not_isolated = 0;           ///< impacts without an isolating interval
+    std::size_t given = 0;                  ///< segments that begin by the start or an input
     std::map<std::string, double> largest;  ///< by condition: the largest share of the bound that was taken
 };
 
-/// `bound` is relative: lengths to the ball's radius, speeds to |v| + r|spin| + √(r|g|), accelerations to
-/// |g| + (that speed)²/r. Throws Rejected.
+/// `bound` is relative: lengths to the ball's radius r, speeds to √(r|g|) + |v| + r|spin|, accelerations to
+/// |g| + that speed squared over r. Throws Rejected.
 [[nodiscard]] Verdict check(const Run& run, double bound);
+
+/// Whether the layers of two are in each other's masks.
+[[nodiscard]] bool meets(const auto& a, const auto& b) {
+    return (a.layer & b.collides_with) != 0 && (b.layer & a.collides_with) != 0;
+}
 
 }  // namespace certificate

@@ -25,14 +25,12 @@ int main(int argc, char** argv) {
     try {
         const certificate::Verdict v = certificate::check(run, bound);
         std::printf(
-            "accepted: %.9g s, %zu balls, %zu segments (%zu in contact), %zu impacts, %zu enclosures\n",
-            run.seconds, v.balls, v.legs, v.held, v.impacts, v.comparisons);
+            "accepted: %.9g s, %zu balls, %zu segments (%zu in contact), %zu impacts, %zu touches without "
+            "approach, %zu given from outside; %zu enclosures\n",
+            run.seconds, v.balls, v.legs, v.held, v.impacts, v.touches, v.given, v.enclosures);
         for (const auto& [what, share] : v.largest)
             std::printf("  %-34s %.2g of the bound\n", what.c_str(), share);
-        std::printf(
-            "given from outside: %zu segments\nuncertified: %zu impacts without isolating interval, "
-            "%.9g ball-seconds in gates\n",
-            v.given, v.not_isolated, v.let_through);
+        std::printf("uncertified: %zu impacts without an isolating interval\n", v.not_isolated);
         if (!run.ends.empty()) std::printf("ends early: %s\n", run.ends.c_str());
         return 0;
     } catch (const certificate::Rejected& rejected) {

@@ -32,7 +32,8 @@ struct Part {
     std::string name;
     std::size_t material;
     unsigned layer, collides_with;
-    bool sensor, gate;
+    bool sensor;
+    Vec gate;  ///< its normal; 0 where it is none
     Vec pivot;
     std::vector<Span> turns;  ///< none: stands still
     std::vector<Change> target;
@@ -70,6 +71,13 @@ struct Ball {
 };
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Ball, number, material, radius, mass, layer, collides_with, legs, gone)
 
+struct Input {
+    double time;
+    std::int64_t ball;  ///< −1: all of them are nudged by the velocity
+    Vec velocity;
+};
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Input, time, ball, velocity)
+
 struct Passage {
     std::size_t ball, gate;
     double from, until;
@@ -83,11 +91,12 @@ struct Run {
     std::vector<Material> materials;
     std::vector<Part> parts;
     std::vector<Piece> pieces;
+    std::vector<Input> inputs;
     std::vector<Passage> passages;
     std::vector<Ball> balls;
 };
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Run, format, scene, ends, seconds, damping, rest_speed, gravity, least,
-                                   most, materials, parts, pieces, passages, balls)
+                                   most, materials, parts, pieces, inputs, passages, balls)
 
 /// Throws std::exception that says what is wrong.
 [[nodiscard]] Run read(const std::string& file);

@@ -122,7 +122,7 @@ std::vector<Feature> features_of(const Piece& piece, const Run& run) {
     const auto side = [](Vec a, Vec b) { return line(I(a[0]), I(a[1]), I(b[0]), I(b[1])); };
     if (piece.type == "segment") {
         features.push_back(side(p[0], p[1]));
-        if (!run.parts[piece.part].gate) {
+        if (run.parts[piece.part].gate == Vec{}) {
             features[0].goes_on_first = is_smooth(run, I(p[0][0]), I(p[0][1]));
             features[0].goes_on_last = is_smooth(run, I(p[1][0]), I(p[1][1]));
         }
