@@ -11,6 +11,7 @@ build_packages=(
     libxxhash-dev                              # checksums of files of measurements
     libmuparser-dev libmd4c-dev                # lessons: what they claim of their figures, their texts
     'libboost1.81-dev|libboost-dev'            # headers only, 1.75 or later
+    libmpfi-dev                                # intervals, for the check of certificates
     libgtest-dev librapidcheck-dev             # tests
     fonts-inter fonts-dejavu-core              # what the window writes with
     xvfb xauth libgl1-mesa-dri                 # pictures without a display

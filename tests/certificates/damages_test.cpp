@@ -192,20 +192,17 @@ TEST(Damages, AreRejected) {
     const auto any = [&](std::size_t n) {
         return static_cast<std::size_t>(dice.below(static_cast<double>(n)));
     };
-    std::map<std::string, int> rejected;
-    for (int n = 0; n < 100;) {
+    for (std::size_t n = 0; n < 100;) {
         Json run = whole[any(whole.size())];
         Json& legs = run["balls"][any(run["balls"].size())]["legs"];
-        const Damage& damage = damages[any(std::size(damages))];
+        const Damage& damage = damages[n % std::size(damages)];
         const std::size_t leg = any(legs.size());
         if (!damage.done(run, legs, leg)) continue;
         const Checked checked = check_certificate(run.dump());
         EXPECT_EQ(checked.code, 1) << damage.name << " of segment " << leg << " of " << run["scene"] << ": "
                                    << checked.says;
-        ++rejected[damage.name];
         ++n;
     }
-    EXPECT_EQ(rejected.size(), std::size(damages)) << "some damage was never tried";
 }
 
 TEST(Damages, AFileThatIsNoCertificateIsRefused) {

@@ -65,7 +65,9 @@ class Checker {
     /// ever smaller parts of an interval of time.
     template <class Above>
     void everywhere(const std::string& what, double from, double to, const Above& above) {
+        constexpr std::size_t most = 1'000'000;  // a few hundred, in practice
         std::vector<std::pair<double, double>> open{{from, to}};
+        const std::size_t last = verdict_.enclosures + most;
         while (!open.empty()) {
             const auto [a, b] = open.back();
             open.pop_back();
@@ -73,7 +75,8 @@ class Checker {
             const double by = above(a, b);
             if (by <= 0) continue;
             const double middle = a + (b - a) / 2;
-            if (b - a < 1e-14 || !(middle > a && middle < b)) reject(what, a, by);
+            if (b - a < 1e-14 || !(middle > a && middle < b) || verdict_.enclosures > last)
+                reject(what, a, by);
             open.emplace_back(middle, b);
             open.emplace_back(a, middle);
         }

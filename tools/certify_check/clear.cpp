@@ -6,6 +6,8 @@ namespace {
 
 /// A gate lets go of a ball when its surface is so far away, in radii: what the scenes' rules say.
 constexpr double gate_clearance = 1e-9;
+/// What is far off needs no high one.
+constexpr int gap_order = 3;
 
 }  // namespace
 
@@ -47,14 +49,15 @@ void Checker::check_clear_of(std::size_t piece) {
         const Span* span = span_at(part, from + (to - from) / 2);
         for (const Feature& f : features_[piece]) {
             if (&f == held) continue;
-            const auto at = [&](const I& t) {
-                return lie_of(f, part, span, motion_of(leg(), t).place, r, t);
+            const auto at = [&](const I& t, int order) {
+                return lie_of(f, part, span, motion_of(leg(), t, order).place, r, t);
             };
             everywhere("nothing comes earlier: gap to " + part.name + " is at least 0", from, to,
                        [&](double a, double b) {
-                           const Lie all = at(between(a, b));
+                           const Lie all = at(between(a, b), 0);
                            if (all.apart || low(all.gap.c[0]) >= -bound_ * r) return 0.0;
-                           return -low(range([&](const I& t) { return at(t).gap; }, a, b)) - bound_ * r;
+                           return -low(range([&](const I& t) { return at(t, gap_order).gap; }, a, b)) -
+                                  bound_ * r;
                        });
         }
     }
@@ -65,14 +68,15 @@ void Checker::check_clear_of(const Ball& other) {
     for (const Leg& theirs : other.legs) {
         const double from = std::max(leg().start, theirs.start), to = std::min(leg().end, theirs.end);
         if (!(from < to)) continue;
-        const auto gap = [&](const I& t) {
-            const Motion a = motion_of(leg(), t), b = motion_of(theirs, t);
-            return length(a.place.x - b.place.x, a.place.y - b.place.y) - Jet(I(reach));
+        const auto gap = [&](const I& t, int order) {
+            const Motion a = motion_of(leg(), t, order), b = motion_of(theirs, t, order);
+            return length(a.place.x - b.place.x, a.place.y - b.place.y) - I(reach);
         };
         everywhere("nothing comes earlier: gap to ball " + std::to_string(other.number) + " is at least 0",
                    from, to, [&](double a, double b) {
-                       if (low(gap(between(a, b)).c[0]) >= -bound_ * reach) return 0.0;
-                       return -low(range(gap, a, b)) - bound_ * reach;
+                       if (low(gap(between(a, b), 0).c[0]) >= -bound_ * reach) return 0.0;
+                       return -low(range([&](const I& t) { return gap(t, gap_order); }, a, b)) -
+                              bound_ * reach;
                    });
     }
 }
@@ -84,9 +88,8 @@ void Checker::check_passage(const Passage& passage) {
                  to = std::min(leg().end, passage.until);
     const Leg& now = leg();
     const Span* span = span_at(gate, from);
-    const auto at = [&](std::size_t piece, const Feature& f, const I& t) {
-        static_cast<void>(piece);
-        return lie_of(f, gate, span, motion_of(now, t).place, r, t);
+    const auto at = [&](const Feature& f, const I& t) {
+        return lie_of(f, gate, span, motion_of(now, t, gap_order).place, r, t);
     };
     if (passage.from > 0 && now.start <= passage.from && passage.from < now.end) {
         bool behind = std::ranges::any_of(run_.passages, [&](const Passage& other) {
@@ -96,7 +99,7 @@ void Checker::check_passage(const Passage& passage) {
         for (std::size_t piece = 0; piece < run_.pieces.size(); ++piece)
             for (const Feature& f : features_[piece])
                 if (run_.pieces[piece].part == passage.gate && f.kind == Feature::Kind::line) {
-                    const JetVec n = at(piece, f, I(passage.from)).normal;
+                    const JetVec n = at(f, I(passage.from)).normal;
                     behind = behind || low(n.x.c[0] * gate.gate[0] + n.y.c[0] * gate.gate[1]) < 0;
                 }
         if (!behind) reject("passes " + gate.name + " from behind", passage.from, 0);
@@ -106,9 +109,8 @@ void Checker::check_passage(const Passage& passage) {
         double least = 1;
         for (std::size_t piece = 0; piece < run_.pieces.size(); ++piece)
             for (const Feature& f : features_[piece])
-                if (run_.pieces[piece].part == passage.gate && at(piece, f, between(a, b)).facing)
-                    least =
-                        std::min(least, high(range([&](const I& t) { return at(piece, f, t).gap; }, a, b)));
+                if (run_.pieces[piece].part == passage.gate && at(f, between(a, b)).facing)
+                    least = std::min(least, high(range([&](const I& t) { return at(f, t).gap; }, a, b)));
         return least - (gate_clearance + bound_) * r;
     });
 }

@@ -7,8 +7,8 @@ namespace certificate {
 /// Acceleration that is neither gravity nor drag: what a surface does.
 JetVec Checker::force_at(const I& t) const {
     const JetVec v = velocity_of(motion_of(leg(), t));
-    return {v.x.derivative() - Jet(I(run_.gravity[0])) + I(run_.damping) * v.x,
-            v.y.derivative() - Jet(I(run_.gravity[1])) + I(run_.damping) * v.y};
+    return {v.x.derivative() - I(run_.gravity[0]) + I(run_.damping) * v.x,
+            v.y.derivative() - I(run_.gravity[1]) + I(run_.damping) * v.y};
 }
 
 void Checker::check_motion() {

@@ -131,7 +131,7 @@ void Checker::hit_ball(const Leg& before, const Motion& was, After& after) {
     const Leg &partner = other->legs[theirs[n - 1] - 1], &partner_now = other->legs[theirs[n - 1]];
     const auto gap = [&](const I& t) {
         const Motion a = motion_of(before, t), b = motion_of(partner, t);
-        return length(a.place.x - b.place.x, a.place.y - b.place.y) - Jet(I(ball_->radius) + other->radius);
+        return length(a.place.x - b.place.x, a.place.y - b.place.y) - (I(ball_->radius) + other->radius);
     };
     const Motion met = motion_of(partner, I(now.start));
     const I dx = was.place.x.c[0] - met.place.x.c[0], dy = was.place.y.c[0] - met.place.y.c[0];

@@ -11,25 +11,26 @@ namespace {
 /// scenes' rules say. A face may reach so far past such an end.
 constexpr double joint_distance = 1e-6, joint_angle = 1e-3;
 
-/// `order` terms of a polynomial in time, about a time t after its start.
+/// `terms` terms of a polynomial in time, about a time t after its start.
 template <class Term>
-Jet polynomial(std::size_t terms, const I& t, Term term) {
-    Jet sum;
+Jet polynomial(std::size_t terms, const I& t, int order, Term term) {
+    Jet sum(I(0), order);
     for (std::size_t k = terms; k-- > 0;) {
-        for (int j = Jet::most; j > 0; --j) sum.c[j] = sum.c[j] * t + sum.c[j - 1];
+        for (std::size_t j = sum.c.size() - 1; j > 0; --j) sum.c[j] = sum.c[j] * t + sum.c[j - 1];
         sum.c[0] = sum.c[0] * t + I(term(k));
     }
     return sum;
 }
 
 /// One coordinate of x'' = a − c·x'.
-Jet damped(double x, double v, double a, double c, const I& t) {
-    Jet path;
+Jet damped(double x, double v, double a, double c, const I& t, int order) {
     const I decay = exp(I(-c * t)), e = (1 - decay) / c;
-    path.c[0] = x + v * e + a * (t - e) / c;
-    path.c[1] = v * decay + a * e;
-    path.c[2] = (a - c * path.c[1]) / 2;
-    for (int k = 3; k <= Jet::most; ++k) path.c[k] = -c * path.c[k - 1] / k;
+    Jet path(x + v * e + a * (t - e) / c, order);
+    I last = v * decay + a * e;
+    for (std::size_t k = 1; k < path.c.size(); ++k) {
+        path.c[k] = last;
+        last = ((k == 1 ? I(a) : I(0)) - c * last) / (k + 1);
+    }
     return path;
 }
 
@@ -75,29 +76,29 @@ void see_ends(Lie& lie, const Feature& f, const I& first, const I& last, double 
 
 }  // namespace
 
-Motion motion_of(const Leg& leg, const I& time) {
+Motion motion_of(const Leg& leg, const I& time, int order) {
     const I t = time - leg.start;
     const auto steady = [&](double x, double v, double a) {
-        return polynomial(3, t, [&](std::size_t k) { return k == 0 ? x : k == 1 ? v : a / 2; });
+        return polynomial(3, t, order, [&](std::size_t k) { return k == 0 ? x : k == 1 ? v : a / 2; });
     };
     if (leg.form == "rest")
-        return {{Jet(leg.position[0]), Jet(leg.position[1])}, steady(leg.spin, leg.spin_rate, 0)};
+        return {{Jet(I(leg.position[0]), order), Jet(I(leg.position[1]), order)},
+                steady(leg.spin, leg.spin_rate, 0)};
     if (leg.form == "series") {
-        const std::size_t terms = leg.spins.size() + 1;
-        return {
-            {polynomial(terms, t,
-                        [&](std::size_t k) { return k ? leg.displacements[k - 1][0] : leg.position[0]; }),
-             polynomial(terms, t,
-                        [&](std::size_t k) { return k ? leg.displacements[k - 1][1] : leg.position[1]; })},
-            polynomial(terms, t, [&](std::size_t k) { return k ? leg.spins[k - 1] : leg.spin; })};
+        const auto series = [&](double first, const auto& others) {
+            return polynomial(leg.spins.size() + 1, t, order,
+                              [&](std::size_t k) { return k == 0 ? first : others(k - 1); });
+        };
+        return {{series(leg.position[0], [&](std::size_t k) { return leg.displacements[k][0]; }),
+                 series(leg.position[1], [&](std::size_t k) { return leg.displacements[k][1]; })},
+                series(leg.spin, [&](std::size_t k) { return leg.spins[k]; })};
     }
-    const auto coordinate = [&](double x, double v, double a) {
-        return leg.drag > 0 ? damped(x, v, a, leg.drag, t) : steady(x, v, a);
+    const auto coordinate = [&](std::size_t i) {
+        const double x = leg.position[i], v = leg.velocity[i], a = leg.acceleration[i];
+        return leg.drag > 0 ? damped(x, v, a, leg.drag, t, order) : steady(x, v, a);
     };
-    Motion motion{{coordinate(leg.position[0], leg.velocity[0], leg.acceleration[0]),
-                   coordinate(leg.position[1], leg.velocity[1], leg.acceleration[1])},
-                  steady(leg.spin, leg.spin_rate, 0)};
-    if (leg.roll[0] != 0 || leg.roll[1] != 0)
+    Motion motion{{coordinate(0), coordinate(1)}, steady(leg.spin, leg.spin_rate, 0)};
+    if (leg.roll != Vec{})
         motion.spin =
             I(leg.roll[0]) * motion.place.x.derivative() + I(leg.roll[1]) * motion.place.y.derivative();
     return motion;
@@ -151,33 +152,34 @@ Lie lie_of(const Feature& f, const Part& part, const Span* span, const JetVec& p
            const I& time) {
     Lie lie;
     JetVec p = place;
-    Jet cosine(I(1)), sine;
+    const int order = place.x.order();
+    Jet cosine(I(1), order), sine(I(0), order);
     if (span != nullptr) {
         const I angle = span->angle + span->rate * (time - span->since);
         cosine.c[0] = cos(angle), sine.c[0] = sin(angle);
-        for (int k = 0; k < Jet::most; ++k) {
+        for (std::size_t k = 0; k + 1 < cosine.c.size(); ++k) {
             cosine.c[k + 1] = -span->rate * sine.c[k] / (k + 1);
             sine.c[k + 1] = span->rate * cosine.c[k] / (k + 1);
         }
-        const Jet px{I(part.pivot[0])}, py{I(part.pivot[1])};
-        p = turned({place.x - px, place.y - py}, cosine, Jet() - sine);
-        p = {p.x + px, p.y + py};
+        const I px(part.pivot[0]), py(part.pivot[1]);
+        p = turned({place.x - px, place.y - py}, cosine, I(-1) * sine);
+        p = {p.x - I(-px), p.y - I(-py)};
     }
-    const JetVec q{p.x - Jet(f.x), p.y - Jet(f.y)};
+    const JetVec q{p.x - f.x, p.y - f.y};
     if (f.kind == Feature::Kind::line) {
         const Jet off = f.along_x * q.y - f.along_y * q.x;
         const I along = f.along_x * q.x.c[0] + f.along_y * q.y.c[0];
         see_ends(lie, f, along, f.length - along, radius);
         const I sign(low(off.c[0]) > 0 || (high(off.c[0]) >= 0 && low(off.c[0]) + high(off.c[0]) >= 0) ? 1
                                                                                                        : -1);
-        lie.gap = sign * off - Jet(I(radius));
-        lie.normal = {Jet(-sign * f.along_y), Jet(sign * f.along_x)};
+        lie.gap = sign * off - I(radius);
+        lie.normal = {Jet(-sign * f.along_y, order), Jet(sign * f.along_x, order)};
     } else {
         const Jet far = length(q.x, q.y);
         const double middle = low(far.c[0]) / 2 + high(far.c[0]) / 2;
         const bool inside = f.kind == Feature::Kind::arc && middle < low(f.radius);
         const I sign(inside ? -1 : 1);
-        lie.gap = sign * (far - Jet(f.radius)) - Jet(I(radius));
+        lie.gap = sign * (far - f.radius) - I(radius);
         lie.normal = {sign * (q.x / far), sign * (q.y / far)};
         lie.facing = true;
         if (f.kind == Feature::Kind::arc && !f.full)
@@ -186,11 +188,12 @@ Lie lie_of(const Feature& f, const Part& part, const Span* span, const JetVec& p
         if (high(far.c[0]) < low(f.radius) && high(f.radius) <= radius)
             lie.apart = true;  // too large for it: it meets the ends alone
     }
+    lie.velocity = {Jet(I(0), order), Jet(I(0), order)};
     if (span == nullptr) return lie;
     lie.normal = turned(lie.normal, cosine, sine);
     const I rate(span->rate);
-    const Jet x = place.x - I(radius) * lie.normal.x - Jet(I(part.pivot[0]));
-    const Jet y = place.y - I(radius) * lie.normal.y - Jet(I(part.pivot[1]));
+    const Jet x = place.x - I(radius) * lie.normal.x - I(part.pivot[0]);
+    const Jet y = place.y - I(radius) * lie.normal.y - I(part.pivot[1]);
     lie.velocity = {-rate * y, rate * x};
     return lie;
 }

@@ -16,7 +16,7 @@ struct Motion {
     JetVec place;
     Jet spin;
 };
-[[nodiscard]] Motion motion_of(const Leg& leg, const I& time);
+[[nodiscard]] Motion motion_of(const Leg& leg, const I& time, int order = Jet::most);
 
 struct Feature {
     enum class Kind { line, arc, round } kind = Kind::round;
