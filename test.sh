@@ -22,7 +22,7 @@ install_missing "${build_packages[@]}" "${test_packages[@]}"
 if $gates; then
     install_missing "${gate_packages[@]}"
     stage "clang-format"
-    find src tests include examples -name '*.[ch]' -o -name '*.cpp' -o -name '*.hpp' | xargs clang-format --dry-run --Werror
+    find src tests include examples tools -name '*.[ch]' -o -name '*.cpp' -o -name '*.hpp' | xargs clang-format --dry-run --Werror
 fi
 stage "Release build"
 build "$release"

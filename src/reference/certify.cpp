@@ -42,6 +42,7 @@ R Simulation<R>::isolated_within(const Mover& mover, const R& digit, const R& ma
 /// Before a ball is moved to where it meets something.
 template <class R>
 void Simulation<R>::note_meeting(Place i) {
+    constexpr double longest = 1e-6;  // s; over more of its path a ball may have turned round
     // Wide enough for a reader of the numbers rounded to double.
     const R size = length(movers_[i].path.at(now_).position) + movers_[i].radius;
     const R half = isolated_within(movers_[i], R(0x1p-48), R(0x1p-48 * size));
@@ -53,7 +54,7 @@ void Simulation<R>::note_meeting(Place i) {
                   narrow(mover.path.at(now_).velocity),
                   static_cast<double>(mover.path.spinning_at(now_).spin),
                   narrow(normal)};
-        if (half < infinity<R>()) begins.within = static_cast<double>(half);
+        if (half < longest) begins.within = static_cast<double>(half);
     };
     Mover& mover = movers_[i];
     const V<R> place = mover.path.at(now_).position;

@@ -42,9 +42,9 @@ struct Shipped {
     std::shared_ptr<const Scene> scene;
     Script script;
 
-    explicit Shipped(const std::string& name) {
+    explicit Shipped(const std::string& name, int balls = 30) {
         const auto file = lab::scene_file(name);
-        scene = std::make_shared<const Scene>(name == "rain" ? load_scene(file, 30) : load_scene(file));
+        scene = std::make_shared<const Scene>(name == "rain" ? load_scene(file, balls) : load_scene(file));
         if (const auto beside = lab::script_beside(file)) script = load_script(*beside, *scene);
     }
     [[nodiscard]] lab::Session session(const char* precision) const {
