@@ -78,6 +78,7 @@ int command_line(int argc, char** argv) {
     app::add_cases(program, chosen);
     app::add_pairs(program, chosen);
     app::add_sweep(program, chosen);
+    app::add_hunt(program, chosen);
     app::add_report(program, chosen);
     app::add_render(program, chosen);
     app::add_scenes(program, chosen);

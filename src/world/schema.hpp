@@ -16,6 +16,7 @@ extern const std::string_view trace_schema;
 extern const std::string_view lesson_schema;
 extern const std::string_view window_schema;
 extern const std::string_view certificate_schema;
+extern const std::string_view hard_schema;
 
 /// Throws InputError for the first place where the document is not as the schema (JSON Schema draft 7)
 /// asks. The message says what is allowed there.

@@ -4,15 +4,13 @@
 // that they were in an island, which is inexact by design. The explained are counted and printed.
 
 #include <cstdio>
-#include <numbers>
-#include <random>
 
 #include <gtest/gtest.h>
 
 #include "in_small.hpp"
 #include "lab/engines.hpp"
+#include "lab/hunt/random_scene.hpp"
 #include "world/refusal.hpp"
-#include "world/scene_builder.hpp"
 
 namespace flipside {
 namespace {
@@ -21,110 +19,12 @@ constexpr double exact = 1e-9;    // radii
 constexpr double shift = 1e-13;   // m
 constexpr double duration = 0.6;  // s
 
-class RandomScene {
-  public:
-    explicit RandomScene(unsigned seed) : random_(seed) {}
-
-    Scene make() {
-        Scene scene = empty_scene(pick({Vec2{}, Vec2{0, -9.81}, 4 * direction()}));
-        scene.bounds = {{-1.2, -1.2}, {1.2, 1.2}};
-        scene.damping = pick({0.0, 0.0, 0.3});
-        scene.rest_speed = pick({0.01, 0.1});
-        scene.materials[0] = material();
-        add_part(scene, {shape::Polyline{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, true}}, material());
-        const int parts = whole(1, 5), balls = whole(1, 6);
-        for (int i = 0; i < parts; ++i) add_random_part(scene);
-        for (int i = 0; i < balls; ++i) {
-            const double radius = real(0.03, 0.1);
-            add_ball(scene, {real(-0.85, 0.85), real(-0.85, 0.85)}, real(0, 4) * direction(), radius,
-                     pick({0.1, 1.0, 1.0, 30.0}));
-            scene.balls.back().spin = pick({0.0, real(-20, 20)});
-        }
-        return scene;
-    }
-
-  private:
-    double real(double low, double high) {
-        return low + (high - low) * static_cast<double>(random_() >> 11) * 0x1p-53;
-    }
-    int whole(int low, int high) {
-        return low + static_cast<int>(random_() % static_cast<unsigned>(high - low + 1));
-    }
-    template <class T>
-    T pick(std::initializer_list<T> of) {
-        return *(of.begin() + whole(0, static_cast<int>(of.size()) - 1));
-    }
-    Vec2 direction() { return from_angle(real(0, 2 * std::numbers::pi)); }
-    Vec2 place() { return {real(-0.8, 0.8), real(-0.8, 0.8)}; }
-    Material material() {
-        return {"", pick({0.0, 0.5, 0.9, 1.0}), pick({0.0, 0.0, 0.2, 0.6}), pick({0.0, 0.0, 0.0, 1.5})};
-    }
-
-    Shape shape() {
-        const Vec2 at = place(), to = at + real(0.1, 0.5) * direction();
-        switch (whole(0, 6)) {
-            case 0:
-                return {shape::Point{at}};
-            case 1: {
-                const double from = real(-3, 3);
-                return {shape::Arc{at, real(0.15, 0.5), from, from + real(0.5, 6)}};
-            }
-            case 2:
-                return {shape::Circle{at, real(0.03, 0.2)}};
-            case 3: {
-                const Vec2 x = real(0.05, 0.2) * direction(), y = real(0.5, 1.5) * perp(x);
-                return {shape::Polygon{{at - x - y, at + x - y, at + 0.7 * x + y, at - x + y}}};
-            }
-            case 4:
-                return {shape::Capsule{at, to, real(0.01, 0.08)}};
-            case 5:
-                return {shape::Polyline{{at, to, to + real(0.1, 0.4) * direction()}, false}};
-            default:
-                return segment(at, to);
-        }
-    }
-
-    void add_random_part(Scene& scene) {
-        switch (whole(0, 5)) {
-            case 0: {
-                const Vec2 pivot = place();
-                const double rest = real(-3, 3);
-                add_part(scene, {shape::Flipper{pivot, real(0.2, 0.4), 0.05, 0.03, rest}}, material())
-                    .motion = motion::Flip{Side::left, rest + real(0.3, 1.2), real(5, 30), real(5, 15)};
-                return;
-            }
-            case 1: {
-                const Shape turning = shape();
-                add_part(scene, turning, material()).motion = motion::Turn{place(), real(-6, 6), true};
-                return;
-            }
-            default: {
-                const Shape still = shape();
-                add_part(scene, still, material());
-            }
-        }
-    }
-
-    std::mt19937_64 random_;
-};
-
 std::unique_ptr<World> world_of(const Scene& scene, const char* engine,
                                 std::initializer_list<std::pair<const char*, const char*>> changes) {
     const Engine& used = lab::engine_named(engine);
     Settings settings(used.settings);
     for (const auto& [name, value] : changes) settings.set(name, value);
     return used.make(std::make_shared<const Scene>(scene), settings);
-}
-
-/// Takes away the balls that begin in touch with something.
-void clear_starts(Scene& scene) {
-    for (;;) {
-        const auto world = world_of(scene, "custom", {});
-        if (world->contacts().empty()) return;
-        const BallNumber touching = world->contacts().front().ball;
-        std::erase_if(scene.balls, [&](const Ball& ball) { return ball.number == touching; });
-        for (BallNumber i = 0; i < scene.balls.size(); ++i) scene.balls[i].number = i;
-    }
 }
 
 /// Of the worst ball, radii; infinite where the worlds have other balls.
@@ -181,8 +81,8 @@ TEST(RandomScenes, AreAsTheReferenceHasThem) {
     for (unsigned seed = 0; seed < scenes; ++seed) seeds.push_back(seed);
     int counts[6] = {};
     for (const unsigned seed : seeds) {
-        Scene scene = RandomScene(seed).make();
-        clear_starts(scene);
+        Scene scene = lab::RandomScene(seed).make();
+        lab::clear_starts(scene);
         for (const double dt : {1.0 / 37, 1.0 / 60, 1.0 / 240}) {
             double error = 0;
             const Outcome outcome = compare(scene, dt, error);

@@ -8,8 +8,10 @@
 #include "lab/cases/case.hpp"
 #include "lab/cases/stability_map.hpp"
 #include "lab/engines.hpp"
+#include "lab/hunt/hard.hpp"
 #include "lab/whole_file.hpp"
 #include "world/printable.hpp"
+#include "world/scene_file.hpp"
 
 namespace flipside::app {
 
@@ -22,6 +24,7 @@ struct CasesOptions {
     std::string dt = "1/60";
     bool quick = false;
     bool list = false;
+    bool hard = false;
     std::string json, map;  ///< files; "" where not asked for
 };
 
@@ -102,6 +105,37 @@ int map_stability(const CasesOptions& options) {
     return 0;
 }
 
+/// The scenes that hunts found: what was recorded, and every engine on them as it comes.
+int run_hard() {
+    namespace hunts = lab::hunt;
+    const std::string others[] = {"custom=custom", "simple=custom,solver=simple", "box2d=box2d"};
+    const std::vector<lab::ContenderRequest> contenders = lab::parse_contenders(others);
+    print("%-28s %-8s %-10s %10s %10s", "scene", "goal", "worst of", "recorded", "now");
+    for (const lab::ContenderRequest& contender : contenders) print(" %10s", contender.name.c_str());
+    print("\n");
+    bool grew = false;
+    for (const hunts::HardScene& hard : hunts::hard_scenes(hunts::hard_folder())) {
+        const Scene scene = load_scene(hunts::hard_folder() / hard.scene);
+        const double now = measure(hard.request, scene).value;
+        grew = grew || now > hunts::may_grow * hard.recorded;
+        print("%-28s %-8s %-10s %10.3g %10.3g", printable(hard.scene).c_str(),
+              std::string(name_of(hard.request.goal)).c_str(), hard.request.contender.name.c_str(),
+              hard.recorded, now);
+        for (const lab::ContenderRequest& contender : contenders) {
+            hunts::Request request = hard.request;
+            request.contender = contender;
+            print(" %10.3g", measure(request, scene).value);
+        }
+        print("\n");
+        finish_output();
+    }
+    print(
+        "\noverlap, error: radii; energy: share of the most that the balls can have; escape: balls; work: "
+        "tests per "
+        "ball and step.\n");
+    return grew ? 1 : 0;
+}
+
 int run_cases(const CasesOptions& options) {
     const auto chosen = lab::find_cases(options.names);
     const auto changes = changes_of(options);
@@ -142,6 +176,9 @@ void add_cases(CLI::App& program, Action& chosen) {
         ->type_name("K=V");
     command.add_flag("--quick", options->quick, "Fewer hits and shorter runs; the rows name the numbers");
     command.add_flag("--list", options->list, "List the cases, a sentence each");
+    command.add_flag(
+        "--hard", options->hard,
+        "Instead of the cases: every engine on the scenes that hunts found (exit 1 where one got worse)");
     CLI::Option* json =
         command.add_option("--json", options->json, "Everything found, as JSON")->type_name("FILE");
     command
@@ -152,6 +189,7 @@ void add_cases(CLI::App& program, Action& chosen) {
     command.callback([options, &chosen] {
         chosen = [options] {
             if (options->list) return list_cases();
+            if (options->hard) return run_hard();
             require_distinct({{}, {{"--json", options->json}, {"--map", options->map}}, true});
             return options->map.empty() ? run_cases(*options) : map_stability(*options);
         };

@@ -20,6 +20,7 @@ void add_lessons(CLI::App& program, Action& chosen);
 void add_cases(CLI::App& program, Action& chosen);
 void add_pairs(CLI::App& program, Action& chosen);
 void add_sweep(CLI::App& program, Action& chosen);
+void add_hunt(CLI::App& program, Action& chosen);
 void add_report(CLI::App& program, Action& chosen);
 void add_render(CLI::App& program, Action& chosen);
 void add_scenes(CLI::App& program, Action& chosen);

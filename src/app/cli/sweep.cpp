@@ -6,6 +6,7 @@
 #include "app/cli/output.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/run_options.hpp"
+#include "app/cli/shard.hpp"
 #include "app/cli/tuning.hpp"
 #include "lab/assets.hpp"
 #include "lab/engines.hpp"
@@ -31,17 +32,6 @@ struct SweepOptions {
     std::string tune;
     std::vector<double> errors;
 };
-
-sweep::Shard parse_shard(const std::string& text) {
-    sweep::Shard shard;
-    char slash = 0, rest = 0;
-    std::istringstream in(text);
-    const bool read = in >> shard.index >> slash >> shard.count && slash == '/' && !(in >> rest);
-    if (!read || text.find('-') != std::string::npos || shard.index < 1 || shard.index > shard.count ||
-        shard.count > 1'000'000)
-        throw InputError("--shard '" + text + "' is not allowed; it takes K/N, the K-th of N parts, as 2/4");
-    return shard;
-}
 
 void print_windows(const std::map<std::string, sweep::Windows>& windows) {
     for (const auto& [variant, counts] : windows) {

@@ -1,0 +1,134 @@
+#include "lab/hunt/hunt.hpp"
+
+#include "app/cli/commands.hpp"
+#include "app/cli/distinct_files.hpp"
+#include "app/cli/output.hpp"
+#include "app/cli/progress.hpp"
+#include "app/cli/run_options.hpp"
+#include "app/cli/shard.hpp"
+#include "lab/assets.hpp"
+#include "lab/engines.hpp"
+#include "world/input_error.hpp"
+#include "world/printable.hpp"
+#include "world/scene_file.hpp"
+
+namespace flipside::app {
+
+namespace {
+
+namespace hunts = lab::hunt;
+
+struct HuntOptions {
+    std::string contender, engine, goal = "overlap", dt = "1/60", shard = "1/1", out, replay;
+    double seconds = 1;
+    std::uint64_t seed = 1;
+    std::size_t scenes = 2000, rounds = 4;
+};
+
+lab::ContenderRequest contender_of(const HuntOptions& options) {
+    if (options.contender.empty()) return lab::plain_contender(lab::engine_named(options.engine));
+    const std::string texts[] = {options.contender};
+    return lab::parse_contenders(texts).front();
+}
+
+hunts::Request request_of(const HuntOptions& options) {
+    if (options.contender.empty() == options.engine.empty())
+        throw InputError("hunt: needs --engine or --contender, and not both");
+    return {contender_of(options),
+            lab::parse_step(options.dt),
+            hunts::goal_named(options.goal),
+            options.seconds,
+            options.seed,
+            options.scenes,
+            options.rounds};
+}
+
+int replay(const HuntOptions& options) {
+    const Scene scene = load_scene(lab::scene_file(options.replay));
+    const hunts::Request request = request_of(options);
+    if (!hunts::says_something(request.goal, scene))
+        throw InputError("--goal " + options.goal + " says nothing of scene " + "'" + printable(scene.name) + "'" +
+                         ": something moves or gives energy there by itself");
+    const hunts::Measured measured = measure(request, scene);
+    print("%s\n", printable(hunts::sentence(request, measured)).c_str());
+    return 0;
+}
+
+void print_found(const hunts::Request& request, const std::vector<hunts::Found>& all,
+                 const std::string& folder) {
+    for (const hunts::Found& found : all)
+        print("%s (%zu balls, %zu parts)\n", printable(hunts::sentence(request, found.measured)).c_str(),
+              found.balls, found.parts);
+    print("The first is %s.\n", printable((std::filesystem::path(folder) / "worst.json").string()).c_str());
+}
+
+int hunt(const HuntOptions& options) {
+    if (options.out.empty() == options.replay.empty())
+        throw InputError("hunt: needs --out or --replay, and not both");
+    if (!options.replay.empty()) return replay(options);
+    const hunts::Request request = request_of(options);
+    const lab::sweep::Shard shard = parse_shard(options.shard);
+    std::optional<std::vector<hunts::Found>> all;
+    {
+        Progress progress(1);
+        all = hunts::hunt(
+            request, shard, options.out, [&](double share) { progress.at(share); }, say);
+    }
+    if (all)
+        print_found(request, *all, options.out);
+    else
+        print("Shard %s is done; worst.json is written once all rounds are there.\n",
+              printable(options.shard).c_str());
+    return 0;
+}
+
+}  // namespace
+
+void add_hunt(CLI::App& program, Action& chosen) {
+    auto options = std::make_shared<HuntOptions>();
+    CLI::App& command = *program.add_subcommand(
+        "hunt", "Search scenes on which an engine is at its worst, and shrink what is found");
+    command
+        .add_option("--engine", options->engine,
+                    "Whose worst is hunted: an engine as it comes (see `flipside engines`)")
+        ->type_name("E");
+    command.add_option("--contender", options->contender, "Or an engine with a step and settings of its own")
+        ->type_name("NAME=E[,dt=H][,K=V]...");
+    command
+        .add_option("--goal", options->goal,
+                    "overlap, energy (gained), escape (balls lost), error (against the reference) or work "
+                    "(tests per ball and step)")
+        ->capture_default_str()
+        ->type_name("GOAL");
+    command.add_option("--seconds", options->seconds, "Length of each run")
+        ->check(number_from(1e-3, 60))
+        ->capture_default_str()
+        ->type_name("T");
+    command.add_option("--dt", options->dt, "Step, s, as 0.01 or 1/60")
+        ->capture_default_str()
+        ->type_name("H");
+    command
+        .add_option("--scenes", options->scenes,
+                    "Scenes that each round looks at: half of them random, half climbing")
+        ->check(number_from(1, 1e7))
+        ->capture_default_str()
+        ->type_name("N");
+    command.add_option("--rounds", options->rounds, "Rounds, each from other random scenes")
+        ->check(number_from(1, 999))
+        ->capture_default_str()
+        ->type_name("N");
+    command.add_option("--shard", options->shard, "Only the K-th of N parts; in any order, at the same time")
+        ->type_name("K/N");
+    command.add_option("--seed", options->seed, "Of the scenes (default 1)")
+        ->check(number_from(0, 1e12))
+        ->type_name("S");
+    command
+        .add_option("--out", options->out,
+                    "Folder of what is found; what is finished there is not done again")
+        ->type_name("DIR");
+    command.add_option("--replay", options->replay, "Instead of a hunt: how bad it is on this scene")
+        ->type_name("SCENE");
+    command.callback([options, &chosen] { chosen = [options] { return hunt(*options); }; });
+}
+
+}  // namespace flipside::app

@@ -1,0 +1,43 @@
+#pragma once
+/// What a hunt looks for: how bad a contender is on a scene, as one number that should be small.
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "lab/contender.hpp"
+
+namespace flipside::lab::hunt {
+
+enum class Goal {
+    overlap,  ///< the deepest at the end of any step, in radii of the ball
+    energy,   ///< gained, as a share of what the balls could at most have had at the start
+    escape,   ///< balls lost from a closed box, or no longer numbers
+    error,    ///< distance to the reference, in radii, while that is known and chaos has not begun
+    work      ///< box and shape tests per ball and step: the engine's own counts, so no noise
+};
+inline constexpr std::string_view goal_names[] = {"overlap", "energy", "escape", "error", "work"};
+
+/// Throws InputError that names what is allowed.
+[[nodiscard]] Goal goal_named(std::string_view name);
+[[nodiscard]] inline std::string_view name_of(Goal goal) {
+    return goal_names[static_cast<int>(goal)];
+}
+/// "radii", "of the most energy", ...
+[[nodiscard]] std::string_view unit_of(Goal goal);
+
+struct Measured {
+    double value = 0;    ///< 0 where the engine refuses the scene, and where the goal says nothing of it
+    double time = 0;     ///< s, when
+    std::string what{};  ///< "ball 2 on part 3"
+};
+
+/// Of escapes where no part moves, for one that does may press a ball through a wall, and no answer is right;
+/// of overlap and energy where moreover nothing kicks or returns more than it gets, for what kicks a ball
+/// that others press on has no rest. Errors and work always.
+[[nodiscard]] bool says_something(Goal goal, const Scene& scene);
+
+/// A run of `seconds`; the flippers go up at a third of them. The same arguments give the same bits.
+[[nodiscard]] Measured measure(Goal goal, const Contender& contender, const Scene& scene, double seconds);
+
+}  // namespace flipside::lab::hunt

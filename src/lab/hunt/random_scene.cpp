@@ -1,0 +1,90 @@
+#include "lab/hunt/random_scene.hpp"
+
+#include <memory>
+
+#include "lab/engines.hpp"
+#include "lab/run_settings.hpp"
+
+namespace flipside::lab {
+
+Scene RandomScene::make() {
+    Scene scene = empty_scene(pick({Vec2{}, Vec2{0, -9.81}, 4 * direction()}));
+    scene.bounds = {{-1.2, -1.2}, {1.2, 1.2}};
+    scene.damping = pick({0.0, 0.0, 0.3});
+    scene.rest_speed = pick({0.01, 0.1});
+    scene.materials[0] = material();
+    add_part(scene, {shape::Polyline{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, true}}, material());
+    const int parts = whole(1, 5), balls = whole(1, 6);
+    for (int i = 0; i < parts; ++i) add_part_to(scene);
+    for (int i = 0; i < balls; ++i) add_ball_to(scene);
+    return scene;
+}
+
+void RandomScene::add_ball_to(Scene& scene) {
+    const double radius = real(0.03, 0.1);
+    add_ball(scene, {real(-0.85, 0.85), real(-0.85, 0.85)}, real(0, 4) * direction(), radius,
+             pick({0.1, 1.0, 1.0, 30.0}));
+    scene.balls.back().spin = pick({0.0, real(-20, 20)});
+}
+
+Material RandomScene::material() {
+    return {"", pick({0.0, 0.5, 0.9, 1.0}), pick({0.0, 0.0, 0.2, 0.6}), pick({0.0, 0.0, 0.0, 1.5})};
+}
+
+Shape RandomScene::shape() {
+    const Vec2 at = place(), to = at + real(0.1, 0.5) * direction();
+    switch (whole(0, 6)) {
+        case 0:
+            return {shape::Point{at}};
+        case 1: {
+            const double from = real(-3, 3);
+            return {shape::Arc{at, real(0.15, 0.5), from, from + real(0.5, 6)}};
+        }
+        case 2:
+            return {shape::Circle{at, real(0.03, 0.2)}};
+        case 3: {
+            const Vec2 x = real(0.05, 0.2) * direction(), y = real(0.5, 1.5) * perp(x);
+            return {shape::Polygon{{at - x - y, at + x - y, at + 0.7 * x + y, at - x + y}}};
+        }
+        case 4:
+            return {shape::Capsule{at, to, real(0.01, 0.08)}};
+        case 5:
+            return {shape::Polyline{{at, to, to + real(0.1, 0.4) * direction()}, false}};
+        default:
+            return segment(at, to);
+    }
+}
+
+void RandomScene::add_part_to(Scene& scene) {
+    switch (whole(0, 5)) {
+        case 0: {
+            const Vec2 pivot = place();
+            const double rest = real(-3, 3);
+            add_part(scene, {shape::Flipper{pivot, real(0.2, 0.4), 0.05, 0.03, rest}}, material()).motion =
+                motion::Flip{Side::left, rest + real(0.3, 1.2), real(5, 30), real(5, 15)};
+            return;
+        }
+        case 1: {
+            const Shape turning = shape();
+            add_part(scene, turning, material()).motion = motion::Turn{place(), real(-6, 6), true};
+            return;
+        }
+        default: {
+            const Shape still = shape();
+            add_part(scene, still, material());
+        }
+    }
+}
+
+void clear_starts(Scene& scene) {
+    const Engine& engine = engine_named("custom");
+    for (;;) {
+        const auto world = engine.make(std::make_shared<const Scene>(scene), settings_for(engine, scene));
+        if (world->contacts().empty()) return;
+        const BallNumber touching = world->contacts().front().ball;
+        std::erase_if(scene.balls, [&](const Ball& ball) { return ball.number == touching; });
+        for (BallNumber i = 0; i < scene.balls.size(); ++i) scene.balls[i].number = i;
+    }
+}
+
+}  // namespace flipside::lab
