@@ -34,11 +34,12 @@ BareLoop::BareLoop(const Scene& scene)
     left_ = single(bounds_.min.x), bottom_ = single(bounds_.min.y), per_cell_ = 1 / size;
     columns_ = static_cast<std::uint32_t>((single(bounds_.max.x) - left_) / size) + 1;
     rows_ = static_cast<std::uint32_t>((single(bounds_.max.y) - bottom_) / size) + 1;
-    for (const Piece& piece : surface_of(scene)) {
-        const float bounce = single(mix(ball, scene.materials[scene.parts[piece.part].material]).restitution);
-        if (const auto* s = std::get_if<piece::Segment>(&piece.is))
+    for (const Primitive& primitive : surface_of(scene)) {
+        const float bounce =
+            single(mix(ball, scene.materials[scene.parts[primitive.part].material]).restitution);
+        if (const auto* s = std::get_if<primitive::Segment>(&primitive.is))
             walls_.push_back({single(s->a.x), single(s->a.y), single(s->b.x), single(s->b.y), 0, bounce});
-        if (const auto* c = std::get_if<piece::Circle>(&piece.is))
+        if (const auto* c = std::get_if<primitive::Circle>(&primitive.is))
             walls_.push_back({single(c->center.x), single(c->center.y), single(c->center.x),
                               single(c->center.y), single(c->radius), bounce});
     }

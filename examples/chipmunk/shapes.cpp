@@ -51,7 +51,7 @@ Space::Space(const flipside_scene& scene, const Options& options)
         }
         parts_.push_back(std::move(part));
     }
-    for (std::uint32_t i = 0; i < scene.piece_count; ++i) add_piece(scene.pieces[i], scene);
+    for (std::uint32_t i = 0; i < scene.primitive_count; ++i) add_primitive(scene.primitives[i], scene);
     for (std::uint32_t i = 0; i < scene.ball_count; ++i) add_ball(scene.balls[i]);
     for (std::uint32_t i = 0; i < scene.blocked_count; ++i)
         blocked_[{scene.blocked[i].ball, false, scene.blocked[i].part}] = true;
@@ -92,31 +92,32 @@ void Space::add_shape(std::uint32_t part, cpShape* shape) {
 }
 
 /// Between neighbours that come from `before` and go on to `after`: its ends meet nothing that these would.
-void Space::add_segment(const flipside_piece& piece, cpVect before, cpVect a, cpVect b, cpVect after) {
-    cpShape* const shape = cpSegmentShapeNew(parts_[piece.part].body, a, b, 0);
+void Space::add_segment(const flipside_primitive& primitive, cpVect before, cpVect a, cpVect b,
+                        cpVect after) {
+    cpShape* const shape = cpSegmentShapeNew(parts_[primitive.part].body, a, b, 0);
     cpSegmentShapeSetNeighbors(shape, before, after);
-    add_shape(piece.part, shape);
+    add_shape(primitive.part, shape);
 }
 
-void Space::add_piece(const flipside_piece& piece, const flipside_scene& scene) {
-    cpBody* const body = parts_[piece.part].body;
-    const cpVect a = local(piece.part, piece.a), b = local(piece.part, piece.b);
-    switch (piece.kind) {
+void Space::add_primitive(const flipside_primitive& primitive, const flipside_scene& scene) {
+    cpBody* const body = parts_[primitive.part].body;
+    const cpVect a = local(primitive.part, primitive.a), b = local(primitive.part, primitive.b);
+    switch (primitive.kind) {
         case FLIPSIDE_POINT:
-            return add_shape(piece.part, cpCircleShapeNew(body, 0, a));
+            return add_shape(primitive.part, cpCircleShapeNew(body, 0, a));
         case FLIPSIDE_CIRCLE:
-            return add_shape(piece.part, cpCircleShapeNew(body, piece.radius_a, a));
+            return add_shape(primitive.part, cpCircleShapeNew(body, primitive.radius_a, a));
         case FLIPSIDE_SEGMENT:
-            return add_segment(piece, cpvsub(a, cpvsub(b, a)), a, b, cpvadd(b, cpvsub(b, a)));
+            return add_segment(primitive, cpvsub(a, cpvsub(b, a)), a, b, cpvadd(b, cpvsub(b, a)));
         case FLIPSIDE_ARC:
-            return add_arc(piece);
+            return add_arc(primitive);
         case FLIPSIDE_TAPER:
-            return add_taper(piece);
+            return add_taper(primitive);
         case FLIPSIDE_POLYGON: {
             std::vector<cpVect> corners;
-            for (std::uint32_t i = 0; i < piece.point_count; ++i)
-                corners.push_back(local(piece.part, scene.points[piece.first_point + i]));
-            return add_shape(piece.part,
+            for (std::uint32_t i = 0; i < primitive.point_count; ++i)
+                corners.push_back(local(primitive.part, scene.points[primitive.first_point + i]));
+            return add_shape(primitive.part,
                              cpPolyShapeNewRaw(body, static_cast<int>(corners.size()), corners.data(), 0));
         }
         default:
@@ -124,42 +125,42 @@ void Space::add_piece(const flipside_piece& piece, const flipside_scene& scene) 
     }
 }
 
-void Space::add_arc(const flipside_piece& piece) {
-    const double sweep = piece.to - piece.from;
-    const int count = chord_count(piece.radius_a, sweep, options_.chord_error);
-    const cpVect center = local(piece.part, piece.a);
+void Space::add_arc(const flipside_primitive& primitive) {
+    const double sweep = primitive.to - primitive.from;
+    const int count = chord_count(primitive.radius_a, sweep, options_.chord_error);
+    const cpVect center = local(primitive.part, primitive.a);
     const auto corner = [&](int i) {
-        return on_circle(center, piece.radius_a, piece.from + sweep * i / count);
+        return on_circle(center, primitive.radius_a, primitive.from + sweep * i / count);
     };
     // Beyond its ends an open arc goes on along its tangent, a full circle along its next chord.
     const bool closed = sweep >= 2 * std::numbers::pi;
-    const double length = piece.radius_a * sweep / count;
-    const cpVect along_first = cpvmult(cpvperp(cpvforangle(piece.from)), length);
-    const cpVect along_last = cpvmult(cpvperp(cpvforangle(piece.to)), length);
+    const double length = primitive.radius_a * sweep / count;
+    const cpVect along_first = cpvmult(cpvperp(cpvforangle(primitive.from)), length);
+    const cpVect along_last = cpvmult(cpvperp(cpvforangle(primitive.to)), length);
     const cpVect before = closed ? corner(-1) : cpvsub(corner(0), along_first);
     const cpVect after = closed ? corner(1) : cpvadd(corner(count), along_last);
     for (int i = 0; i < count; ++i)
-        add_segment(piece, i == 0 ? before : corner(i - 1), corner(i), corner(i + 1),
+        add_segment(primitive, i == 0 ? before : corner(i - 1), corner(i), corner(i + 1),
                     i + 1 == count ? after : corner(i + 2));
 }
 
 /// A capsule is a fat segment; where the ends differ, two discs and the four corners of their tangents.
-void Space::add_taper(const flipside_piece& piece) {
-    cpBody* const body = parts_[piece.part].body;
-    const cpVect a = local(piece.part, piece.a), b = local(piece.part, piece.b);
-    if (piece.radius_a == piece.radius_b)
-        return add_shape(piece.part, cpSegmentShapeNew(body, a, b, piece.radius_a));
-    add_shape(piece.part, cpCircleShapeNew(body, piece.radius_a, a));
-    add_shape(piece.part, cpCircleShapeNew(body, piece.radius_b, b));
+void Space::add_taper(const flipside_primitive& primitive) {
+    cpBody* const body = parts_[primitive.part].body;
+    const cpVect a = local(primitive.part, primitive.a), b = local(primitive.part, primitive.b);
+    if (primitive.radius_a == primitive.radius_b)
+        return add_shape(primitive.part, cpSegmentShapeNew(body, a, b, primitive.radius_a));
+    add_shape(primitive.part, cpCircleShapeNew(body, primitive.radius_a, a));
+    add_shape(primitive.part, cpCircleShapeNew(body, primitive.radius_b, b));
     // The outward normal n of a tangent has n (b - a) = ra - rb.
     const cpVect axis = cpvnormalize(cpvsub(b, a));
-    const double sine = (piece.radius_a - piece.radius_b) / cpvdist(a, b);
+    const double sine = (primitive.radius_a - primitive.radius_b) / cpvdist(a, b);
     const cpVect aside = cpvmult(cpvperp(axis), std::sqrt(1 - sine * sine));
     const cpVect left = cpvadd(cpvmult(axis, sine), aside), right = cpvsub(cpvmult(axis, sine), aside);
     const cpVect corners[] = {
-        cpvadd(a, cpvmult(right, piece.radius_a)), cpvadd(b, cpvmult(right, piece.radius_b)),
-        cpvadd(b, cpvmult(left, piece.radius_b)), cpvadd(a, cpvmult(left, piece.radius_a))};
-    add_shape(piece.part, cpPolyShapeNewRaw(body, 4, corners, 0));
+        cpvadd(a, cpvmult(right, primitive.radius_a)), cpvadd(b, cpvmult(right, primitive.radius_b)),
+        cpvadd(b, cpvmult(left, primitive.radius_b)), cpvadd(a, cpvmult(left, primitive.radius_a))};
+    add_shape(primitive.part, cpPolyShapeNewRaw(body, 4, corners, 0));
 }
 
 void Space::add_ball(const flipside_ball& ball) {

@@ -71,10 +71,10 @@ class Space {
 
   private:
     // shapes.cpp
-    void add_piece(const flipside_piece& piece, const flipside_scene& scene);
-    void add_arc(const flipside_piece& piece);
-    void add_taper(const flipside_piece& piece);
-    void add_segment(const flipside_piece& piece, cpVect before, cpVect a, cpVect b, cpVect after);
+    void add_primitive(const flipside_primitive& primitive, const flipside_scene& scene);
+    void add_arc(const flipside_primitive& primitive);
+    void add_taper(const flipside_primitive& primitive);
+    void add_segment(const flipside_primitive& primitive, cpVect before, cpVect a, cpVect b, cpVect after);
     void add_shape(std::uint32_t part, cpShape* shape);
     void add_ball(const flipside_ball& ball);
     void remove_ball(std::uint32_t number);

@@ -23,7 +23,7 @@ struct flipside_world {
     flipside_scene scene; /* only its numbers: what it points at was Flipside's, and is copied below */
     flipside_material* materials;
     flipside_part* parts;
-    flipside_piece* pieces;
+    flipside_primitive* primitives;
     flipside_ball* balls;
     uint32_t ball_count;
     int substeps;
@@ -51,7 +51,7 @@ static void* copy(const void* from, size_t size) {
 static void destroy(flipside_world* world) {
     free(world->materials);
     free(world->parts);
-    free(world->pieces);
+    free(world->primitives);
     free(world->balls);
     free(world->events);
     free(world->contacts);
@@ -64,25 +64,25 @@ static flipside_world* make(const flipside_scene* scene, const double* settings,
     world->scene = *scene;
     world->materials = copy(scene->materials, scene->material_count * sizeof *scene->materials);
     world->parts = copy(scene->parts, scene->part_count * sizeof *scene->parts);
-    world->pieces = copy(scene->pieces, scene->piece_count * sizeof *scene->pieces);
+    world->primitives = copy(scene->primitives, scene->primitive_count * sizeof *scene->primitives);
     world->balls = copy(scene->balls, scene->ball_count * sizeof *scene->balls);
     world->ball_count = scene->ball_count;
     world->substeps = (int)settings[0];
     world->events = malloc(MOST_EVENTS * sizeof *world->events);
-    if (world->materials && world->parts && world->pieces && world->balls && world->events) return world;
+    if (world->materials && world->parts && world->primitives && world->balls && world->events) return world;
     snprintf(why, FLIPSIDE_WHY, "there is no memory for %u balls", (unsigned)scene->ball_count);
     destroy(world);
     return NULL;
 }
 
-/* The point of a piece that is nearest to p, and how far it is inside the piece's surface (a circle's
+/* The point of a primitive that is nearest to p, and how far it is inside the primitive's surface (a circle's
  * radius). */
-static flipside_vec nearest(const flipside_piece* piece, flipside_vec p, double* radius) {
-    *radius = piece->kind == FLIPSIDE_CIRCLE ? piece->radius_a : 0;
-    if (piece->kind != FLIPSIDE_SEGMENT) return piece->a;
-    flipside_vec along = add(piece->b, -1, piece->a);
-    double share = dot(add(p, -1, piece->a), along) / dot(along, along);
-    return add(piece->a, share < 0 ? 0 : share > 1 ? 1 : share, along);
+static flipside_vec nearest(const flipside_primitive* primitive, flipside_vec p, double* radius) {
+    *radius = primitive->kind == FLIPSIDE_CIRCLE ? primitive->radius_a : 0;
+    if (primitive->kind != FLIPSIDE_SEGMENT) return primitive->a;
+    flipside_vec along = add(primitive->b, -1, primitive->a);
+    double share = dot(add(p, -1, primitive->a), along) / dot(along, along);
+    return add(primitive->a, share < 0 ? 0 : share > 1 ? 1 : share, along);
 }
 
 /* Two things that overlap by `depth`, `normal` from `other` to the ball. A wall is a thing of no inverse
@@ -169,10 +169,10 @@ static int overlaps(meeting* m, flipside_vec center, double radius) {
 static void find_overlaps(flipside_world* world, double time, int respond) {
     for (uint32_t i = 0; i < world->ball_count; ++i) {
         meeting m = {.ball = &world->balls[i]};
-        for (uint32_t j = 0; j < world->scene.piece_count; ++j) {
+        for (uint32_t j = 0; j < world->scene.primitive_count; ++j) {
             double radius;
-            flipside_vec center = nearest(&world->pieces[j], m.ball->state.position, &radius);
-            m.part = world->pieces[j].part;
+            flipside_vec center = nearest(&world->primitives[j], m.ball->state.position, &radius);
+            m.part = world->primitives[j].part;
             if (!overlaps(&m, center, radius)) continue;
             respond ? bounce(world, &m, time) : note_contact(world, &m);
         }

@@ -41,7 +41,7 @@ extern "C" {
 
 /* What a scene may need of an engine beyond gravity and restitution. A scene that needs what an engine does
  * not declare is refused, with the name of what is missing and of a part that needs it. */
-#define FLIPSIDE_POINTS (1u << 0) /* pieces by kind; points are also the corners and ends of curves */
+#define FLIPSIDE_POINTS (1u << 0) /* primitives by kind; points are also the corners and ends of curves */
 #define FLIPSIDE_SEGMENTS (1u << 1)
 #define FLIPSIDE_ARCS (1u << 2)
 #define FLIPSIDE_CIRCLES (1u << 3)
@@ -88,7 +88,7 @@ typedef struct flipside_ball {
     uint32_t reserved;
 } flipside_ball;
 
-enum flipside_piece_kind {
+enum flipside_primitive_kind {
     FLIPSIDE_POINT = 0, /* a */
     FLIPSIDE_SEGMENT =
         1,            /* from a to b, two-sided, without its ends: where they can be hit they are points */
@@ -101,14 +101,14 @@ enum flipside_piece_kind {
 
 /* A primitive of a part's surface, where it is at the part's angle 0. Joints are resolved: where two curves
  * meet smoothly there is no point, and nothing may catch. */
-typedef struct flipside_piece {
+typedef struct flipside_primitive {
     uint32_t kind;
     uint32_t part; /* index into the scene's parts */
     flipside_vec a, b;
     double radius_a, radius_b;
     double from, to; /* rad, from < to <= from + 2 pi */
     uint32_t first_point, point_count;
-} flipside_piece;
+} flipside_primitive;
 
 #define FLIPSIDE_PART_SENSOR (1u << 0) /* begins and ends, no response */
 #define FLIPSIDE_PART_MOVES (1u << 1)
@@ -137,7 +137,7 @@ typedef struct flipside_blocked {
 
 typedef struct flipside_scene {
     uint32_t size;
-    uint32_t material_count, ball_count, part_count, piece_count, point_count, blocked_count;
+    uint32_t material_count, ball_count, part_count, primitive_count, point_count, blocked_count;
     uint32_t reserved;
     const char* name;
     const char* json; /* all of it, as a scene file (assets/scene.schema.json); the numbers below are exact */
@@ -149,7 +149,7 @@ typedef struct flipside_scene {
     const flipside_material* materials;
     const flipside_ball* balls; /* by rising number */
     const flipside_part* parts;
-    const flipside_piece* pieces; /* by part; drop targets that are down have none */
+    const flipside_primitive* primitives; /* by part; drop targets that are down have none */
     const flipside_vec* points;
     const flipside_blocked* blocked;
 } flipside_scene;

@@ -70,9 +70,11 @@ struct Builder {
         add(shape, cornerless);
     }
 
-    void operator()(const piece::Point& p) const { disc(p.at, 0); }
-    void operator()(const piece::Segment& s) const { edge(s.a - (s.b - s.a), s.a, s.b, s.b + (s.b - s.a)); }
-    void operator()(const piece::Arc& arc) const {
+    void operator()(const primitive::Point& p) const { disc(p.at, 0); }
+    void operator()(const primitive::Segment& s) const {
+        edge(s.a - (s.b - s.a), s.a, s.b, s.b + (s.b - s.a));
+    }
+    void operator()(const primitive::Arc& arc) const {
         const double sweep = arc.to - arc.from;
         const int count = chord_count(arc.radius, sweep, chord_error);
         const auto corner = [&](int i) {
@@ -87,8 +89,8 @@ struct Builder {
             edge(i == 0 ? before : corner(i - 1), corner(i), corner(i + 1),
                  i + 1 == count ? after : corner(i + 2));
     }
-    void operator()(const piece::Circle& c) const { disc(c.center, c.radius); }
-    void operator()(const piece::Polygon& p) const {
+    void operator()(const primitive::Circle& c) const { disc(c.center, c.radius); }
+    void operator()(const primitive::Polygon& p) const {
         const std::size_t n = p.points.size();
         if (n <= b2_maxPolygonVertices) return polygon(p.points, false);
         if (!sensor) {
@@ -105,7 +107,7 @@ struct Builder {
             polygon(fan, false);
         }
     }
-    void operator()(const piece::Taper& t) const {
+    void operator()(const primitive::Taper& t) const {
         disc(t.a, t.radius_a);
         disc(t.b, t.radius_b);
         // The outer tangents touch both circles where the outward normal n has n·(b−a) = ra − rb.
@@ -121,8 +123,9 @@ struct Builder {
 
 }  // namespace
 
-void add_piece(b2Body& body, const Piece& piece, bool sensor, const Units& frame, double chord_error) {
-    std::visit(Builder{body, piece.part, sensor, frame, chord_error}, piece.is);
+void add_primitive(b2Body& body, const Primitive& primitive, bool sensor, const Units& frame,
+                   double chord_error) {
+    std::visit(Builder{body, primitive.part, sensor, frame, chord_error}, primitive.is);
 }
 
 bool at_joint(const b2Fixture& fixture, const b2Manifold& manifold, b2Vec2 center) {

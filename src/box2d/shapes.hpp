@@ -1,5 +1,5 @@
 #pragma once
-/// Pieces of a scene's surface as Box2D shapes.
+/// Primitives of a scene's surface as Box2D shapes.
 ///
 ///     point            circle of radius 0
 ///     segment          edge, two-sided
@@ -19,7 +19,7 @@
 ///   a smooth joint, and one-sided edges would need two per wall. So edges keep two sides, carry ghost
 ///   vertices like one-sided ones, and at_joint() tells which contacts to ignore: those with an end that
 ///   the neighbour beyond it covers. A ghost that continues an end straight on makes that end vanish; the
-///   ends that can be hit are pieces of their own.
+///   ends that can be hit are primitives of their own.
 
 #include <box2d/b2_fixture.h>
 
@@ -43,8 +43,10 @@ struct Tag {
     }
 };
 
-/// Adds a piece to a body whose frame is `frame`. Arcs stray from their chords by at most `chord_error` m.
-void add_piece(b2Body& body, const Piece& piece, bool sensor, const Units& frame, double chord_error);
+/// Adds a primitive to a body whose frame is `frame`. Arcs stray from their chords by at most `chord_error`
+/// m.
+void add_primitive(b2Body& body, const Primitive& primitive, bool sensor, const Units& frame,
+                   double chord_error);
 
 /// Whether a contact of a disc with this fixture is one to ignore, see above. `center` is the disc's, in
 /// the coordinates of the fixture's body; the manifold is one of that fixture (as A) and the disc (as B).

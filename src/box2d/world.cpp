@@ -55,10 +55,11 @@ void Box2dWorld::build() {
     parts_.clear();
     bodies_.clear();
     for (PartIndex i = 0; i < table_.scene().parts.size(); ++i) add_part(i);
-    for (const Piece& piece : surface_of(table_.scene())) {
-        const Part& part = table_.scene().parts[piece.part];
-        const Units frame{Table::moves(part) ? table_.pose(piece.part).pivot : units_.origin, units_.scale};
-        add_piece(*parts_[piece.part], piece, part.sensor, frame, options_.chord_error);
+    for (const Primitive& primitive : surface_of(table_.scene())) {
+        const Part& part = table_.scene().parts[primitive.part];
+        const Units frame{Table::moves(part) ? table_.pose(primitive.part).pivot : units_.origin,
+                          units_.scale};
+        add_primitive(*parts_[primitive.part], primitive, part.sensor, frame, options_.chord_error);
     }
     for (const Ball& ball : balls_) add_body(ball);
     find_pairs();

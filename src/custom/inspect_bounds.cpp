@@ -10,8 +10,8 @@ void inspect_turning_bounds(const Layout& layout, const Table& table, Inspector&
     std::vector<Vec2> outline;
     for (const PartIndex part : table.moving_parts()) {
         outline.clear();
-        for (const Piece& piece : layout.pieces())
-            if (piece.part == part) append_outline(piece, table.pose(part), outline);
+        for (const Primitive& primitive : layout.primitives())
+            if (primitive.part == part) append_outline(primitive, table.pose(part), outline);
         const Disc disc = enclosing_disc(outline);
         inspector.circle(Topic::boxes, disc.center, disc.radius);
         const auto corners = enclosing_rectangle(outline).corners();
@@ -23,8 +23,8 @@ void inspect_turning_bounds(const Layout& layout, const Table& table, Inspector&
 
 void inspect_bounds(const Layout& layout, const Table& table, std::span<const Ball> balls,
                     Inspector& inspector) {
-    for (PieceIndex i = 0; i < layout.size(); ++i)
-        inspector.box(Topic::boxes, bounds_of(layout.piece(i), table.pose(layout.piece(i).part)));
+    for (PrimitiveIndex i = 0; i < layout.size(); ++i)
+        inspector.box(Topic::boxes, bounds_of(layout.primitive(i), table.pose(layout.primitive(i).part)));
     for (const Ball& ball : balls) inspector.box(Topic::boxes, bounds_of(ball.position, ball.radius));
     inspect_turning_bounds(layout, table, inspector);
 }

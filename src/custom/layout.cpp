@@ -7,16 +7,17 @@
 namespace flipside::custom {
 
 Layout::Layout(const Scene& scene)
-    : scene_(scene), pieces_(surface_of(scene)), materials_(scene.materials.size()) {
-    const auto moving = std::stable_partition(
-        pieces_.begin(), pieces_.end(), [&](const Piece& p) { return !Table::moves(scene.parts[p.part]); });
-    still_ = static_cast<PieceIndex>(moving - pieces_.begin());
-    for (PieceIndex i = 0; i < still_; ++i) {
-        const Part& part = scene.parts[pieces_[i].part];
-        still_proxies_.push_back({bounds_of(pieces_[i]), part.layer, part.collides_with, false, false});
+    : scene_(scene), primitives_(surface_of(scene)), materials_(scene.materials.size()) {
+    const auto moving =
+        std::stable_partition(primitives_.begin(), primitives_.end(),
+                              [&](const Primitive& p) { return !Table::moves(scene.parts[p.part]); });
+    still_ = static_cast<PrimitiveIndex>(moving - primitives_.begin());
+    for (PrimitiveIndex i = 0; i < still_; ++i) {
+        const Part& part = scene.parts[primitives_[i].part];
+        still_proxies_.push_back({bounds_of(primitives_[i]), part.layer, part.collides_with, false, false});
     }
-    for (const Piece& piece : pieces_) {
-        const Part& part = scene.parts[piece.part];
+    for (const Primitive& primitive : primitives_) {
+        const Part& part = scene.parts[primitive.part];
         always_stops_.push_back(!part.sensor && !part.target && gate_of(part) == nullptr);
         material_of_.push_back(part.material);
     }
@@ -26,13 +27,13 @@ Layout::Layout(const Scene& scene)
         for (const Material& b : scene.materials) mixed_.push_back(mix(a, b));
 }
 
-Proxy Layout::proxy(const Table& table, PieceIndex i, double begin, double end) const {
-    const Part& part = scene_.parts[pieces_[i].part];
-    const Pose first = table.pose(pieces_[i].part, begin), last = table.pose(pieces_[i].part, end);
+Proxy Layout::proxy(const Table& table, PrimitiveIndex i, double begin, double end) const {
+    const Part& part = scene_.parts[primitives_[i].part];
+    const Pose first = table.pose(primitives_[i].part, begin), last = table.pose(primitives_[i].part, end);
     const double turned = last.angle - first.angle;
-    Box box = bounds_of(pieces_[i], first);
+    Box box = bounds_of(primitives_[i], first);
     if (turned != 0) {
-        box = united(box, bounds_of(pieces_[i], last));
+        box = united(box, bounds_of(primitives_[i], last));
         // Between the two, a point at distance d bulges out by less than d·(1 − cos(turned/2)).
         const double dx = std::max(box.max.x - first.pivot.x, first.pivot.x - box.min.x);
         const double dy = std::max(box.max.y - first.pivot.y, first.pivot.y - box.min.y);
@@ -41,14 +42,14 @@ Proxy Layout::proxy(const Table& table, PieceIndex i, double begin, double end) 
     return {box, part.layer, part.collides_with, false, turned != 0};
 }
 
-bool stops(const Table& table, const Piece& piece, const Pose& pose, const Ball& ball) {
-    const Part& part = table.scene().parts[piece.part];
-    const PartState& state = table.parts()[piece.part];
+bool stops(const Table& table, const Primitive& primitive, const Pose& pose, const Ball& ball) {
+    const Part& part = table.scene().parts[primitive.part];
+    const PartState& state = table.parts()[primitive.part];
     if (part.sensor || state.down) return false;
     const shape::Gate* gate = gate_of(part);
     if (gate == nullptr) return true;
-    if (state.open || table.is_blocked(piece.part, ball.number)) return !state.open;
-    const Vec2 relative = ball.velocity - cross(table.rate(piece.part), ball.position - pose.pivot);
+    if (state.open || table.is_blocked(primitive.part, ball.number)) return !state.open;
+    const Vec2 relative = ball.velocity - cross(table.rate(primitive.part), ball.position - pose.pivot);
     return !lets_through(*gate, pose.undo(ball.position), rotated(relative, -pose.angle), ball.radius);
 }
 

@@ -46,8 +46,8 @@ void each_missing(const std::vector<T>& these, const std::vector<T>& those, auto
 
 }  // namespace
 
-void TouchList::reserve(std::size_t pieces, std::size_t balls) {
-    reserve_for(moving_, pieces + balls);
+void TouchList::reserve(std::size_t primitives, std::size_t balls) {
+    reserve_for(moving_, primitives + balls);
     for (auto* list : {&before_, &now_}) reserve_for(*list, balls, touches_per_ball);
     reserve_for(pairs_, balls, pairs_per_ball);
     for (auto* list : {&sensed_before_, &sensed_}) reserve_for(*list, balls, touches_per_ball);
@@ -61,16 +61,17 @@ void TouchList::keep_sleepers(std::span<const Ball> balls) {
         if (sleeps(balls, s.ball)) sensed_.push_back(s);
 }
 
-void TouchList::test(const Layout& layout, const Table& table, const Ball& ball, PieceIndex index) {
-    const Piece& piece = layout.piece(index);
+void TouchList::test(const Layout& layout, const Table& table, const Ball& ball, PrimitiveIndex index) {
+    const Primitive& primitive = layout.primitive(index);
     const Pose pose = layout.pose(table, index, 0);
-    const bool sensor = table.scene().parts[piece.part].sensor;
+    const bool sensor = table.scene().parts[primitive.part].sensor;
     if (!sensor && !layout.stops(table, index, pose, ball)) return;
-    const Touch found = touch(ball.position, ball.radius, piece, pose);
+    const Touch found = touch(ball.position, ball.radius, primitive, pose);
     if (found.past_end) return;
-    if (sensor && found.separation <= 0) sensed_.push_back({ball.number, piece.part});
+    if (sensor && found.separation <= 0) sensed_.push_back({ball.number, primitive.part});
     if (!sensor && found.separation <= touch_distance * ball.radius)
-        now_.push_back({ball.number, Other::part(piece.part), found.point, found.normal, found.separation});
+        now_.push_back(
+            {ball.number, Other::part(primitive.part), found.point, found.normal, found.separation});
 }
 
 void TouchList::test(const Ball& lower, const Ball& ball) {

@@ -39,14 +39,14 @@ class TouchList {
     /// Wakes sleepers that lost a touch from below between the last two searches. Whether there were any.
     bool wake_unsupported(std::span<Ball> balls, Vec2 gravity) const;
 
-    /// Makes room for so many pieces and balls.
-    void reserve(std::size_t pieces, std::size_t balls);
+    /// Makes room for so many primitives and balls.
+    void reserve(std::size_t primitives, std::size_t balls);
 
   private:
     void begin();
     void test_pairs(const Layout& layout, const Table& table, std::span<const Ball> balls);
     void keep_sleepers(std::span<const Ball> balls);
-    void test(const Layout& layout, const Table& table, const Ball& ball, PieceIndex index);
+    void test(const Layout& layout, const Table& table, const Ball& ball, PrimitiveIndex index);
     void test(const Ball& lower, const Ball& ball);
 
     std::vector<Contact> before_, now_;

@@ -21,8 +21,8 @@ void CustomWorld::inspect(Inspector& inspector) const {
         find_contacts();
         const auto place = [&](Handle handle) {
             if (handle >= layout_.size()) return balls_[handle - layout_.size()].position;
-            const Piece& piece = layout_.piece(handle);
-            return middle(bounds_of(piece, table_.pose(piece.part)));
+            const Primitive& primitive = layout_.primitive(handle);
+            return middle(bounds_of(primitive, table_.pose(primitive.part)));
         };
         for (const Pair pair : contacts_.pairs()) inspector.pair(place(pair.a), place(pair.b));
     }

@@ -30,31 +30,35 @@ CertificateJson list_of(const Things& things, Write write) {
     return list;
 }
 
-CertificateJson piece_json(const char* type, const std::vector<Vec2>& points, std::vector<double> radii = {},
-                           std::vector<double> angles = {}) {
+CertificateJson primitive_json(const char* type, const std::vector<Vec2>& points,
+                               std::vector<double> radii = {}, std::vector<double> angles = {}) {
     return {{"type", type},
             {"points", list_of(points, pair_of)},
             {"radii", std::move(radii)},
             {"angles", std::move(angles)}};
 }
-struct PieceJson {
-    CertificateJson operator()(const piece::Point& p) const { return piece_json("point", {p.at}); }
-    CertificateJson operator()(const piece::Segment& s) const { return piece_json("segment", {s.a, s.b}); }
-    CertificateJson operator()(const piece::Arc& a) const {
-        return piece_json("arc", {a.center}, {a.radius}, {a.from, a.to});
+struct PrimitiveJson {
+    CertificateJson operator()(const primitive::Point& p) const { return primitive_json("point", {p.at}); }
+    CertificateJson operator()(const primitive::Segment& s) const {
+        return primitive_json("segment", {s.a, s.b});
     }
-    CertificateJson operator()(const piece::Circle& c) const {
-        return piece_json("circle", {c.center}, {c.radius});
+    CertificateJson operator()(const primitive::Arc& a) const {
+        return primitive_json("arc", {a.center}, {a.radius}, {a.from, a.to});
     }
-    CertificateJson operator()(const piece::Polygon& p) const { return piece_json("polygon", p.points); }
-    CertificateJson operator()(const piece::Taper& t) const {
-        return piece_json("taper", {t.a, t.b}, {t.radius_a, t.radius_b});
+    CertificateJson operator()(const primitive::Circle& c) const {
+        return primitive_json("circle", {c.center}, {c.radius});
+    }
+    CertificateJson operator()(const primitive::Polygon& p) const {
+        return primitive_json("polygon", p.points);
+    }
+    CertificateJson operator()(const primitive::Taper& t) const {
+        return primitive_json("taper", {t.a, t.b}, {t.radius_a, t.radius_b});
     }
 };
 
-CertificateJson to_json(const Piece& piece) {
-    CertificateJson json = std::visit(PieceJson{}, piece.is);
-    json["part"] = piece.part;
+CertificateJson to_json(const Primitive& primitive) {
+    CertificateJson json = std::visit(PrimitiveJson{}, primitive.is);
+    json["part"] = primitive.part;
     return json;
 }
 
@@ -168,7 +172,8 @@ CertificateJson whole(const Session& session, const Certificate& certificate, co
                                                              {"kick", m.kick}};
                                   })},
             {"parts", std::move(parts)},
-            {"pieces", list_of(surface_of(scene), [](const Piece& piece) { return to_json(piece); })},
+            {"primitives",
+             list_of(surface_of(scene), [](const Primitive& primitive) { return to_json(primitive); })},
             {"inputs", list_of(certificate.inputs,
                                [](const reference::Input& input) {
                                    return CertificateJson{

@@ -45,7 +45,8 @@ void note_motions(const Table& table, std::vector<flipside_motion>& motions) {
     }
 }
 
-Handover::Handover(const Table& table, const std::vector<Piece>& pieces, std::span<const Ball> balls) {
+Handover::Handover(const Table& table, const std::vector<Primitive>& primitives,
+                   std::span<const Ball> balls) {
     const Scene& scene = table.scene();
     name_ = scene.name;
     numbers_.time = table.time();
@@ -61,46 +62,46 @@ Handover::Handover(const Table& table, const std::vector<Piece>& pieces, std::sp
         parts_.push_back(part_of(scene.parts[i], table.parts()[i], table.pose(i)));
         part_names_.push_back(scene.parts[i].name);
     }
-    for (const Piece& piece : pieces)
-        if (!table.parts()[piece.part].down) add(piece);
+    for (const Primitive& primitive : primitives)
+        if (!table.parts()[primitive.part].down) add(primitive);
     for (const Blocked& blocked : table.blocked()) blocked_.push_back({blocked.gate, blocked.ball});
 }
 
-void Handover::add(const Piece& piece) {
-    flipside_piece out{};
-    out.part = piece.part;
+void Handover::add(const Primitive& primitive) {
+    flipside_primitive out{};
+    out.part = primitive.part;
     struct Fill {
-        flipside_piece& out;
+        flipside_primitive& out;
         std::vector<flipside_vec>& points;
 
-        void operator()(const piece::Point& p) const {
+        void operator()(const primitive::Point& p) const {
             out.kind = FLIPSIDE_POINT;
             out.a = as_c(p.at);
         }
-        void operator()(const piece::Segment& s) const {
+        void operator()(const primitive::Segment& s) const {
             out.kind = FLIPSIDE_SEGMENT;
             out.a = as_c(s.a);
             out.b = as_c(s.b);
         }
-        void operator()(const piece::Arc& arc) const {
+        void operator()(const primitive::Arc& arc) const {
             out.kind = FLIPSIDE_ARC;
             out.a = as_c(arc.center);
             out.radius_a = arc.radius;
             out.from = arc.from;
             out.to = arc.to;
         }
-        void operator()(const piece::Circle& c) const {
+        void operator()(const primitive::Circle& c) const {
             out.kind = FLIPSIDE_CIRCLE;
             out.a = as_c(c.center);
             out.radius_a = c.radius;
         }
-        void operator()(const piece::Polygon& p) const {
+        void operator()(const primitive::Polygon& p) const {
             out.kind = FLIPSIDE_POLYGON;
             out.first_point = static_cast<std::uint32_t>(points.size());
             out.point_count = static_cast<std::uint32_t>(p.points.size());
             for (const Vec2 point : p.points) points.push_back(as_c(point));
         }
-        void operator()(const piece::Taper& t) const {
+        void operator()(const primitive::Taper& t) const {
             out.kind = FLIPSIDE_TAPER;
             out.a = as_c(t.a);
             out.b = as_c(t.b);
@@ -108,8 +109,8 @@ void Handover::add(const Piece& piece) {
             out.radius_b = t.radius_b;
         }
     };
-    std::visit(Fill{out, points_}, piece.is);
-    pieces_.push_back(out);
+    std::visit(Fill{out, points_}, primitive.is);
+    primitives_.push_back(out);
 }
 
 void Handover::write(Writer& out) const {
@@ -119,7 +120,7 @@ void Handover::write(Writer& out) const {
     out.array(std::span(balls_));
     out.array(std::span(parts_));
     for (const std::string& part : part_names_) out.text(part);
-    out.array(std::span(pieces_));
+    out.array(std::span(primitives_));
     out.array(std::span(points_));
     out.array(std::span(blocked_));
 }
@@ -132,7 +133,7 @@ void Handover::read(Reader& in) {
     in.array(parts_);
     part_names_.clear();
     for (std::size_t i = 0; i < parts_.size(); ++i) part_names_.push_back(in.text());
-    in.array(pieces_);
+    in.array(primitives_);
     in.array(points_);
     in.array(blocked_);
 }
@@ -145,7 +146,7 @@ flipside_scene Handover::view(const std::string& json) {
     scene.material_count = count(materials_);
     scene.ball_count = count(balls_);
     scene.part_count = count(parts_);
-    scene.piece_count = count(pieces_);
+    scene.primitive_count = count(primitives_);
     scene.point_count = count(points_);
     scene.blocked_count = count(blocked_);
     scene.name = name_.c_str();
@@ -153,7 +154,7 @@ flipside_scene Handover::view(const std::string& json) {
     scene.materials = materials_.data();
     scene.balls = balls_.data();
     scene.parts = parts_.data();
-    scene.pieces = pieces_.data();
+    scene.primitives = primitives_.data();
     scene.points = points_.data();
     scene.blocked = blocked_.data();
     return scene;

@@ -21,8 +21,8 @@ void note_motions(const Table& table, std::vector<flipside_motion>& motions);
 class Handover {
   public:
     Handover() = default;
-    /// A scene and how it stands now. `pieces` is its surface.
-    Handover(const Table& table, const std::vector<Piece>& pieces, std::span<const Ball> balls);
+    /// A scene and how it stands now. `primitives` is its surface.
+    Handover(const Table& table, const std::vector<Primitive>& primitives, std::span<const Ball> balls);
 
     void write(Writer& out) const;
     void read(Reader& in);
@@ -30,7 +30,7 @@ class Handover {
     [[nodiscard]] flipside_scene view(const std::string& json);
 
   private:
-    void add(const Piece& piece);
+    void add(const Primitive& primitive);
 
     std::string name_;
     flipside_scene numbers_{};  ///< those that are no arrays
@@ -38,7 +38,7 @@ class Handover {
     std::vector<flipside_ball> balls_;
     std::vector<flipside_part> parts_;  ///< without their names
     std::vector<std::string> part_names_;
-    std::vector<flipside_piece> pieces_;
+    std::vector<flipside_primitive> primitives_;
     std::vector<flipside_vec> points_;
     std::vector<flipside_blocked> blocked_;
 };

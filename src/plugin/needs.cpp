@@ -35,7 +35,8 @@ using Reason = std::optional<std::string>;
 /// Answers, feature by feature, what of a scene needs it.
 class Needs {
   public:
-    Needs(const Scene& scene, const std::vector<Piece>& pieces) : scene_(scene), pieces_(pieces) {
+    Needs(const Scene& scene, const std::vector<Primitive>& primitives)
+        : scene_(scene), primitives_(primitives) {
         for (std::size_t i = 0; i < scene.balls.size(); ++i)
             balls_.push_back({&scene.balls[i], "ball " + std::to_string(i)});
         if (scene.launcher) balls_.push_back({&scene.launcher->ball, "the launcher's balls"});
@@ -44,17 +45,17 @@ class Needs {
     [[nodiscard]] Reason operator()(std::uint64_t feature) const {
         switch (feature) {
             case FLIPSIDE_POINTS:
-                return piece<piece::Point>();
+                return primitive<primitive::Point>();
             case FLIPSIDE_SEGMENTS:
-                return piece<piece::Segment>();
+                return primitive<primitive::Segment>();
             case FLIPSIDE_ARCS:
-                return piece<piece::Arc>();
+                return primitive<primitive::Arc>();
             case FLIPSIDE_CIRCLES:
-                return piece<piece::Circle>();
+                return primitive<primitive::Circle>();
             case FLIPSIDE_POLYGONS:
-                return piece<piece::Polygon>();
+                return primitive<primitive::Polygon>();
             case FLIPSIDE_TAPERS:
-                return piece<piece::Taper>();
+                return primitive<primitive::Taper>();
             case FLIPSIDE_BALL_PAIRS:
                 return scene_.balls.size() > 1 || scene_.launcher ? Reason(balls_.back().name) : std::nullopt;
             case FLIPSIDE_FRICTION:
@@ -88,10 +89,10 @@ class Needs {
         return at == scene_.parts.end() ? std::nullopt : Reason(name_of(*at));
     }
     template <class Kind>
-    [[nodiscard]] Reason piece() const {
+    [[nodiscard]] Reason primitive() const {
         const auto at = std::ranges::find_if(
-            pieces_, [](const Piece& one) { return std::holds_alternative<Kind>(one.is); });
-        return at == pieces_.end() ? std::nullopt : Reason(name_of(scene_.parts[at->part]));
+            primitives_, [](const Primitive& one) { return std::holds_alternative<Kind>(one.is); });
+        return at == primitives_.end() ? std::nullopt : Reason(name_of(scene_.parts[at->part]));
     }
     /// Of a part or ball for which this is above 0.
     [[nodiscard]] Reason material(double Material::*value) const {
@@ -130,7 +131,7 @@ class Needs {
     }
 
     const Scene& scene_;
-    const std::vector<Piece>& pieces_;
+    const std::vector<Primitive>& primitives_;
     std::vector<NamedBall> balls_;
 };
 
@@ -140,8 +141,9 @@ std::span<const Feature> features() {
     return all;
 }
 
-std::string missing_features(const Scene& scene, const std::vector<Piece>& pieces, std::uint64_t offered) {
-    const Needs needs(scene, pieces);
+std::string missing_features(const Scene& scene, const std::vector<Primitive>& primitives,
+                             std::uint64_t offered) {
+    const Needs needs(scene, primitives);
     std::string missing;
     for (const Feature& feature : all) {
         if ((offered & feature.bit) != 0) continue;

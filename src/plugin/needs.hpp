@@ -18,8 +18,8 @@ struct Feature {
 [[nodiscard]] std::span<const Feature> features();
 
 /// What the scene needs of what is not offered, each with a part or ball for which it does: "gates (part
-/// 'gate'), friction (ball 0)". Empty where there is nothing. `pieces` is the surface of the scene.
-[[nodiscard]] std::string missing_features(const Scene& scene, const std::vector<Piece>& pieces,
+/// 'gate'), friction (ball 0)". Empty where there is nothing. `primitives` is the surface of the scene.
+[[nodiscard]] std::string missing_features(const Scene& scene, const std::vector<Primitive>& primitives,
                                            std::uint64_t offered);
 
 }  // namespace flipside::plugin

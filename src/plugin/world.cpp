@@ -43,10 +43,10 @@ PluginWorld::PluginWorld(std::shared_ptr<const Scene> scene, const Plugin& plugi
     : plugin_(plugin),
       settings_(numbers_of(settings)),
       table_(std::move(scene)),
-      pieces_(surface_of(table_.scene())),
+      primitives_(surface_of(table_.scene())),
       balls_(table_.scene().balls),
       guard_(plugin.name) {
-    const std::string missing = missing_features(table_.scene(), pieces_, plugin.description.features);
+    const std::string missing = missing_features(table_.scene(), primitives_, plugin.description.features);
     if (!missing.empty())
         throw InputError(plugin.name + ": cannot run scene '" + printable(table_.scene().name) +
                          "', which needs what this engine does not support: " + missing);
@@ -112,7 +112,7 @@ void PluginWorld::make(std::string_view saved) {
     }
     Writer out(question_);
     out.text(knows_json_ ? std::string() : to_json(table_.scene()));
-    Handover(table_, pieces_, balls_).write(out);
+    Handover(table_, primitives_, balls_).write(out);
     out.array(std::span(std::as_const(settings_)));
     out.text(saved);
     static_cast<void>(ask(Ask::make));

@@ -71,7 +71,7 @@ class PluginWorld : public World {
     const Plugin& plugin_;
     std::vector<double> settings_;
     Table table_;
-    std::vector<Piece> pieces_;
+    std::vector<Primitive> primitives_;
     std::vector<Ball> balls_;  ///< by rising number
     std::vector<Event> events_;
     std::vector<Contact> contacts_;

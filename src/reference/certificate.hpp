@@ -16,7 +16,7 @@ namespace flipside::reference {
 struct Beginning {
     enum class Why { given, goes_on, meets_part, meets_ball };
     Why why = Why::goes_on;        ///< given: from outside (the start, a launch, a nudge)
-    std::uint32_t met = 0;         ///< index of a piece of the scene's surface, or the number of a ball
+    std::uint32_t met = 0;         ///< index of a primitive of the scene's surface, or the number of a ball
     std::optional<double> within;  ///< s: the touch is isolated by this much on either side
     Vec2 velocity_before;
     double spin_before = 0;
@@ -36,7 +36,7 @@ struct Leg {
     double drag = 0, spin = 0, spin_rate = 0;
     std::vector<Vec2> displacements;
     std::vector<double> spins;
-    std::vector<std::uint32_t> held;  ///< pieces on which it lies
+    std::vector<std::uint32_t> held;  ///< primitives on which it lies
 };
 
 struct CertifiedBall {

@@ -59,7 +59,7 @@ void Simulation<R>::note_meeting(Place i) {
     Mover& mover = movers_[i];
     const V<R> place = mover.path.at(now_).position;
     if (mover.next == Next::feature)
-        return note(mover, Beginning::Why::meets_part, features_[mover.met].piece,
+        return note(mover, Beginning::Why::meets_part, features_[mover.met].primitive,
                     closest(mover.met, place, mover.radius).normal);
     Mover& other = movers_[mover.met];
     const V<R> normal = unit(V<R>(place - other.path.at(now_).position));
@@ -81,7 +81,7 @@ void Simulation<R>::note_leg(Mover& mover, bool given) {
     leg.velocity = narrow(path.velocity);
     leg.spin = static_cast<double>(path.spin);
     for (const FeatureIndex f : mover.held)
-        if (f != nothing) leg.held.push_back(features_[f].piece);
+        if (f != nothing) leg.held.push_back(features_[f].primitive);
     if (path.rides) {
         leg.form = Leg::Form::series;
         for (std::size_t k = 1; k <= taylor_order<R>; ++k) {

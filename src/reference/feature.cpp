@@ -13,34 +13,36 @@ struct End {
     PartIndex part;
 };
 
-/// Takes pieces apart.
+/// Takes primitives apart.
 template <class R>
 class Taker {
   public:
-    Taker(const std::vector<Piece>& pieces, const Scene& scene) : scene_(scene) {
-        for (const Piece& piece : pieces) {
-            if (const auto* p = std::get_if<piece::Point>(&piece.is)) points_.push_back({p->at, piece.part});
-            if (const auto* s = std::get_if<piece::Segment>(&piece.is))
-                note_ends(line(s->a, s->b), piece.part);
-            if (const auto* a = std::get_if<piece::Arc>(&piece.is)) note_ends(curve(*a), piece.part);
+    Taker(const std::vector<Primitive>& primitives, const Scene& scene) : scene_(scene) {
+        for (const Primitive& primitive : primitives) {
+            if (const auto* p = std::get_if<primitive::Point>(&primitive.is))
+                points_.push_back({p->at, primitive.part});
+            if (const auto* s = std::get_if<primitive::Segment>(&primitive.is))
+                note_ends(line(s->a, s->b), primitive.part);
+            if (const auto* a = std::get_if<primitive::Arc>(&primitive.is))
+                note_ends(curve(*a), primitive.part);
         }
         const auto by_x = [](const auto& a, const auto& b) { return a.at.x < b.at.x; };
         std::stable_sort(points_.begin(), points_.end(), by_x);
         std::stable_sort(ends_.begin(), ends_.end(), by_x);
     }
 
-    std::vector<Feature<R>> take(const std::vector<Piece>& pieces) {
-        for (const Piece& piece : pieces) {
-            part_ = piece.part;
-            piece_ = static_cast<std::uint32_t>(&piece - pieces.data());
-            if (!scene_.parts[part_].sensor) std::visit(*this, piece.is);
+    std::vector<Feature<R>> take(const std::vector<Primitive>& primitives) {
+        for (const Primitive& primitive : primitives) {
+            part_ = primitive.part;
+            primitive_ = static_cast<std::uint32_t>(&primitive - primitives.data());
+            if (!scene_.parts[part_].sensor) std::visit(*this, primitive.is);
         }
         return std::move(features_);
     }
 
-    void operator()(const piece::Point& p) { add(round(V<R>(p.at), R(0))); }
-    void operator()(const piece::Circle& c) { add(round(V<R>(c.center), R(c.radius))); }
-    void operator()(const piece::Segment& s) {
+    void operator()(const primitive::Point& p) { add(round(V<R>(p.at), R(0))); }
+    void operator()(const primitive::Circle& c) { add(round(V<R>(c.center), R(c.radius))); }
+    void operator()(const primitive::Segment& s) {
         Line<R> face = line(s.a, s.b);
         if (gate_of(scene_.parts[part_]) == nullptr) {
             face.before = reach({face.start, -face.along, part_});
@@ -48,7 +50,7 @@ class Taker {
         }
         add(face);
     }
-    void operator()(const piece::Arc& a) {
+    void operator()(const primitive::Arc& a) {
         Curve<R> arc = curve(a);
         if (!arc.full) {
             arc.before = reach({arc.center + arc.radius * arc.from, -perp(arc.from), part_});
@@ -56,13 +58,13 @@ class Taker {
         }
         add(arc);
     }
-    void operator()(const piece::Polygon& p) {
+    void operator()(const primitive::Polygon& p) {
         for (std::size_t i = 0; i < p.points.size(); ++i) {
             add(line(p.points[i], p.points[(i + 1) % p.points.size()]));
             add(round(V<R>(p.points[i]), R(0)));
         }
     }
-    void operator()(const piece::Taper& t) {
+    void operator()(const primitive::Taper& t) {
         using std::sqrt;
         const V<R> a(t.a), b(t.b);
         add(round(a, R(t.radius_a)));
@@ -79,7 +81,7 @@ class Taker {
     }
 
   private:
-    void add(auto&& feature) { features_.push_back({feature, part_, piece_}); }
+    void add(auto&& feature) { features_.push_back({feature, part_, primitive_}); }
 
     static Line<R> line_between(const V<R>& a, const V<R>& b) {
         return {a, unit(b - a), length(b - a), {}, {}};
@@ -92,7 +94,7 @@ class Taker {
         curve.round = curve.full = true;
         return curve;
     }
-    static Curve<R> curve(const piece::Arc& a) {
+    static Curve<R> curve(const primitive::Arc& a) {
         Curve<R> curve;
         curve.center = V<R>(a.center);
         curve.radius = R(a.radius);
@@ -148,14 +150,14 @@ class Taker {
     std::vector<End<R>> ends_;
     std::vector<Feature<R>> features_;
     PartIndex part_ = 0;
-    std::uint32_t piece_ = 0;
+    std::uint32_t primitive_ = 0;
 };
 
 }  // namespace
 
 template <class R>
-std::vector<Feature<R>> features_of(const std::vector<Piece>& pieces, const Scene& scene) {
-    return Taker<R>(pieces, scene).take(pieces);
+std::vector<Feature<R>> features_of(const std::vector<Primitive>& primitives, const Scene& scene) {
+    return Taker<R>(primitives, scene).take(primitives);
 }
 
 template <class R>
@@ -185,9 +187,9 @@ Box bounds_of(const Feature<R>& feature) {
     return {{c.x - r, c.y - r}, {c.x + r, c.y + r}};
 }
 
-#define FLIPSIDE_FEATURES(R)                                                               \
-    template std::vector<Feature<R>> features_of(const std::vector<Piece>&, const Scene&); \
-    template Feature<R> posed(const Feature<R>&, const V<R>&, const V<R>&);                \
+#define FLIPSIDE_FEATURES(R)                                                                   \
+    template std::vector<Feature<R>> features_of(const std::vector<Primitive>&, const Scene&); \
+    template Feature<R> posed(const Feature<R>&, const V<R>&, const V<R>&);                    \
     template Box bounds_of(const Feature<R>&);
 FLIPSIDE_FEATURES(double)
 FLIPSIDE_FEATURES(Real113)

@@ -45,12 +45,13 @@ template <class R>
 struct Feature {
     std::variant<Line<R>, Curve<R>> is;
     PartIndex part = 0;
-    std::uint32_t piece = 0;  ///< that it was taken from
+    std::uint32_t primitive = 0;  ///< that it was taken from
 };
 
 /// All features of all parts that are no sensors, in the pose of the scene file, by part.
 template <class R>
-[[nodiscard]] std::vector<Feature<R>> features_of(const std::vector<Piece>& pieces, const Scene& scene);
+[[nodiscard]] std::vector<Feature<R>> features_of(const std::vector<Primitive>& primitives,
+                                                  const Scene& scene);
 
 /// Turned about a pivot by the angle of the unit vector `turn`.
 template <class R>
@@ -62,11 +63,11 @@ template <class S, class R>
     const auto reach = [](const Reach<R>& r) { return Reach<S>{r.joined, S(r.gap), S(r.kink)}; };
     if (const auto* l = std::get_if<Line<R>>(&feature.is))
         return {Line<S>{V<S>(l->start), V<S>(l->along), S(l->length), reach(l->before), reach(l->past)},
-                feature.part, feature.piece};
+                feature.part, feature.primitive};
     const auto& c = std::get<Curve<R>>(feature.is);
     return {Curve<S>{V<S>(c.center), S(c.radius), c.round, c.full, c.wide, V<S>(c.from), V<S>(c.to),
                      reach(c.before), reach(c.past)},
-            feature.part, feature.piece};
+            feature.part, feature.primitive};
 }
 
 /// Smallest box around a feature.

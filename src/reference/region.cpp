@@ -34,19 +34,19 @@ struct RegionTaker {
         regions.push_back({std::move(inner)});
     }
 
-    void operator()(const piece::Point& p) { disc(V<R>(p.at), R(0)); }
-    void operator()(const piece::Circle& c) { disc(V<R>(c.center), R(c.radius)); }
-    void operator()(const piece::Segment& s) {
+    void operator()(const primitive::Point& p) { disc(V<R>(p.at), R(0)); }
+    void operator()(const primitive::Circle& c) { disc(V<R>(c.center), R(c.radius)); }
+    void operator()(const primitive::Segment& s) {
         slab(V<R>(s.a), V<R>(s.b));
         // Also where it has no ends to be hit, as a gate.
         disc(V<R>(s.a), R(0));
         disc(V<R>(s.b), R(0));
     }
-    void operator()(const piece::Arc& a) {
-        const auto features = features_of<R>({Piece{a, 0}}, one_part());
+    void operator()(const primitive::Arc& a) {
+        const auto features = features_of<R>({Primitive{a, 0}}, one_part());
         regions.push_back({typename Region<R>::Band{std::get<Curve<R>>(features.front().is)}});
     }
-    void operator()(const piece::Polygon& p) {
+    void operator()(const primitive::Polygon& p) {
         std::vector<V<R>> corners;
         for (const Vec2 point : p.points) {
             corners.emplace_back(point);
@@ -54,11 +54,11 @@ struct RegionTaker {
         }
         solid(corners);
     }
-    void operator()(const piece::Taper& t) {
+    void operator()(const primitive::Taper& t) {
         disc(V<R>(t.a), R(t.radius_a));
         disc(V<R>(t.b), R(t.radius_b));
         std::vector<V<R>> ends;
-        for (const Feature<R>& feature : features_of<R>({Piece{t, 0}}, one_part()))
+        for (const Feature<R>& feature : features_of<R>({Primitive{t, 0}}, one_part()))
             if (const auto* line = std::get_if<Line<R>>(&feature.is)) {
                 ends.push_back(line->start);
                 ends.push_back(line->start + line->length * line->along);
@@ -177,10 +177,10 @@ struct Search {
 }  // namespace
 
 template <class R>
-std::vector<Region<R>> regions_of(const std::vector<Piece>& pieces, PartIndex part) {
+std::vector<Region<R>> regions_of(const std::vector<Primitive>& primitives, PartIndex part) {
     Regions<R> regions;
-    for (const Piece& piece : pieces)
-        if (piece.part == part) std::visit(RegionTaker<R>{regions}, piece.is);
+    for (const Primitive& primitive : primitives)
+        if (primitive.part == part) std::visit(RegionTaker<R>{regions}, primitive.is);
     return regions;
 }
 
@@ -220,10 +220,10 @@ R leaves(const Regions<R>& regions, const View<R>& view, const R& radius, const 
     return time <= until ? time : infinity<R>();
 }
 
-#define FLIPSIDE_REGIONS(R)                                                             \
-    template std::vector<Region<R>> regions_of(const std::vector<Piece>&, PartIndex);   \
-    template bool inside(const Regions<R>&, const View<R>&, const R&, const R&);        \
-    template R enters(const Regions<R>&, const View<R>&, const R&, const R&, const R&); \
+#define FLIPSIDE_REGIONS(R)                                                               \
+    template std::vector<Region<R>> regions_of(const std::vector<Primitive>&, PartIndex); \
+    template bool inside(const Regions<R>&, const View<R>&, const R&, const R&);          \
+    template R enters(const Regions<R>&, const View<R>&, const R&, const R&, const R&);   \
     template R leaves(const Regions<R>&, const View<R>&, const R&, const R&, const R&);
 FLIPSIDE_REGIONS(double)
 FLIPSIDE_REGIONS(Real113)

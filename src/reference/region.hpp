@@ -31,7 +31,7 @@ struct Region {
 
 /// The regions of one part.
 template <class R>
-[[nodiscard]] std::vector<Region<R>> regions_of(const std::vector<Piece>& pieces, PartIndex part);
+[[nodiscard]] std::vector<Region<R>> regions_of(const std::vector<Primitive>& primitives, PartIndex part);
 
 /// Whether the ball is in the part now.
 template <class R>

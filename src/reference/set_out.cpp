@@ -41,14 +41,14 @@ Closest<R> Simulation<R>::closest(FeatureIndex f, const V<R>& position, const R&
 /// Outlines have no inside, so a centre may not begin within a polygon or a taper.
 template <class R>
 void Simulation<R>::refuse_inside(const Mover& mover) const {
-    for (const Piece& piece : pieces_) {
-        const bool solid = std::holds_alternative<piece::Polygon>(piece.is) ||
-                           std::holds_alternative<piece::Taper>(piece.is);
-        if (!solid || scene_->parts[piece.part].sensor || ignores(piece.part, mover)) continue;
-        const auto regions = regions_of<R>({piece}, piece.part);
-        if (!inside(regions, view(mover, piece.part), R(mover.radius * epsilon<R>()), now_)) continue;
+    for (const Primitive& primitive : primitives_) {
+        const bool solid = std::holds_alternative<primitive::Polygon>(primitive.is) ||
+                           std::holds_alternative<primitive::Taper>(primitive.is);
+        if (!solid || scene_->parts[primitive.part].sensor || ignores(primitive.part, mover)) continue;
+        const auto regions = regions_of<R>({primitive}, primitive.part);
+        if (!inside(regions, view(mover, primitive.part), R(mover.radius * epsilon<R>()), now_)) continue;
         throw Refusal("reference: ball " + std::to_string(mover.ball.number) + " begins inside " +
-                      scene_->parts[piece.part].name + at_time(now_));
+                      scene_->parts[primitive.part].name + at_time(now_));
     }
 }
 

@@ -26,9 +26,9 @@ Box range_of(const Feature<R>& feature, const Part& part, Vec2 pivot) {
 template <class R>
 Simulation<R>::Simulation(std::shared_ptr<const Scene> scene)
     : scene_(std::move(scene)),
-      pieces_(surface_of(*scene_)),
+      primitives_(surface_of(*scene_)),
       drive_{V<R>(scene_->gravity), R(scene_->damping)},
-      features_(features_of<R>(pieces_, *scene_)),
+      features_(features_of<R>(primitives_, *scene_)),
       posed_(features_),
       parts_(scene_->parts.size()) {
     for (PartIndex i = 0; i < parts_.size(); ++i) {
@@ -38,7 +38,7 @@ Simulation<R>::Simulation(std::shared_ptr<const Scene> scene)
         if (const auto* turn = std::get_if<motion::Turn>(&part.motion)) now.turning.pivot = V<R>(turn->pivot);
         if (std::holds_alternative<motion::Flip>(part.motion))
             now.turning.pivot = V<R>(std::get<shape::Flipper>(part.shape.is).pivot);
-        if (part.sensor || gate_of(part) != nullptr) now.regions = regions_of<R>(pieces_, i);
+        if (part.sensor || gate_of(part) != nullptr) now.regions = regions_of<R>(primitives_, i);
         while (now.first < features_.size() && features_[now.first].part < i) ++now.first;
         now.last = now.first;
         while (now.last < features_.size() && features_[now.last].part == i) ++now.last;
@@ -105,14 +105,14 @@ void Simulation<R>::rebuild_cells() {
         things.push_back(
             {range_of(feature, scene_->parts[feature.part], narrow(parts_[feature.part].turning.pivot)),
              feature.part, false});
-    for (const Piece& piece : pieces_)
-        if (!parts_[piece.part].regions.empty()) {
-            Scene plain;  // the piece as if it could be touched
+    for (const Primitive& primitive : primitives_)
+        if (!parts_[primitive.part].regions.empty()) {
+            Scene plain;  // the primitive as if it could be touched
             plain.parts.resize(scene_->parts.size());
-            for (const Feature<R>& feature : features_of<R>({piece}, plain))
-                things.push_back(
-                    {range_of(feature, scene_->parts[piece.part], narrow(parts_[piece.part].turning.pivot)),
-                     piece.part, true});
+            for (const Feature<R>& feature : features_of<R>({primitive}, plain))
+                things.push_back({range_of(feature, scene_->parts[primitive.part],
+                                           narrow(parts_[primitive.part].turning.pivot)),
+                                  primitive.part, true});
         }
     double radius = scene_->launcher ? scene_->launcher->ball.radius : 0;
     for (const Mover& mover : movers_) radius = std::max(radius, mover.ball.radius);

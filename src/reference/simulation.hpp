@@ -212,7 +212,7 @@ class Simulation final : public Exact {
                 const V<R>& normal);
 
     std::shared_ptr<const Scene> scene_;
-    std::vector<Piece> pieces_;
+    std::vector<Primitive> primitives_;
     Drive<R> drive_;
     std::vector<Feature<R>> features_;  ///< in the pose of the scene file
     std::vector<Feature<R>> posed_;     ///< of parts that stand still, as they stand

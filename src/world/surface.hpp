@@ -1,9 +1,9 @@
 #pragma once
-/// The surface of a scene, taken apart into pieces that each have one simple distance function. All
+/// The surface of a scene, taken apart into primitives that each have one simple distance function. All
 /// engines start from these, so they agree on what is an edge, an end and a joint.
 ///
-/// Faces and ends are told apart: a segment or arc piece is the open curve between its ends, and where
-/// an end can be hit there is a point piece for it. Where two curves meet with a common tangent (a smooth
+/// Faces and ends are told apart: a segment or arc primitive is the open curve between its ends, and where
+/// an end can be hit there is a point primitive for it. Where two curves meet with a common tangent (a smooth
 /// joint) there is none, so nothing can catch on it; where they meet in a corner there is one.
 
 #include <variant>
@@ -13,7 +13,7 @@
 
 namespace flipside {
 
-namespace piece {
+namespace primitive {
 
 struct Point {
     Vec2 at;
@@ -42,10 +42,12 @@ struct Taper {
     double radius_a, radius_b;
 };
 
-}  // namespace piece
+}  // namespace primitive
 
-struct Piece {
-    std::variant<piece::Point, piece::Segment, piece::Arc, piece::Circle, piece::Polygon, piece::Taper> is;
+struct Primitive {
+    std::variant<primitive::Point, primitive::Segment, primitive::Arc, primitive::Circle, primitive::Polygon,
+                 primitive::Taper>
+        is;
     PartIndex part = 0;
 };
 
@@ -54,11 +56,11 @@ inline constexpr double joint_distance = 1e-6;
 /// Tangents that differ by less than this at a joint make it smooth, rad.
 inline constexpr double joint_angle = 1e-3;
 
-/// Every piece of every part, in the pose of the scene file, by part. Joints are sought within a part,
+/// Every primitive of every part, in the pose of the scene file, by part. Joints are sought within a part,
 /// and between still solid parts that share layers and cannot vanish (no sensors, targets or gates).
-/// Gates are a segment piece and a point piece at each end, joined to nothing. Cost: O(n log n) in the number
-/// of pieces.
-[[nodiscard]] std::vector<Piece> surface_of(const Scene& scene);
+/// Gates are a segment primitive and a point primitive at each end, joined to nothing. Cost: O(n log n) in
+/// the number of primitives.
+[[nodiscard]] std::vector<Primitive> surface_of(const Scene& scene);
 
 /// The gate of a part, or null.
 [[nodiscard]] const shape::Gate* gate_of(const Part& part);

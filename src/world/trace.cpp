@@ -66,10 +66,10 @@ void trace_read_out(Trace& trace, std::string_view where, const World& world, co
 }
 
 std::vector<double> swept(double from, double to, const std::function<Vec2(double)>& place) {
-    constexpr int pieces = 12;
+    constexpr int primitives = 12;
     std::vector<double> path;
-    for (int k = 0; k <= pieces; ++k) {
-        const Vec2 at = place(from + k * (to - from) / pieces);
+    for (int k = 0; k <= primitives; ++k) {
+        const Vec2 at = place(from + k * (to - from) / primitives);
         path.push_back(at.x);
         path.push_back(at.y);
     }

@@ -162,7 +162,7 @@ TEST(NarrowPhaseCross, discAndDisc) {
             },
             circle(center, disc_radius));
         comparison.add(custom::touch(center, disc_radius, at, other), theirs, center, length(center - at));
-        comparison.add(custom::touch(center, disc_radius, piece::Circle{at, other}), theirs, center,
+        comparison.add(custom::touch(center, disc_radius, primitive::Circle{at, other}), theirs, center,
                        length(center - at));
     }
     comparison.finish();
@@ -180,7 +180,7 @@ TEST(NarrowPhaseCross, discAndPoint) {
                 b2CollideCircles(manifold, &shape, nowhere(), &disc, nowhere());
             },
             circle(center, disc_radius));
-        comparison.add(custom::touch(center, disc_radius, piece::Point{at}), theirs, center,
+        comparison.add(custom::touch(center, disc_radius, primitive::Point{at}), theirs, center,
                        length(center - at));
     }
     comparison.finish();
@@ -204,7 +204,7 @@ TEST(NarrowPhaseCross, discAndSegmentWithItsEnds) {
                 at_end = manifold->type == b2Manifold::e_circles;
             },
             circle(center, disc_radius));
-        const custom::Touch ours = custom::touch(center, disc_radius, piece::Segment{a, b});
+        const custom::Touch ours = custom::touch(center, disc_radius, primitive::Segment{a, b});
         comparison.add(ours, theirs, center, length(center - ours.point));
         if (!theirs) continue;
         // They agree on what is an end, but for centres within rounding of its normal line.
@@ -240,7 +240,7 @@ TEST(NarrowPhaseCross, discAndPolygon) {
         std::ranges::sort(heights);
         const bool inside = heights.back() < 0;
         const bool tie = inside && heights.back() - heights[heights.size() - 2] < 1e-5;
-        const custom::Touch ours = custom::touch(center, disc_radius, piece::Polygon{points});
+        const custom::Touch ours = custom::touch(center, disc_radius, primitive::Polygon{points});
         comparison.add(ours, theirs, center, length(center - ours.point), tie);
     }
     comparison.finish(1e-3);
@@ -254,7 +254,7 @@ TEST(NarrowPhaseCross, discAndArc) {
     constexpr int chords = 4000;
     for (int i = 0; i < 12000; ++i) {
         const double from = dice.number(-pi, pi), sweep = dice.number(0.3, 2 * pi);
-        const piece::Arc arc{dice.place(0.2), dice.number(0.3, 0.8), from, from + sweep};
+        const primitive::Arc arc{dice.place(0.2), dice.number(0.3, 0.8), from, from + sweep};
         const Vec2 center = dice.place(1.3);
         const auto corner = [&](int k) {
             return to_b2(arc.center + arc.radius * from_angle(arc.from + sweep * k / chords));

@@ -77,9 +77,9 @@ const Damage damages[] = {
      }},
     {"wrong primitive",
      [](Json& run, Json& legs, std::size_t i) {
-         if (!hits_part(legs[i]) || run["pieces"].size() < 9) return false;
+         if (!hits_part(legs[i]) || run["primitives"].size() < 9) return false;
          legs[i]["met"] =
-             (legs[i]["met"].get<std::size_t>() + run["pieces"].size() / 2) % run["pieces"].size();
+             (legs[i]["met"].get<std::size_t>() + run["primitives"].size() / 2) % run["primitives"].size();
          return true;
      }},
     {"gravity",
@@ -141,7 +141,7 @@ const Damage damages[] = {
     {"place of a part",
      [](Json& run, Json& legs, std::size_t i) {
          if (!hits_part(legs[i])) return false;
-         for (Json& point : run["pieces"][legs[i]["met"].get<std::size_t>()]["points"]) {
+         for (Json& point : run["primitives"][legs[i]["met"].get<std::size_t>()]["points"]) {
              add(point[0], 1e-6);
              add(point[1], 1e-6);
          }
@@ -150,7 +150,7 @@ const Damage damages[] = {
     {"restitution",
      [](Json& run, Json& legs, std::size_t i) {
          if (!hits_part(legs[i])) return false;
-         const std::size_t part = run["pieces"][legs[i]["met"].get<std::size_t>()]["part"];
+         const std::size_t part = run["primitives"][legs[i]["met"].get<std::size_t>()]["part"];
          const std::size_t material = run["parts"][part]["material"];
          if (run["materials"][material]["kick"] > 0) return false;
          add(run["materials"][material]["restitution"], 1e-3);
@@ -165,11 +165,11 @@ const Damage damages[] = {
              const double a = legs[i]["position"][k], b = legs[i + 1]["position"][k];
              return a + share * (b - a);
          };
-         run["pieces"].push_back({{"part", 0},
-                                  {"type", "point"},
-                                  {"points", {{along(0), along(1)}}},
-                                  {"radii", Json::array()},
-                                  {"angles", Json::array()}});
+         run["primitives"].push_back({{"part", 0},
+                                      {"type", "point"},
+                                      {"points", {{along(0), along(1)}}},
+                                      {"radii", Json::array()},
+                                      {"angles", Json::array()}});
          return true;
      }},
 };
@@ -219,8 +219,8 @@ TEST(Damages, AFileThatIsNoCertificateIsRefused) {
     EXPECT_TRUE(refused([](Json& run) { run["balls"][0]["legs"][1]["met"] = 99; }));
     EXPECT_TRUE(refused([](Json& run) { run["balls"][0]["radius"] = 0; }));
     EXPECT_TRUE(refused([](Json& run) { run["balls"][0]["legs"][1]["start"] = -1; }));
-    EXPECT_TRUE(refused([](Json& run) { run["pieces"][0]["type"] = "spline"; }));
-    EXPECT_TRUE(refused([](Json& run) { run["pieces"][0]["part"] = 7; }));
+    EXPECT_TRUE(refused([](Json& run) { run["primitives"][0]["type"] = "spline"; }));
+    EXPECT_TRUE(refused([](Json& run) { run["primitives"][0]["part"] = 7; }));
     EXPECT_TRUE(refused([](Json& run) { run.erase("inputs"); }));
 }
 

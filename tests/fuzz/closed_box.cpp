@@ -31,8 +31,8 @@ void include(Box& box, const Ball& ball) {
                std::max(box.max.y, ball.position.y + ball.radius)};
 }
 
-bool overlaps(const Ball& ball, const Piece& piece) {
-    return custom::touch(ball.position, ball.radius, piece).separation < 0;
+bool overlaps(const Ball& ball, const Primitive& primitive) {
+    return custom::touch(ball.position, ball.radius, primitive).separation < 0;
 }
 
 bool apart(const Ball& a, const Ball& b) {
@@ -46,14 +46,14 @@ std::shared_ptr<const Scene> closed_box(const Scene& scene) {
     if (scene.balls.empty() || !std::ranges::all_of(scene.balls, tame) ||
         !std::ranges::all_of(scene.parts, tame) || length(scene.gravity) > fastest)
         return nullptr;
-    const std::vector<Piece> surface = surface_of(scene);
+    const std::vector<Primitive> surface = surface_of(scene);
     Box around{scene.balls[0].position, scene.balls[0].position};
     for (std::size_t i = 0; i < scene.balls.size(); ++i) {
         include(around, scene.balls[i]);
         for (std::size_t j = 0; j < i; ++j)
             if (!apart(scene.balls[j], scene.balls[i])) return nullptr;
-        for (const Piece& piece : surface)
-            if (overlaps(scene.balls[i], piece)) return nullptr;
+        for (const Primitive& primitive : surface)
+            if (overlaps(scene.balls[i], primitive)) return nullptr;
     }
     if (!(length(around.max - around.min) <= largest_box)) return nullptr;
     const Vec2 margin{0.1 * (around.max.x - around.min.x), 0.1 * (around.max.y - around.min.y)};

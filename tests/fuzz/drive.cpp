@@ -18,7 +18,7 @@ namespace flipside::fuzz {
 
 namespace {
 
-constexpr std::size_t most_balls = 12, most_pieces = 64;
+constexpr std::size_t most_balls = 12, most_primitives = 64;
 
 /// How often which contender was driven; printed when the program ends.
 class Counts {
@@ -174,8 +174,8 @@ const std::vector<Contender>& contenders() {
 }
 
 bool is_small(const Scene& scene) {
-    return scene.balls.size() <= most_balls && scene.parts.size() <= most_pieces &&
-           surface_of(scene).size() <= most_pieces;
+    return scene.balls.size() <= most_balls && scene.parts.size() <= most_primitives &&
+           surface_of(scene).size() <= most_primitives;
 }
 
 bool is_small(const State& state) {

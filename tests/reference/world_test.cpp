@@ -159,7 +159,8 @@ TEST(ReferenceWorld, GoesOnFromAState) {
         EXPECT_LT(length(whole->balls()[i].position - rest->balls()[i].position), 1e-9);
 }
 
-// The joints of a turned floor lie in line but for rounding, and rounding may have a ball over both pieces.
+// The joints of a turned floor lie in line but for rounding, and rounding may have a ball over both
+// primitives.
 TEST(ReferenceWorld, SlidesOverTheJointsOfATurnedFloor) {
     constexpr double speed = 5, radius = 0.1;
     for (const double angle : {0.3, 0.7, 1.1}) {

@@ -7,18 +7,18 @@
 namespace flipside {
 namespace {
 
-std::vector<Piece> surface(const std::string& parts) {
+std::vector<Primitive> surface(const std::string& parts) {
     return surface_of(parse_scene(
         R"({"format": "flipside-scene/1", "bounds": {"min": [-9, -9], "max": [9, 9]}, "parts": [)" + parts +
             "]}",
         "s.json"));
 }
 
-/// Where the point pieces are, by x then y.
-std::vector<Vec2> points(const std::vector<Piece>& pieces) {
+/// Where the point primitives are, by x then y.
+std::vector<Vec2> points(const std::vector<Primitive>& primitives) {
     std::vector<Vec2> found;
-    for (const Piece& piece : pieces)
-        if (const auto* point = std::get_if<piece::Point>(&piece.is)) found.push_back(point->at);
+    for (const Primitive& primitive : primitives)
+        if (const auto* point = std::get_if<primitive::Point>(&primitive.is)) found.push_back(point->at);
     std::ranges::sort(found, [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
     return found;
 }
@@ -30,17 +30,17 @@ std::string segment(const std::string& name, const std::string& a, const std::st
 }
 
 TEST(Surface, FreeEndsArePoints) {
-    const auto pieces = surface(segment("s", "[0, 0]", "[1, 0]"));
-    EXPECT_EQ(pieces.size(), 3U);
-    EXPECT_EQ(points(pieces), (std::vector<Vec2>{{0, 0}, {1, 0}}));
+    const auto primitives = surface(segment("s", "[0, 0]", "[1, 0]"));
+    EXPECT_EQ(primitives.size(), 3U);
+    EXPECT_EQ(points(primitives), (std::vector<Vec2>{{0, 0}, {1, 0}}));
 }
 
 TEST(Surface, SmoothJointOfTwoPartsHasNoPoint) {
     // A segment that goes on as an arc: the tangents agree at (1, 0).
-    const auto pieces = surface(segment("s", "[0, 0]", "[1, 0]") +
-                                R"(, {"name": "a", "shape": {"type": "arc", "center": [1, 1], "radius": 1,
+    const auto primitives = surface(segment("s", "[0, 0]", "[1, 0]") +
+                                    R"(, {"name": "a", "shape": {"type": "arc", "center": [1, 1], "radius": 1,
                                       "from_deg": -90, "to_deg": 90}})");
-    const auto found = points(pieces);
+    const auto found = points(primitives);
     ASSERT_EQ(found.size(), 2U);
     EXPECT_EQ(found[0], (Vec2{0, 0}));
     EXPECT_NEAR(length(found[1] - Vec2{1, 2}), 0, 1e-15);
@@ -78,10 +78,10 @@ TEST(Surface, PartsThatMoveVanishOrLieOnAnotherLayerKeepTheirEnds) {
 }
 
 TEST(Surface, ClosedPolylineHasAPointPerCornerAndNoneOnAStraightOne) {
-    const auto pieces = surface(R"({"name": "p", "shape": {"type": "polyline", "closed": true,
+    const auto primitives = surface(R"({"name": "p", "shape": {"type": "polyline", "closed": true,
                                     "points": [[0, 0], [1, 0], [2, 0], [2, 2], [0, 2]]}})");
-    EXPECT_EQ(points(pieces), (std::vector<Vec2>{{0, 0}, {0, 2}, {2, 0}, {2, 2}}));
-    EXPECT_EQ(pieces.size(), 5U + 4U);
+    EXPECT_EQ(points(primitives), (std::vector<Vec2>{{0, 0}, {0, 2}, {2, 0}, {2, 2}}));
+    EXPECT_EQ(primitives.size(), 5U + 4U);
 }
 
 TEST(Surface, FullCircleArcHasNoEnds) {
@@ -92,20 +92,20 @@ TEST(Surface, FullCircleArcHasNoEnds) {
 }
 
 TEST(Surface, GateHasTwoEndsThatJoinNothing) {
-    const auto pieces =
+    const auto primitives =
         surface(R"({"name": "g", "shape": {"type": "gate", "a": [0, 0], "b": [1, 0], "normal": [0, 1]}},
                                    {"name": "s", "shape": {"type": "segment", "a": [1, 0], "b": [2, 0]}})");
-    EXPECT_EQ(points(pieces), (std::vector<Vec2>{{0, 0}, {1, 0}, {1, 0}, {2, 0}}));
-    EXPECT_EQ(pieces.size(), 2U + 4U);
+    EXPECT_EQ(points(primitives), (std::vector<Vec2>{{0, 0}, {1, 0}, {1, 0}, {2, 0}}));
+    EXPECT_EQ(primitives.size(), 2U + 4U);
 }
 
-TEST(Surface, PiecesComeByPartAndSolidsAreOnePiece) {
+TEST(Surface, PrimitivesComeByPartAndSolidsAreOnePrimitive) {
     const Scene scene = scene_with_everything();
-    const auto pieces = surface_of(scene);
-    EXPECT_TRUE(std::ranges::is_sorted(pieces, {}, &Piece::part));
-    const auto bat = std::ranges::find(pieces, PartIndex{1}, &Piece::part);
-    ASSERT_NE(bat, pieces.end());
-    const auto& taper = std::get<piece::Taper>(bat->is);
+    const auto primitives = surface_of(scene);
+    EXPECT_TRUE(std::ranges::is_sorted(primitives, {}, &Primitive::part));
+    const auto bat = std::ranges::find(primitives, PartIndex{1}, &Primitive::part);
+    ASSERT_NE(bat, primitives.end());
+    const auto& taper = std::get<primitive::Taper>(bat->is);
     EXPECT_EQ(taper.radius_a, 0.02);
     EXPECT_EQ(taper.radius_b, 0.01);
     // 0.1 m from the pivot (0.5, 0) at −30°.

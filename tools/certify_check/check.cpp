@@ -5,7 +5,7 @@
 namespace certificate {
 
 Checker::Checker(const Run& run, double bound) : run_(run), bound_(bound) {
-    for (const Piece& piece : run.pieces) features_.push_back(features_of(piece, run));
+    for (const Primitive& primitive : run.primitives) features_.push_back(features_of(primitive, run));
 }
 
 Verdict Checker::check() {
@@ -19,7 +19,8 @@ Verdict Checker::check() {
             set_scales();
             check_beginning();
             check_motion();
-            for (std::size_t piece = 0; piece < run_.pieces.size(); ++piece) check_clear_of(piece);
+            for (std::size_t primitive = 0; primitive < run_.primitives.size(); ++primitive)
+                check_clear_of(primitive);
             for (const Ball& other : run_.balls)
                 if (other.number > ball.number && meets(ball, other)) check_clear_of(other);
             for (const Passage& passage : run_.passages)
@@ -76,7 +77,7 @@ void Checker::check_targets() const {
             for (const Ball& ball : run_.balls)
                 for (const Leg& one : ball.legs)
                     hit = hit || (one.why == "part" && one.start == change.time &&
-                                  run_.pieces[one.met].part == part);
+                                  run_.primitives[one.met].part == part);
             if (!hit)
                 throw Rejected("part " + run_.parts[part].name + ": goes down without a hit at " +
                                std::to_string(change.time) + " s");

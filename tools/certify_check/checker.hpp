@@ -25,7 +25,9 @@ class Checker {
     void check_gone();
     static const Span* span_at(const Part& part, double time);
     [[nodiscard]] const Leg& leg() const { return ball_->legs[leg_]; }
-    [[nodiscard]] const Part& part_of(std::size_t piece) const { return run_.parts[run_.pieces[piece].part]; }
+    [[nodiscard]] const Part& part_of(std::size_t primitive) const {
+        return run_.parts[run_.primitives[primitive].part];
+    }
     [[nodiscard]] double friction_with(const Part& part) const;
 
     // impact.cpp
@@ -50,12 +52,12 @@ class Checker {
     void check_one_contact(const Feature& feature);
     void check_two_contacts(const std::vector<const Feature*>& on);
     [[nodiscard]] JetVec force_at(const I& time) const;
-    [[nodiscard]] const Span* span_of(std::size_t piece) const;
-    [[nodiscard]] Lie lie(std::size_t piece, const Feature& feature, const I& time) const;
-    [[nodiscard]] const Feature& held_on(std::size_t piece) const;
+    [[nodiscard]] const Span* span_of(std::size_t primitive) const;
+    [[nodiscard]] Lie lie(std::size_t primitive, const Feature& feature, const I& time) const;
+    [[nodiscard]] const Feature& held_on(std::size_t primitive) const;
 
     // clear.cpp
-    void check_clear_of(std::size_t piece);
+    void check_clear_of(std::size_t primitive);
     void check_clear_of(const Ball& other);
     void check_passage(const Passage& passage);
     [[nodiscard]] bool passes(std::size_t part, double from, double to) const;
@@ -98,7 +100,7 @@ class Checker {
 
     const Run& run_;
     double bound_;
-    std::vector<std::vector<Feature>> features_;  ///< by piece
+    std::vector<std::vector<Feature>> features_;  ///< by primitive
     const Ball* ball_ = nullptr;
     std::size_t leg_ = 0;
     double speed_ = 0, acceleration_ = 0;  ///< scales of the segment

@@ -31,13 +31,13 @@ std::vector<double> Checker::changes_of(std::size_t part) const {
     return times;
 }
 
-/// The ball is not nearer than touching to any feature of the piece, but the one that holds it.
-void Checker::check_clear_of(std::size_t piece) {
-    const std::size_t index = run_.pieces[piece].part;
+/// The ball is not nearer than touching to any feature of the primitive, but the one that holds it.
+void Checker::check_clear_of(std::size_t primitive) {
+    const std::size_t index = run_.primitives[primitive].part;
     const Part& part = run_.parts[index];
     if (part.sensor || !meets(*ball_, part)) return;
-    const bool is_held = std::ranges::find(leg().held, piece) != leg().held.end();
-    const Feature* held = is_held ? &held_on(piece) : nullptr;
+    const bool is_held = std::ranges::find(leg().held, primitive) != leg().held.end();
+    const Feature* held = is_held ? &held_on(primitive) : nullptr;
     const double r = ball_->radius;
     const std::vector<double> times = changes_of(index);
     for (std::size_t i = 0; i + 1 < times.size(); ++i) {
@@ -47,7 +47,7 @@ void Checker::check_clear_of(std::size_t piece) {
             if (change.time <= from) down = change.down;
         if (down || passes(index, from, to)) continue;
         const Span* span = span_at(part, from + (to - from) / 2);
-        for (const Feature& f : features_[piece]) {
+        for (const Feature& f : features_[primitive]) {
             if (&f == held) continue;
             const auto at = [&](const I& t, int order) {
                 return lie_of(f, part, span, motion_of(leg(), t, order).place, r, t);
@@ -96,9 +96,9 @@ void Checker::check_passage(const Passage& passage) {
             return &other != &passage && other.gate == passage.gate && other.from <= passage.from &&
                    passage.from <= other.until;
         });
-        for (std::size_t piece = 0; piece < run_.pieces.size(); ++piece)
-            for (const Feature& f : features_[piece])
-                if (run_.pieces[piece].part == passage.gate && f.kind == Feature::Kind::line) {
+        for (std::size_t primitive = 0; primitive < run_.primitives.size(); ++primitive)
+            for (const Feature& f : features_[primitive])
+                if (run_.primitives[primitive].part == passage.gate && f.kind == Feature::Kind::line) {
                     const JetVec n = at(f, I(passage.from)).normal;
                     behind = behind || low(n.x.c[0] * gate.gate[0] + n.y.c[0] * gate.gate[1]) < 0;
                 }
@@ -107,9 +107,9 @@ void Checker::check_passage(const Passage& passage) {
     if (!(from < to)) return;
     everywhere("is at " + gate.name + " as long as it passes", from, to, [&](double a, double b) {
         double least = 1;
-        for (std::size_t piece = 0; piece < run_.pieces.size(); ++piece)
-            for (const Feature& f : features_[piece])
-                if (run_.pieces[piece].part == passage.gate && at(f, between(a, b)).facing)
+        for (std::size_t primitive = 0; primitive < run_.primitives.size(); ++primitive)
+            for (const Feature& f : features_[primitive])
+                if (run_.primitives[primitive].part == passage.gate && at(f, between(a, b)).facing)
                     least = std::min(least, high(range([&](const I& t) { return at(f, t).gap; }, a, b)));
         return least - (gate_clearance + bound_) * r;
     });

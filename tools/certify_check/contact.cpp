@@ -24,43 +24,43 @@ void Checker::check_motion() {
     }
     ++verdict_.held;
     std::vector<const Feature*> on;
-    for (const std::size_t piece : now.held) {
-        const Feature& f = *on.emplace_back(&held_on(piece));
-        stays_zero("stays in contact", ball_->radius, [&](const I& t) { return lie(piece, f, t).gap; });
+    for (const std::size_t primitive : now.held) {
+        const Feature& f = *on.emplace_back(&held_on(primitive));
+        stays_zero("stays in contact", ball_->radius, [&](const I& t) { return lie(primitive, f, t).gap; });
     }
     on.size() == 1 ? check_one_contact(*on[0]) : check_two_contacts(on);
 }
 
-const Span* Checker::span_of(std::size_t piece) const {
-    return span_at(part_of(piece), std::nextafter(leg().start, std::numeric_limits<double>::infinity()));
+const Span* Checker::span_of(std::size_t primitive) const {
+    return span_at(part_of(primitive), std::nextafter(leg().start, std::numeric_limits<double>::infinity()));
 }
-Lie Checker::lie(std::size_t piece, const Feature& f, const I& t) const {
-    return lie_of(f, part_of(piece), span_of(piece), motion_of(leg(), t).place, ball_->radius, t);
+Lie Checker::lie(std::size_t primitive, const Feature& f, const I& t) const {
+    return lie_of(f, part_of(primitive), span_of(primitive), motion_of(leg(), t).place, ball_->radius, t);
 }
-/// The feature of the piece that the ball touches in the middle of the segment.
-const Feature& Checker::held_on(std::size_t piece) const {
+/// The feature of the primitive that the ball touches in the middle of the segment.
+const Feature& Checker::held_on(std::size_t primitive) const {
     const I middle(leg().start + (leg().end - leg().start) / 2);
-    return *std::ranges::min_element(features_[piece], {}, [&](const Feature& f) {
-        const Lie at = lie(piece, f, middle);
+    return *std::ranges::min_element(features_[primitive], {}, [&](const Feature& f) {
+        const Lie at = lie(primitive, f, middle);
         return at.facing ? size(at.gap.c[0]) : std::numeric_limits<double>::infinity();
     });
 }
 
 /// Slides, with friction against the slip, or rolls within Coulomb's cone; the surface only pushes.
 void Checker::check_one_contact(const Feature& f) {
-    const std::size_t piece = leg().held[0];
+    const std::size_t primitive = leg().held[0];
     const double r = ball_->radius, scale = acceleration_;
-    const I mu(friction_with(part_of(piece)));
+    const I mu(friction_with(part_of(primitive)));
     const auto normal_force = [&](const I& t) {
-        const JetVec force = force_at(t), n = lie(piece, f, t).normal;
+        const JetVec force = force_at(t), n = lie(primitive, f, t).normal;
         return force.x * n.x + force.y * n.y;
     };
     const auto friction = [&](const I& t) {
-        const JetVec force = force_at(t), n = lie(piece, f, t).normal;
+        const JetVec force = force_at(t), n = lie(primitive, f, t).normal;
         return n.x * force.y - n.y * force.x;
     };
     const auto slip = [&](const I& t) {
-        const Lie at = lie(piece, f, t);
+        const Lie at = lie(primitive, f, t);
         const Motion m = motion_of(leg(), t);
         const JetVec v = velocity_of(m), u{v.x - at.velocity.x, v.y - at.velocity.y};
         return at.normal.x * u.y - at.normal.y * u.x - I(r) * m.spin;

@@ -100,7 +100,7 @@ void Checker::hit_part(const Leg& before, After& after) {
                              size(at.normal.y.c[0] - now.normal[1]);
         if (at.facing && wrong < least) least = wrong, touched = &f;
     }
-    if (touched == nullptr) reject("the piece that it meets faces it", now.start, 0);
+    if (touched == nullptr) reject("the primitive that it meets faces it", now.start, 0);
     const Lie at = lie_at(*touched, I(now.start));
     const I nx = at.normal.x.c[0], ny = at.normal.y.c[0], ux = at.velocity.x.c[0], uy = at.velocity.y.c[0];
     const I x = after.vx - ux, y = after.vy - uy, closing = -(x * nx + y * ny);

@@ -14,7 +14,7 @@ Run read(const std::string& file) {
     Run run = nlohmann::json::parse(in).get<Run>();
     require(run.format == "flipside-certificate/1", "\"format\" is not \"flipside-certificate/1\"");
     for (const Part& part : run.parts) require(part.material < run.materials.size(), "a part of no material");
-    for (const Piece& p : run.pieces) {
+    for (const Primitive& p : run.primitives) {
         struct Needs {
             const char* type;
             std::size_t points, radii, angles;
@@ -25,7 +25,8 @@ Run read(const std::string& file) {
         for (const Needs& needs : all)
             fits = fits || (p.type == needs.type && p.points.size() >= needs.points &&
                             p.radii.size() == needs.radii && p.angles.size() == needs.angles);
-        require(fits && p.part < run.parts.size(), "a piece of type '" + p.type + "' that is no such piece");
+        require(fits && p.part < run.parts.size(),
+                "a primitive of type '" + p.type + "' that is no such primitive");
     }
     for (Ball& ball : run.balls) {
         const std::string name = "ball " + std::to_string(ball.number);
@@ -42,9 +43,9 @@ Run read(const std::string& file) {
             require(leg.why == "given" || leg.why == "goes on" || leg.why == "part" || leg.why == "ball",
                     name + ": a segment begins by '" + leg.why + "'");
             require(leg.spins.size() == leg.displacements.size(), name + ": a series lacks terms");
-            require(leg.why != "part" || leg.met < run.pieces.size(), name + " meets no piece");
-            for (const std::size_t piece : leg.held)
-                require(piece < run.pieces.size(), name + " lies on no piece");
+            require(leg.why != "part" || leg.met < run.primitives.size(), name + " meets no primitive");
+            for (const std::size_t primitive : leg.held)
+                require(primitive < run.primitives.size(), name + " lies on no primitive");
         }
     }
     return run;

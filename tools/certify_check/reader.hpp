@@ -41,13 +41,13 @@ struct Part {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Part, name, material, layer, collides_with, sensor, gate, pivot, turns,
                                    target)
 
-struct Piece {
+struct Primitive {
     std::size_t part;
     std::string type;
     std::vector<Vec> points;
     std::vector<double> radii, angles;
 };
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Piece, part, type, points, radii, angles)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Primitive, part, type, points, radii, angles)
 
 struct Leg {
     std::string why, form;
@@ -90,13 +90,13 @@ struct Run {
     Vec gravity, least, most;  ///< least, most: the bounds
     std::vector<Material> materials;
     std::vector<Part> parts;
-    std::vector<Piece> pieces;
+    std::vector<Primitive> primitives;
     std::vector<Input> inputs;
     std::vector<Passage> passages;
     std::vector<Ball> balls;
 };
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Run, format, scene, ends, seconds, damping, rest_speed, gravity, least,
-                                   most, materials, parts, pieces, inputs, passages, balls)
+                                   most, materials, parts, primitives, inputs, passages, balls)
 
 /// Throws std::exception that says what is wrong.
 [[nodiscard]] Run read(const std::string& file);

@@ -49,11 +49,11 @@ Feature line(const I& ax, const I& ay, const I& bx, const I& by) {
     return f;
 }
 
-/// No point of the surface lies at this end of a piece.
+/// No point of the surface lies at this end of a primitive.
 bool is_smooth(const Run& run, const I& x, const I& y) {
-    for (const Piece& piece : run.pieces) {
-        if (piece.type != "point") continue;
-        const Vec at = piece.points[0];
+    for (const Primitive& primitive : run.primitives) {
+        if (primitive.type != "point") continue;
+        const Vec at = primitive.points[0];
         if (low(I(square(x - at[0]) + square(y - at[1]))) <= joint_distance * joint_distance) return false;
     }
     return true;
@@ -104,43 +104,43 @@ Motion motion_of(const Leg& leg, const I& time, int order) {
     return motion;
 }
 
-std::vector<Feature> features_of(const Piece& piece, const Run& run) {
-    const auto& p = piece.points;
-    if (piece.type == "point") return {round(p[0], 0)};
-    if (piece.type == "circle") return {round(p[0], piece.radii[0])};
-    if (piece.type == "arc") {
-        Feature f = round(p[0], piece.radii[0]);
+std::vector<Feature> features_of(const Primitive& primitive, const Run& run) {
+    const auto& p = primitive.points;
+    if (primitive.type == "point") return {round(p[0], 0)};
+    if (primitive.type == "circle") return {round(p[0], primitive.radii[0])};
+    if (primitive.type == "arc") {
+        Feature f = round(p[0], primitive.radii[0]);
         f.kind = Feature::Kind::arc;
-        f.full = piece.angles[1] - piece.angles[0] >= 2 * std::numbers::pi;
-        f.wide = piece.angles[1] - piece.angles[0] > std::numbers::pi;
-        f.from_x = cos(I(piece.angles[0])), f.from_y = sin(I(piece.angles[0]));
-        f.to_x = cos(I(piece.angles[1])), f.to_y = sin(I(piece.angles[1]));
+        f.full = primitive.angles[1] - primitive.angles[0] >= 2 * std::numbers::pi;
+        f.wide = primitive.angles[1] - primitive.angles[0] > std::numbers::pi;
+        f.from_x = cos(I(primitive.angles[0])), f.from_y = sin(I(primitive.angles[0]));
+        f.to_x = cos(I(primitive.angles[1])), f.to_y = sin(I(primitive.angles[1]));
         f.goes_on_first = is_smooth(run, f.x + f.radius * f.from_x, f.y + f.radius * f.from_y);
         f.goes_on_last = is_smooth(run, f.x + f.radius * f.to_x, f.y + f.radius * f.to_y);
         return {f};
     }
     std::vector<Feature> features;
     const auto side = [](Vec a, Vec b) { return line(I(a[0]), I(a[1]), I(b[0]), I(b[1])); };
-    if (piece.type == "segment") {
+    if (primitive.type == "segment") {
         features.push_back(side(p[0], p[1]));
-        if (run.parts[piece.part].gate == Vec{}) {
+        if (run.parts[primitive.part].gate == Vec{}) {
             features[0].goes_on_first = is_smooth(run, I(p[0][0]), I(p[0][1]));
             features[0].goes_on_last = is_smooth(run, I(p[1][0]), I(p[1][1]));
         }
-    } else if (piece.type == "polygon") {
+    } else if (primitive.type == "polygon") {
         for (std::size_t i = 0; i < p.size(); ++i) {
             features.push_back(side(p[i], p[(i + 1) % p.size()]));
             features.push_back(round(p[i], 0));
         }
     } else {
         // The hull of two circles: their outer tangents touch them where n·(b − a) = r_a − r_b.
-        features = {round(p[0], piece.radii[0]), round(p[1], piece.radii[1])};
+        features = {round(p[0], primitive.radii[0]), round(p[1], primitive.radii[1])};
         const I x = I(p[1][0]) - p[0][0], y = I(p[1][1]) - p[0][1], squared = square(x) + square(y);
-        const I c = I(piece.radii[0]) - piece.radii[1], s = sqrt(I(squared - square(c)));
+        const I c = I(primitive.radii[0]) - primitive.radii[1], s = sqrt(I(squared - square(c)));
         for (const int sign : {1, -1}) {
             const I nx = (c * x - sign * s * y) / squared, ny = (c * y + sign * s * x) / squared;
-            Feature f = line(p[0][0] + piece.radii[0] * nx, p[0][1] + piece.radii[0] * ny,
-                             p[1][0] + piece.radii[1] * nx, p[1][1] + piece.radii[1] * ny);
+            Feature f = line(p[0][0] + primitive.radii[0] * nx, p[0][1] + primitive.radii[0] * ny,
+                             p[1][0] + primitive.radii[1] * nx, p[1][1] + primitive.radii[1] * ny);
             f.goes_on_first = f.goes_on_last = true;
             features.push_back(f);
         }

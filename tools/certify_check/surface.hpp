@@ -1,5 +1,5 @@
 #pragma once
-/// The lines, arcs and rounds that a piece of the surface is made of, and a ball's distance to them.
+/// The lines, arcs and rounds that a primitive of the surface is made of, and a ball's distance to them.
 
 #include "interval.hpp"
 #include "reader.hpp"
@@ -27,7 +27,7 @@ struct Feature {
     bool wide = false, full = true;                    ///< an arc of more than half a turn; of a whole turn
     bool goes_on_first = false, goes_on_last = false;  ///< a smooth joint: no point is there to be hit
 };
-[[nodiscard]] std::vector<Feature> features_of(const Piece& piece, const Run& run);
+[[nodiscard]] std::vector<Feature> features_of(const Primitive& primitive, const Run& run);
 
 /// How a ball lies to a feature.
 struct Lie {

@@ -14,8 +14,8 @@ sf::Vector2f vector(Vec2 p) {
     return {static_cast<float>(p.x), static_cast<float>(p.y)};
 }
 
-/// Straight pieces for an arc such that no piece is off by more than a seventh of a pixel.
-int pieces(double radius, double angle) {
+/// Straight primitives for an arc such that no primitive is off by more than a seventh of a pixel.
+int primitives(double radius, double angle) {
     const double step = 2 * std::acos(1 - std::min(0.5, 0.14 / std::max(radius, 0.3)));
     return std::clamp(static_cast<int>(std::ceil(angle / step)), 2, 4096);
 }
@@ -85,7 +85,7 @@ void Canvas::arrow(Vec2 a, Vec2 b, double width, sf::Color color) {
 }
 
 void Canvas::round(Vec2 center, double radius, double from, double to) {
-    const int n = pieces(radius, to - from);
+    const int n = primitives(radius, to - from);
     points_.clear();
     for (int i = 0; i <= n; ++i) {
         const Vec2 d = from_angle(from + (to - from) * i / n);
@@ -122,7 +122,7 @@ void Canvas::steel(Vec2 center, double radius, sf::Color tint, double alpha) {
     disc(center, radius, dark);
     const Vec2 light = center + radius * Vec2{-0.32, -0.36};
     const Vec2 half = center + 0.45 * (light - center);
-    const int n = pieces(radius, 2 * pi);
+    const int n = primitives(radius, 2 * pi);
     for (int i = 0; i < n; ++i) {
         const Vec2 d = from_angle(2 * pi * i / n), e = from_angle(2 * pi * (i + 1) / n);
         const double inner = 0.55 * radius, outer = std::max(0.0, radius - 0.5);

@@ -77,12 +77,12 @@ bool same(const TraceItem& a, const std::string& name_in_a, const TraceItem& b, 
     return x == nullptr ? y == nullptr : y != nullptr && *x == *y;
 }
 
-/// The search to which a test belongs: of the same ball, or of the same piece of a part.
+/// The search to which a test belongs: of the same ball, or of the same primitive of a part.
 const TraceItem* search_of(const TraceStage& stage, const TraceItem& test) {
     const std::string start = test.kind == "search" ? "" : "search_of_";
     const auto at = std::ranges::find_if(stage.items, [&](const TraceItem& item) {
         return item.kind == "search" && same(test, start + "ball", item, "ball") &&
-               same(test, start + "part", item, "part") && same(test, start + "piece", item, "piece");
+               same(test, start + "part", item, "part") && same(test, start + "primitive", item, "primitive");
     });
     return at == stage.items.end() ? nullptr : &*at;
 }

@@ -1,5 +1,5 @@
-// The closest point of a piece to a disc's centre: the regions between which the construction chooses, the
-// one that it chose tinted; the foot of the perpendicular and where it was clamped to.
+// The closest point of a primitive to a disc's centre: the regions between which the construction chooses,
+// the one that it chose tinted; the foot of the perpendicular and where it was clamped to.
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,7 @@ struct ClosestView {
         return std::max(1.3 * length(center - point), drawn.metres(50)) + radius;
     }
     void border(Vec2 from, Vec2 to) const { drawn.line(from, to, 1, with_alpha(colour::text, 0.5)); }
-    /// The piece itself, which the veil over the table has faded.
+    /// The primitive itself, which the veil over the table has faded.
     void outline(Vec2 from, Vec2 to) const { drawn.line(from, to, 2.5, colour::part); }
     void outline(Vec2 middle, double core, double from, double to) const {
         drawn.canvas.arc(drawn.at(middle), drawn.camera.scale * core, from, to, drawn.canvas.scaled(2.5),
@@ -43,10 +43,10 @@ struct ClosestView {
     }
     void tint(std::span<const Vec2> region) const { drawn.fill(region, with_alpha(colour::lit, 0.12)); }
     void fan(Vec2 apex, double outer, double from, double to) {
-        constexpr int pieces = 24;
-        for (int k = 0; k < pieces; ++k) {
-            const Vec2 patch[] = {apex, apex + outer * from_angle(from + k * (to - from) / pieces),
-                                  apex + outer * from_angle(from + (k + 1) * (to - from) / pieces)};
+        constexpr int primitives = 24;
+        for (int k = 0; k < primitives; ++k) {
+            const Vec2 patch[] = {apex, apex + outer * from_angle(from + k * (to - from) / primitives),
+                                  apex + outer * from_angle(from + (k + 1) * (to - from) / primitives)};
             tint(patch);
             if (k == 0 || patch[1].y > region_middle.y) region_middle = patch[1];
         }

@@ -40,7 +40,7 @@ struct Construction {
     [[nodiscard]] double metres(double pixels) const { return canvas.scaled(pixels) / camera.scale; }
 };
 
-/// Of a disc and a piece: the foot, where it was clamped to, the region that decided, the separation.
+/// Of a disc and a primitive: the foot, where it was clamped to, the region that decided, the separation.
 void draw_closest(const Construction& drawn);
 /// Of a disc and a polygon: every axis with both shadows, the one that decided in bold.
 void draw_axes(const Construction& drawn);

@@ -13,9 +13,9 @@ constexpr double mixed_sizes = 16;
 
 }  // namespace
 
-std::string_view choose_broad_phase(const Scene& scene, std::size_t still_pieces) {
+std::string_view choose_broad_phase(const Scene& scene, std::size_t still_primitives) {
     const std::size_t balls = scene.balls.size();
-    if (!scene.launcher && balls * (balls + still_pieces) <= few_pairs) return "brute";
+    if (!scene.launcher && balls * (balls + still_primitives) <= few_pairs) return "brute";
     const auto [least, most] = std::ranges::minmax_element(scene.balls, {}, &Ball::radius);
     if (least != scene.balls.end() && most->radius > mixed_sizes * least->radius) return "adaptive";
     return "grid";

@@ -51,6 +51,6 @@ inline constexpr BroadPhaseKind broad_phases[] = {
                                                            const Settings& settings);
 
 /// What "auto" stands for, as the setting would name it.
-[[nodiscard]] std::string_view choose_broad_phase(const Scene& scene, std::size_t still_pieces);
+[[nodiscard]] std::string_view choose_broad_phase(const Scene& scene, std::size_t still_primitives);
 
 }  // namespace flipside::custom

@@ -4,8 +4,8 @@
 
 namespace flipside::custom {
 
-Box range_of(const Feature& feature, const Piece& piece, const Table& table) {
-    const Box box = bounds_of(feature, piece);
+Box range_of(const Feature& feature, const Primitive& primitive, const Table& table) {
+    const Box box = bounds_of(feature, primitive);
     if (!Table::moves(table.scene().parts[feature.part])) return box;
     const Vec2 pivot = table.pose(feature.part).pivot;
     const double dx = std::max(box.max.x - pivot.x, pivot.x - box.min.x);

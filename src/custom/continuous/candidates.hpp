@@ -11,8 +11,8 @@ namespace flipside::custom {
 
 using FeatureIndex = std::uint32_t;
 
-/// Box around all places that a feature of this piece can ever be at.
-[[nodiscard]] Box range_of(const Feature& feature, const Piece& piece, const Table& table);
+/// Box around all places that a feature of this primitive can ever be at.
+[[nodiscard]] Box range_of(const Feature& feature, const Primitive& primitive, const Table& table);
 
 /// Box around a ball on its path until `end`.
 [[nodiscard]] Box bounds_of(const Path& path, double radius, double end);

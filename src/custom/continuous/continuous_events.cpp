@@ -230,7 +230,7 @@ void ContinuousSolver::lose(BallIndex i, double time) {
     cells_.remove(i);
     next_events_.set(i, INFINITY, 0);
     std::erase_if(table_->blocked(), [&](const Blocked& blocked) { return blocked.ball == ball.number; });
-    for (PartIndex part = 0; part < pieces_.size(); ++part) {
+    for (PartIndex part = 0; part < primitives_.size(); ++part) {
         if (!inside(ball.number, part)) continue;
         if (!scene_.parts[part].sensor) {
             leave_gate(ball.number, part, time);

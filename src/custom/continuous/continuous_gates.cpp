@@ -8,8 +8,8 @@ namespace flipside::custom {
 /// Of the ball's surface from that of a sensor or gate, m; below 0 inside.
 double ContinuousSolver::distance_to(PartIndex part, Vec2 center, double radius, const Pose& pose) const {
     double least = INFINITY;
-    for (const PieceIndex piece : pieces_[part])
-        least = std::min(least, touch(center, radius, layout_.piece(piece), pose).separation);
+    for (const PrimitiveIndex primitive : primitives_[part])
+        least = std::min(least, touch(center, radius, layout_.primitive(primitive), pose).separation);
     return least;
 }
 

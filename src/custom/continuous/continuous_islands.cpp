@@ -181,16 +181,17 @@ void ContinuousSolver::press_parts(BallIndex i, double time, double duration) {
     const double slack = slow_ * duration + press_distance * ball.radius + 2 * deepest_;
     const Box box = bounds_of(ball.position, ball.radius + slack);
     record_->statistics.pair_tests += mover.near.cover(box, ranges_);
-    PieceIndex seen = layout_.size();
+    PrimitiveIndex seen = layout_.size();
     for (const FeatureIndex f : mover.near.list()) {
-        if (!overlap(box, ranges_[f]) || ignores(features_[f], ball) || features_[f].piece == seen) continue;
-        seen = features_[f].piece;
-        const Piece& piece = layout_.piece(seen);
-        const Turning& turning = turnings_[piece.part];
+        if (!overlap(box, ranges_[f]) || ignores(features_[f], ball) || features_[f].primitive == seen)
+            continue;
+        seen = features_[f].primitive;
+        const Primitive& primitive = layout_.primitive(seen);
+        const Turning& turning = turnings_[primitive.part];
         const Pose pose = turning.pose(time);
         if (!layout_.stops(*table_, seen, pose, ball)) continue;
         ++record_->statistics.narrow_tests;
-        const Touch found = touch(ball.position, ball.radius, piece, pose);
+        const Touch found = touch(ball.position, ball.radius, primitive, pose);
         if (found.past_end || found.separation > slack) continue;
         const Vec2 surface = cross(turning.rate_at(time), found.point - pose.pivot);
         const double closing = -dot(ball.velocity - surface, found.normal);
@@ -202,7 +203,7 @@ void ContinuousSolver::press_parts(BallIndex i, double time, double duration) {
         contact.lower = contact_solver_.add({found.point, surface, {}, 0, 0, 0, 0});
         contact.normal = found.normal;
         contact.gap_found = found.separation;
-        contact.friction = layout_.mixed(ball.material, scene_.parts[piece.part].material).friction;
+        contact.friction = layout_.mixed(ball.material, scene_.parts[primitive.part].material).friction;
         contact.height = -2 * dot(found.point, scene_.gravity);
         contact.with =
             turning.rate_at(time) == 0 ? ContactSolver::With::still_part : ContactSolver::With::moving_part;

@@ -23,15 +23,15 @@ ContinuousSolver::ContinuousSolver(const Table& table, const Layout& layout, con
       settings_(settings),
       drive_{scene_.gravity, scene_.damping},
       slow_(2 * (scene_.rest_speed + length(scene_.gravity) * tick_length)),
-      features_(features_of(layout.pieces(), scene_)),
+      features_(features_of(layout.primitives(), scene_)),
       ranges_(scene_.bounds, features_.size()),
-      pieces_(scene_.parts.size()),
+      primitives_(scene_.parts.size()),
       turnings_(scene_.parts.size()) {
     for (FeatureIndex i = 0; i < features_.size(); ++i)
-        ranges_.set(i, range_of(features_[i], layout.piece(features_[i].piece), table));
-    for (PieceIndex i = 0; i < layout.size(); ++i) {
-        const Part& part = scene_.parts[layout.piece(i).part];
-        if (part.sensor || gate_of(part) != nullptr) pieces_[layout.piece(i).part].push_back(i);
+        ranges_.set(i, range_of(features_[i], layout.primitive(features_[i].primitive), table));
+    for (PrimitiveIndex i = 0; i < layout.size(); ++i) {
+        const Part& part = scene_.parts[layout.primitive(i).part];
+        if (part.sensor || gate_of(part) != nullptr) primitives_[layout.primitive(i).part].push_back(i);
     }
     for (State& start : starts_) table.copy(start);
 }
@@ -40,10 +40,11 @@ void ContinuousSolver::reset(const Table& table, std::span<const Ball> balls) {
     inside_.clear();
     for (Mover& mover : pool_) mover.near.forget();
     for (const Ball& ball : balls)
-        for (PartIndex part = 0; part < pieces_.size(); ++part)
-            for (const PieceIndex piece : pieces_[part]) {
+        for (PartIndex part = 0; part < primitives_.size(); ++part)
+            for (const PrimitiveIndex primitive : primitives_[part]) {
                 if (!scene_.parts[part].sensor || !layers_meet(ball, scene_.parts[part])) continue;
-                const Touch found = touch(ball.position, ball.radius, layout_.piece(piece), table.pose(part));
+                const Touch found =
+                    touch(ball.position, ball.radius, layout_.primitive(primitive), table.pose(part));
                 if (found.separation <= 0) set_inside(ball.number, part, true);
             }
 }
@@ -87,18 +88,18 @@ void ContinuousSolver::come_out(BallIndex i) {
         Touch deepest;
         deepest.separation = -deep_overlap * ball.radius;
         bool found = false;
-        PieceIndex seen = layout_.size();
+        PrimitiveIndex seen = layout_.size();
         for (const FeatureIndex f : movers_[i].near.list()) {
             if (!overlap(here, ranges_[f]) || features_[f].gate || ignores(features_[f], ball)) continue;
-            if (features_[f].piece == seen) continue;
-            const Piece& piece = layout_.piece(features_[f].piece);
-            const Pose pose = table_->pose(piece.part);
+            if (features_[f].primitive == seen) continue;
+            const Primitive& primitive = layout_.primitive(features_[f].primitive);
+            const Pose pose = table_->pose(primitive.part);
             if (std::holds_alternative<Arc>(features_[f].is) &&
                 closest_point(features_[f], pose.undo(ball.position), ball.radius).distance > ball.radius)
                 continue;
-            seen = features_[f].piece;
-            if (!stops(*table_, piece, pose, ball)) continue;
-            const Touch touch_now = touch(ball.position, ball.radius, piece, pose);
+            seen = features_[f].primitive;
+            if (!stops(*table_, primitive, pose, ball)) continue;
+            const Touch touch_now = touch(ball.position, ball.radius, primitive, pose);
             if (touch_now.past_end || touch_now.separation >= deepest.separation) continue;
             deepest = touch_now;
             found = true;
@@ -190,7 +191,7 @@ void ContinuousSolver::pair_with_parts(std::span<const Ball> balls, BallIndex i)
                           ball.radius)
                     .distance > ball.radius * (1 + touch_distance))
             continue;
-        const Pair pair{features_[f].piece, handle};
+        const Pair pair{features_[f].primitive, handle};
         if (pairs_.size() == first || pairs_.back() != pair) pairs_.push_back(pair);
     }
 }

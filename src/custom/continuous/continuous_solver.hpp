@@ -58,8 +58,8 @@ class ContinuousSolver {
     [[nodiscard]] bool quiet() const { return !any_awake_; }
     /// Draws the cells.
     void inspect_cells(Inspector& inspector) const { cells_.inspect(inspector); }
-    /// Pairs of pieces and awake balls that are near each other, as a broad phase gives them; `balls` as they
-    /// were read last.
+    /// Pairs of primitives and awake balls that are near each other, as a broad phase gives them; `balls` as
+    /// they were read last.
     [[nodiscard]] std::span<const Pair> find_pairs(std::span<const Ball> balls);
     /// Makes room for so many balls.
     void reserve(std::size_t balls);
@@ -227,9 +227,9 @@ class ContinuousSolver {
     Drive drive_;
     double slow_;  ///< m/s: members of an island that come together no faster are left to its ticks
     std::vector<Feature> features_;
-    BoxIndex ranges_;                              ///< of features
-    std::vector<std::vector<PieceIndex>> pieces_;  ///< by part; of sensors and gates only
-    std::vector<Sensed> inside_;                   ///< balls in sensors and open gates, in order
+    BoxIndex ranges_;                                      ///< of features
+    std::vector<std::vector<PrimitiveIndex>> primitives_;  ///< by part; of sensors and gates only
+    std::vector<Sensed> inside_;                           ///< balls in sensors and open gates, in order
 
     // Of the window.
     Table* table_ = nullptr;
@@ -256,7 +256,7 @@ class ContinuousSolver {
     Cells cells_;
     std::vector<Support> supports_;
     ContactSolver contact_solver_;
-    /// Of the last tick in this window: on ball a by piece b; by b, then a.
+    /// Of the last tick in this window: on ball a by primitive b; by b, then a.
     std::vector<ContactForce> part_forces_;
     double deepest_ = 0;              ///< m, of the overlaps of balls in islands
     std::vector<BallIndex> members_;  ///< of the islands at hand, in order

@@ -165,7 +165,7 @@ void ContinuousSolver::trace_tick(double time, double duration) {
         if (balls)
             item.with("other_ball", contact.b);
         else
-            item.with("part", std::string_view(scene_.parts[layout_.piece(contact.b).part].name));
+            item.with("part", std::string_view(scene_.parts[layout_.primitive(contact.b).part].name));
         const ContactSolver::Body& upper = contact_solver_.bodies()[contact.upper];
         item.with("point", upper.position - upper.radius * contact.normal)
             .with("normal", contact.normal)

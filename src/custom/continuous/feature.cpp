@@ -24,19 +24,20 @@ void each_at(const std::vector<T>& sorted, Vec2 at, Visit&& visit) {
         if (length(near->at - at) <= joint_distance) visit(*near);
 }
 
-/// Takes pieces apart; knows the points that stand at ends, and what joins without one.
+/// Takes primitives apart; knows the points that stand at ends, and what joins without one.
 class Taker {
   public:
-    Taker(std::span<const Piece> pieces, const Scene& scene) : scene_(scene) {
-        for (const Piece& piece : pieces) {
+    Taker(std::span<const Primitive> primitives, const Scene& scene) : scene_(scene) {
+        for (const Primitive& primitive : primitives) {
             // What does not always stop a ball is no end and no neighbour to others.
-            if (scene.parts[piece.part].sensor || gate_of(scene.parts[piece.part]) != nullptr) continue;
-            if (const auto* point = std::get_if<piece::Point>(&piece.is)) points_.push_back(*point);
-            if (const auto* s = std::get_if<piece::Segment>(&piece.is)) {
+            if (scene.parts[primitive.part].sensor || gate_of(scene.parts[primitive.part]) != nullptr)
+                continue;
+            if (const auto* point = std::get_if<primitive::Point>(&primitive.is)) points_.push_back(*point);
+            if (const auto* s = std::get_if<primitive::Segment>(&primitive.is)) {
                 const Vec2 along = unit(s->b - s->a);
                 ends_.insert(ends_.end(), {{s->a, -along}, {s->b, along}});
             }
-            if (const auto* a = std::get_if<piece::Arc>(&piece.is)) {
+            if (const auto* a = std::get_if<primitive::Arc>(&primitive.is)) {
                 const Vec2 from = from_angle(a->from), to = from_angle(a->to);
                 ends_.push_back({a->center + a->radius * from, -perp(from)});
                 ends_.push_back({a->center + a->radius * to, perp(to)});
@@ -47,18 +48,18 @@ class Taker {
         std::stable_sort(ends_.begin(), ends_.end(), by_place);
     }
 
-    std::vector<Feature> take(std::span<const Piece> pieces) {
-        for (const Piece& piece : pieces) {
-            piece_ = static_cast<std::uint32_t>(&piece - pieces.data());
-            part_ = piece.part;
-            std::visit(*this, piece.is);
+    std::vector<Feature> take(std::span<const Primitive> primitives) {
+        for (const Primitive& primitive : primitives) {
+            primitive_ = static_cast<std::uint32_t>(&primitive - primitives.data());
+            part_ = primitive.part;
+            std::visit(*this, primitive.is);
         }
         return std::move(features_);
     }
 
-    void operator()(const piece::Point& p) { add(Circle{p.at, 0}); }
-    void operator()(const piece::Circle& c) { add(Circle{c.center, c.radius}); }
-    void operator()(const piece::Segment& s) {
+    void operator()(const primitive::Point& p) { add(Circle{p.at, 0}); }
+    void operator()(const primitive::Circle& c) { add(Circle{c.center, c.radius}); }
+    void operator()(const primitive::Segment& s) {
         Line line = face(s.a, s.b);
         if (gate_of(scene_.parts[part_]) == nullptr) {
             line.before = reach({s.a, -line.along});
@@ -66,19 +67,19 @@ class Taker {
         }
         add(line);
     }
-    void operator()(const piece::Arc& a) {
+    void operator()(const primitive::Arc& a) {
         Arc arc = arc_of(a);
         arc.before = reach({a.center + a.radius * arc.from, -perp(arc.from)});
         arc.past = reach({a.center + a.radius * arc.to, perp(arc.to)});
         add(arc);
     }
-    void operator()(const piece::Polygon& p) {
+    void operator()(const primitive::Polygon& p) {
         for (std::size_t i = 0; i < p.points.size(); ++i) {
             add(face(p.points[i], p.points[(i + 1) % p.points.size()]));
             add(Circle{p.points[i], 0});
         }
     }
-    void operator()(const piece::Taper& t) {
+    void operator()(const primitive::Taper& t) {
         add(Circle{t.a, t.radius_a});
         add(Circle{t.b, t.radius_b});
         // The outer tangents: their normals make the angle acos((r_a − r_b)/l) with the axis.
@@ -96,8 +97,8 @@ class Taker {
   private:
     void add(auto&& feature) {
         const Part& part = scene_.parts[part_];
-        features_.push_back(
-            {feature, piece_, part_, part.layer, part.collides_with, part.sensor, gate_of(part) != nullptr});
+        features_.push_back({feature, primitive_, part_, part.layer, part.collides_with, part.sensor,
+                             gate_of(part) != nullptr});
     }
 
     static Line face(Vec2 a, Vec2 b) { return {a, unit(b - a), length(b - a), {}, {}}; }
@@ -106,7 +107,7 @@ class Taker {
 
     [[nodiscard]] Reach reach(const End& end) const {
         Reach reach{true, 0, 0, rounding_at(end.at)};
-        each_at(points_, end.at, [&](const piece::Point&) { reach.joined = false; });
+        each_at(points_, end.at, [&](const primitive::Point&) { reach.joined = false; });
         if (!reach.joined) return {};
         double least = 3;
         each_at(ends_, end.at, [&](const End& other) {
@@ -120,10 +121,10 @@ class Taker {
     }
 
     const Scene& scene_;
-    std::vector<piece::Point> points_;
+    std::vector<primitive::Point> points_;
     std::vector<End> ends_;
     std::vector<Feature> features_;
-    std::uint32_t piece_ = 0;
+    std::uint32_t primitive_ = 0;
     PartIndex part_ = 0;
 };
 
@@ -187,7 +188,7 @@ struct ClearOf {
 
 }  // namespace
 
-Arc arc_of(const piece::Arc& arc) {
+Arc arc_of(const primitive::Arc& arc) {
     const double half = std::min((arc.to - arc.from) / 2, std::numbers::pi);
     return {.center = arc.center,
             .radius = arc.radius,
@@ -201,8 +202,8 @@ Arc arc_of(const piece::Arc& arc) {
             .full = arc.to - arc.from >= 2 * std::numbers::pi};
 }
 
-std::vector<Feature> features_of(std::span<const Piece> pieces, const Scene& scene) {
-    return Taker(pieces, scene).take(pieces);
+std::vector<Feature> features_of(std::span<const Primitive> primitives, const Scene& scene) {
+    return Taker(primitives, scene).take(primitives);
 }
 
 Closest closest_point(const Feature& feature, Vec2 point, double radius) {
@@ -265,14 +266,14 @@ Feature posed(const Feature& feature, const Pose& pose) {
     return turned;
 }
 
-Box bounds_of(const Feature& feature, const Piece& piece) {
+Box bounds_of(const Feature& feature, const Primitive& primitive) {
     if (const auto* line = std::get_if<Line>(&feature.is)) {
         const Vec2 a = line->start, b = a + line->length * line->along;
         return united(bounds_of(a, 0), bounds_of(b, 0));
     }
     if (const auto* circle = std::get_if<Circle>(&feature.is))
         return bounds_of(circle->center, circle->radius);
-    return bounds_of(piece);
+    return bounds_of(primitive);
 }
 
 }  // namespace flipside::custom

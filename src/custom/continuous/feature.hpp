@@ -1,5 +1,5 @@
 #pragma once
-/// The surface of the table as the continuous solver sees it: every piece taken apart into lines, arcs
+/// The surface of the table as the continuous solver sees it: every primitive taken apart into lines, arcs
 /// and circles (points, corners and caps too), each with a distance whose second derivative is bounded
 /// along any smooth path. A disc of radius r touches a feature where its centre's distance is r.
 ///
@@ -59,7 +59,7 @@ struct Circle {
 
 struct Feature {
     std::variant<Line, Arc, Circle> is;
-    std::uint32_t piece = 0;  ///< index into the pieces given
+    std::uint32_t primitive = 0;  ///< index into the primitives given
     PartIndex part = 0;
     // Of the part, kept at hand.
     std::uint32_t layer = 1, collides_with = ~0U;
@@ -68,10 +68,10 @@ struct Feature {
 };
 
 /// Of an arc, reaching past neither end.
-[[nodiscard]] Arc arc_of(const piece::Arc& arc);
+[[nodiscard]] Arc arc_of(const primitive::Arc& arc);
 
-/// In the order of the pieces, so by part. Cost: linear (joints: n log n).
-[[nodiscard]] std::vector<Feature> features_of(std::span<const Piece> pieces, const Scene& scene);
+/// In the order of the primitives, so by part. Cost: linear (joints: n log n).
+[[nodiscard]] std::vector<Feature> features_of(std::span<const Primitive> primitives, const Scene& scene);
 
 /// A point as seen from a feature, both in the pose of the scene file.
 struct Closest {
@@ -97,7 +97,7 @@ struct Closest {
 /// The feature turned into a pose.
 [[nodiscard]] Feature posed(const Feature& feature, const Pose& pose);
 
-/// Smallest box around a feature of this piece in the pose of the scene file.
-[[nodiscard]] Box bounds_of(const Feature& feature, const Piece& piece);
+/// Smallest box around a feature of this primitive in the pose of the scene file.
+[[nodiscard]] Box bounds_of(const Feature& feature, const Primitive& primitive);
 
 }  // namespace flipside::custom

@@ -11,19 +11,19 @@ struct BoundsOf {
 
     [[nodiscard]] Box around(Vec2 p, double radius = 0) const { return bounds_of(pose.apply(p), radius); }
 
-    Box operator()(const piece::Point& p) const { return around(p.at); }
-    Box operator()(const piece::Segment& p) const { return united(around(p.a), around(p.b)); }
-    Box operator()(const piece::Circle& p) const { return around(p.center, p.radius); }
-    Box operator()(const piece::Taper& p) const {
+    Box operator()(const primitive::Point& p) const { return around(p.at); }
+    Box operator()(const primitive::Segment& p) const { return united(around(p.a), around(p.b)); }
+    Box operator()(const primitive::Circle& p) const { return around(p.center, p.radius); }
+    Box operator()(const primitive::Taper& p) const {
         return united(around(p.a, p.radius_a), around(p.b, p.radius_b));
     }
-    Box operator()(const piece::Polygon& p) const {
+    Box operator()(const primitive::Polygon& p) const {
         Box box = around(p.points.front());
         for (const Vec2 point : p.points) box = united(box, around(point));
         return box;
     }
     /// The ends, and those of the four outermost points of the circle that lie on the arc.
-    Box operator()(const piece::Arc& p) const {
+    Box operator()(const primitive::Arc& p) const {
         constexpr double quarter = std::numbers::pi / 2;
         constexpr Vec2 outermost[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
         const Vec2 center = pose.apply(p.center);
@@ -41,8 +41,8 @@ struct BoundsOf {
 
 }  // namespace
 
-Box bounds_of(const Piece& piece, const Pose& pose) {
-    return std::visit(BoundsOf{pose}, piece.is);
+Box bounds_of(const Primitive& primitive, const Pose& pose) {
+    return std::visit(BoundsOf{pose}, primitive.is);
 }
 
 }  // namespace flipside::custom

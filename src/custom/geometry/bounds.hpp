@@ -1,5 +1,5 @@
 #pragma once
-/// Axis-aligned bounding boxes (AABB) of discs and pieces: the first and cheapest test of a step.
+/// Axis-aligned bounding boxes (AABB) of discs and primitives: the first and cheapest test of a step.
 
 #include "world/surface.hpp"
 #include "world/table.hpp"
@@ -10,8 +10,8 @@ namespace flipside::custom {
 [[nodiscard]] constexpr Box bounds_of(Vec2 center, double radius) {
     return {{center.x - radius, center.y - radius}, {center.x + radius, center.y + radius}};
 }
-/// Of a piece in a pose; tight up to rounding.
-[[nodiscard]] Box bounds_of(const Piece& piece, const Pose& pose = {});
+/// Of a primitive in a pose; tight up to rounding.
+[[nodiscard]] Box bounds_of(const Primitive& primitive, const Pose& pose = {});
 
 /// Closed boxes: those that only share a border overlap.
 [[nodiscard]] constexpr bool overlap(const Box& a, const Box& b) {

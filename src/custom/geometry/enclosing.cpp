@@ -67,17 +67,17 @@ struct AppendOutline {
     void add_circle(Vec2 center, double radius) const {
         append_round(pose.apply(center), radius, 0, 2 * std::numbers::pi, points);
     }
-    void operator()(const piece::Point& p) const { add(p.at); }
-    void operator()(const piece::Segment& p) const { add(p.a), add(p.b); }
-    void operator()(const piece::Circle& p) const { add_circle(p.center, p.radius); }
-    void operator()(const piece::Taper& p) const {
+    void operator()(const primitive::Point& p) const { add(p.at); }
+    void operator()(const primitive::Segment& p) const { add(p.a), add(p.b); }
+    void operator()(const primitive::Circle& p) const { add_circle(p.center, p.radius); }
+    void operator()(const primitive::Taper& p) const {
         add_circle(p.a, p.radius_a);
         add_circle(p.b, p.radius_b);
     }
-    void operator()(const piece::Polygon& p) const {
+    void operator()(const primitive::Polygon& p) const {
         for (const Vec2 point : p.points) add(point);
     }
-    void operator()(const piece::Arc& p) const {
+    void operator()(const primitive::Arc& p) const {
         add(p.center + p.radius * from_angle(p.from));
         add(p.center + p.radius * from_angle(p.to));
         append_round(pose.apply(p.center), p.radius, p.from + pose.angle, p.to + pose.angle, points);
@@ -150,8 +150,8 @@ Rectangle enclosing_rectangle(std::span<const Vec2> points) {
     return best;
 }
 
-void append_outline(const Piece& piece, const Pose& pose, std::vector<Vec2>& points) {
-    std::visit(AppendOutline{pose, points}, piece.is);
+void append_outline(const Primitive& primitive, const Pose& pose, std::vector<Vec2>& points) {
+    std::visit(AppendOutline{pose, points}, primitive.is);
 }
 
 }  // namespace flipside::custom

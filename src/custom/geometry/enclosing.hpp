@@ -36,8 +36,8 @@ struct Rectangle {
 /// Rectangle of the least area around at least one point. Cost: O(n log n).
 [[nodiscard]] Rectangle enclosing_rectangle(std::span<const Vec2> points);
 
-/// Points whose hull encloses a piece: corners, and for what is round those of a polygon around it, at
+/// Points whose hull encloses a primitive: corners, and for what is round those of a polygon around it, at
 /// most 0.13 % of its radius outside.
-void append_outline(const Piece& piece, const Pose& pose, std::vector<Vec2>& points);
+void append_outline(const Primitive& primitive, const Pose& pose, std::vector<Vec2>& points);
 
 }  // namespace flipside::custom

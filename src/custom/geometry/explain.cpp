@@ -45,14 +45,14 @@ struct Explainer {
     /// Of the centre from the closest point, m; below 0 inside a solid.
     [[nodiscard]] double height() const { return found.separation + radius; }
 
-    void operator()(const piece::Point&) const {
+    void operator()(const primitive::Point&) const {
         add(item, "point", "the point", to_a_point, filled(height(), 0, radius));
     }
-    void operator()(const piece::Circle& circle) const {
+    void operator()(const primitive::Circle& circle) const {
         add(item, "circle", "the rim", to_a_circle,
             filled(length(center - circle.center), circle.radius, radius));
     }
-    void operator()(const piece::Segment& segment) const {
+    void operator()(const primitive::Segment& segment) const {
         const Vec2 along = segment.b - segment.a;
         const double at = dot(center - segment.a, along) / length_squared(along);
         add_ends(segment.a, segment.b);
@@ -61,7 +61,7 @@ struct Explainer {
         const char* feature = at < 0 ? "past the end a" : at > 1 ? "past the end b" : "the face";
         add(item, "segment", feature, found.past_end ? to_a_point : to_a_face, filled(height(), 0, radius));
     }
-    void operator()(const piece::Arc& arc) const {
+    void operator()(const primitive::Arc& arc) const {
         const auto end = [&](double angle) { return arc.center + arc.radius * from_angle(angle); };
         add_ends(end(arc.from), end(arc.to));
         item.with("middle", pose.apply(arc.center))
@@ -76,7 +76,7 @@ struct Explainer {
             filled(height(), 0, radius));
     }
     /// From one end of the arc, 0, to the other, 1; beyond the nearer end by as much as the angle is.
-    [[nodiscard]] double along(const piece::Arc& arc) const {
+    [[nodiscard]] double along(const primitive::Arc& arc) const {
         constexpr double full = 2 * std::numbers::pi;
         const double sweep = arc.to - arc.from;
         double angle = std::remainder(angle_of(center - arc.center) - (arc.from + arc.to) / 2, full);
@@ -89,7 +89,7 @@ struct Explainer {
         }
         return angle / sweep + 0.5;
     }
-    void operator()(const piece::Polygon& polygon) const {
+    void operator()(const primitive::Polygon& polygon) const {
         const auto& points = polygon.points;
         std::vector<double> heights, outline;
         for (const Vec2 point : points) {
@@ -112,7 +112,7 @@ struct Explainer {
         add(item, "polygon", (corner ? "a corner of edge " : "edge ") + std::to_string(edge),
             corner ? to_a_point : to_a_face, filled(height(), 0, radius));
     }
-    void operator()(const piece::Taper& taper) const {
+    void operator()(const primitive::Taper& taper) const {
         const Vec2 forward = unit(taper.b - taper.a);
         const double slant = (taper.radius_a - taper.radius_b) / length(taper.b - taper.a);
         const bool round = std::abs(dot(found.normal, forward) - slant) > 1e-9;
@@ -130,7 +130,7 @@ struct Explainer {
                   : filled(height(), 0, radius));
     }
     /// Along the straight side on which the centre is.
-    [[nodiscard]] double along(const piece::Taper& taper, double slant) const {
+    [[nodiscard]] double along(const primitive::Taper& taper, double slant) const {
         const double span = length(taper.b - taper.a), straight = std::sqrt((1 - slant) * (1 + slant));
         const Vec2 forward = (taper.b - taper.a) / span, from_a = center - taper.a;
         return (dot(from_a, forward) - slant * std::abs(dot(from_a, perp(forward))) / straight) / span;
@@ -139,14 +139,15 @@ struct Explainer {
 
 }  // namespace
 
-void explain_touch(TraceItem& item, Vec2 center, double radius, const Piece& piece, const Pose& pose) {
+void explain_touch(TraceItem& item, Vec2 center, double radius, const Primitive& primitive,
+                   const Pose& pose) {
     const Vec2 local = pose.undo(center);
-    std::visit(
-        Explainer{item, local, radius, pose, touch(local, radius, Piece{piece.is, piece.part}, Pose{})},
-        piece.is);
+    std::visit(Explainer{item, local, radius, pose,
+                         touch(local, radius, Primitive{primitive.is, primitive.part}, Pose{})},
+               primitive.is);
 }
 
-std::vector<TriedAxis> axes_tried(Vec2 center, double radius, const piece::Polygon& polygon,
+std::vector<TriedAxis> axes_tried(Vec2 center, double radius, const primitive::Polygon& polygon,
                                   const Pose& pose) {
     const Vec2 local = pose.undo(center);
     const auto& points = polygon.points;

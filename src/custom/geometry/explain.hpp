@@ -15,7 +15,7 @@ namespace flipside::custom {
 /// - of a capsule or flipper, the same along its straight side, with the radii `core` and `other_core`;
 /// - of a polygon, its corners as `outline` (x, y, x, y, ...), the same along the edge that is nearest, and
 ///   the `heights` of the disc's centre over each edge, of which the greatest decides.
-void explain_touch(TraceItem& item, Vec2 center, double radius, const Piece& piece, const Pose& pose);
+void explain_touch(TraceItem& item, Vec2 center, double radius, const Primitive& primitive, const Pose& pose);
 /// The same for two discs.
 void explain_touch(TraceItem& item, Vec2 center_a, double radius_a, Vec2 center_b, double radius_b);
 
@@ -33,7 +33,7 @@ struct TriedAxis {
 
 /// In the order in which the narrow phase tries them: across every edge, then through a corner, if the
 /// closest point is one.
-[[nodiscard]] std::vector<TriedAxis> axes_tried(Vec2 center, double radius, const piece::Polygon& polygon,
+[[nodiscard]] std::vector<TriedAxis> axes_tried(Vec2 center, double radius, const primitive::Polygon& polygon,
                                                 const Pose& pose);
 
 }  // namespace flipside::custom

@@ -9,7 +9,7 @@ namespace flipside::custom {
 
 namespace {
 
-/// A point is a disc without radius: in a solid piece where it is not apart from it.
+/// A point is a disc without radius: in a solid primitive where it is not apart from it.
 struct Inside {
     Vec2 point;
 
@@ -18,12 +18,14 @@ struct Inside {
         return touch(point, 0, solid).separation <= 0;
     }
 
-    bool operator()(const shape::Circle& s) const { return in(piece::Circle{s.center, s.radius}); }
-    bool operator()(const shape::Polygon& s) const { return in(piece::Polygon{s.points}); }
-    bool operator()(const shape::Capsule& s) const { return in(piece::Taper{s.a, s.b, s.radius, s.radius}); }
+    bool operator()(const shape::Circle& s) const { return in(primitive::Circle{s.center, s.radius}); }
+    bool operator()(const shape::Polygon& s) const { return in(primitive::Polygon{s.points}); }
+    bool operator()(const shape::Capsule& s) const {
+        return in(primitive::Taper{s.a, s.b, s.radius, s.radius});
+    }
     bool operator()(const shape::Flipper& s) const {
         const Vec2 tip = s.pivot + s.length * from_angle(s.rest);
-        return in(piece::Taper{s.pivot, tip, s.base_radius, s.tip_radius});
+        return in(primitive::Taper{s.pivot, tip, s.base_radius, s.tip_radius});
     }
     bool operator()(const shape::Compound& s) const {
         return std::ranges::any_of(s.of, [&](const Shape& member) { return inside(point, member); });

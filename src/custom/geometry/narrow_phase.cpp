@@ -25,20 +25,20 @@ double angle_from(double from, Vec2 direction) {
 
 }  // namespace
 
-Touch touch(Vec2 center, double radius, const piece::Point& piece) {
-    return touch_circle(center, radius, piece.at, 0);
+Touch touch(Vec2 center, double radius, const primitive::Point& primitive) {
+    return touch_circle(center, radius, primitive.at, 0);
 }
 
-Touch touch(Vec2 center, double radius, const piece::Circle& piece) {
-    return touch_circle(center, radius, piece.center, piece.radius);
+Touch touch(Vec2 center, double radius, const primitive::Circle& primitive) {
+    return touch_circle(center, radius, primitive.center, primitive.radius);
 }
 
-Touch touch(Vec2 center, double radius, const piece::Segment& piece) {
-    const Vec2 along = piece.b - piece.a;
-    const Vec2 from_a = center - piece.a;
+Touch touch(Vec2 center, double radius, const primitive::Segment& primitive) {
+    const Vec2 along = primitive.b - primitive.a;
+    const Vec2 from_a = center - primitive.a;
     const double position = dot(from_a, along) / length_squared(along);
     if (position < 0 || position > 1) {
-        Touch end = touch_circle(center, radius, position < 0 ? piece.a : piece.b, 0);
+        Touch end = touch_circle(center, radius, position < 0 ? primitive.a : primitive.b, 0);
         end.past_end = true;
         return end;
     }
@@ -48,28 +48,28 @@ Touch touch(Vec2 center, double radius, const piece::Segment& piece) {
     return {center - height * left, normal, std::abs(height) - radius, false};
 }
 
-Touch touch(Vec2 center, double radius, const piece::Arc& piece) {
-    const Vec2 out = center - piece.center;
+Touch touch(Vec2 center, double radius, const primitive::Arc& primitive) {
+    const Vec2 out = center - primitive.center;
     const double distance = length(out);
     // At the very centre every point of the arc is as near; take its middle.
-    const Vec2 direction = distance > 0 ? out / distance : from_angle((piece.from + piece.to) / 2);
-    if (angle_from(piece.from, direction) > piece.to - piece.from) {
-        const Vec2 first = piece.center + piece.radius * from_angle(piece.from);
-        const Vec2 last = piece.center + piece.radius * from_angle(piece.to);
+    const Vec2 direction = distance > 0 ? out / distance : from_angle((primitive.from + primitive.to) / 2);
+    if (angle_from(primitive.from, direction) > primitive.to - primitive.from) {
+        const Vec2 first = primitive.center + primitive.radius * from_angle(primitive.from);
+        const Vec2 last = primitive.center + primitive.radius * from_angle(primitive.to);
         const bool nearer_first = length_squared(center - first) <= length_squared(center - last);
         Touch end = touch_circle(center, radius, nearer_first ? first : last, 0);
         end.past_end = true;
         return end;
     }
-    const bool inside = distance < piece.radius;
-    return {piece.center + piece.radius * direction, inside ? -direction : direction,
-            std::abs(distance - piece.radius) - radius, false};
+    const bool inside = distance < primitive.radius;
+    return {primitive.center + primitive.radius * direction, inside ? -direction : direction,
+            std::abs(distance - primitive.radius) - radius, false};
 }
 
 // The edge with the greatest signed distance decides (separating axis): inside the polygon it is the
 // nearest edge, outside the closest point is on it or is one of its two corners.
-Touch touch(Vec2 center, double radius, const piece::Polygon& piece) {
-    const auto& points = piece.points;
+Touch touch(Vec2 center, double radius, const primitive::Polygon& primitive) {
+    const auto& points = primitive.points;
     const auto corner = [&](std::size_t i) { return points[i < points.size() ? i : 0]; };
     std::size_t edge = 0;
     double height = -std::numeric_limits<double>::infinity();
@@ -90,27 +90,27 @@ Touch touch(Vec2 center, double radius, const piece::Polygon& piece) {
 // In the frame of the axis, mirrored so that the disc is on the left of it: the straight side runs from
 // circle a to circle b with outward normal (sine, cosine); past its ends the circles are nearest.
 // After Quilez 2018, "2D distance functions" (uneven capsule).
-Touch touch(Vec2 center, double radius, const piece::Taper& piece) {
-    const Vec2 axis = piece.b - piece.a;
+Touch touch(Vec2 center, double radius, const primitive::Taper& primitive) {
+    const Vec2 axis = primitive.b - primitive.a;
     const double span = length(axis);
     const Vec2 forward = axis / span, left = perp(forward);
-    const Vec2 from_a = center - piece.a;
+    const Vec2 from_a = center - primitive.a;
     const double x = dot(from_a, forward), height = dot(from_a, left);
     const double side = height < 0 ? -1 : 1;
     const double y = std::abs(height);
-    const double sine = (piece.radius_a - piece.radius_b) / span;
+    const double sine = (primitive.radius_a - primitive.radius_b) / span;
     const double cosine = std::sqrt((1 - sine) * (1 + sine));
     const double along = cosine * x - sine * y;
-    if (along < 0) return touch_circle(center, radius, piece.a, piece.radius_a, -forward);
-    if (along > cosine * span) return touch_circle(center, radius, piece.b, piece.radius_b, forward);
-    const double above = sine * x + cosine * y - piece.radius_a;
+    if (along < 0) return touch_circle(center, radius, primitive.a, primitive.radius_a, -forward);
+    if (along > cosine * span) return touch_circle(center, radius, primitive.b, primitive.radius_b, forward);
+    const double above = sine * x + cosine * y - primitive.radius_a;
     const Vec2 normal = sine * forward + (side * cosine) * left;
     return {center - above * normal, normal, above - radius, false};
 }
 
-Touch touch(Vec2 center, double radius, const Piece& piece, const Pose& pose) {
+Touch touch(Vec2 center, double radius, const Primitive& primitive, const Pose& pose) {
     const Vec2 local = pose.undo(center);
-    Touch found = std::visit([&](const auto& kind) { return touch(local, radius, kind); }, piece.is);
+    Touch found = std::visit([&](const auto& kind) { return touch(local, radius, kind); }, primitive.is);
     if (pose.angle != 0) {
         found.point = pose.apply(found.point);
         found.normal = rotated(found.normal, pose.angle);

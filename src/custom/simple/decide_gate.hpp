@@ -17,7 +17,7 @@ void decide_gate(Table& table, PartIndex part, double begin, double end, const s
                  std::uint64_t& tests, auto&& each_near) {
     const shape::Gate& gate = *gate_of(table.scene().parts[part]);
     const Pose before = table.pose(part, begin), now = table.pose(part, end);
-    const Piece line{piece::Segment{gate.a, gate.b}, part};
+    const Primitive line{primitive::Segment{gate.a, gate.b}, part};
     const auto separation = [&](const Ball& ball) {
         ++tests;
         return touch(ball.position, ball.radius, line, now).separation;

@@ -68,7 +68,7 @@ void SimpleSolver::decide_gates(double duration) {
         decide_gate(*table_, part, ahead_ - duration, ahead_, *balls_, record_->statistics.narrow_tests,
                     [&](auto&& visit) {
                         for (const Pair pair : pairs_)
-                            if (!is_ball(pair.a) && layout_.piece(pair.a).part == part)
+                            if (!is_ball(pair.a) && layout_.primitive(pair.a).part == part)
                                 visit(ball_of(pair.b), started_[index_of(pair.b)]);
                     });
     if (trace_) trace_->decided_gates(*table_);
@@ -82,20 +82,20 @@ bool SimpleSolver::respond_to_pairs(double duration, int round) {
     bool any = false;
     for (const Pair pair : pairs_)
         any |= is_ball(pair.a) ? respond_to_ball(ball_of(pair.a), ball_of(pair.b), around)
-                               : respond_to_piece(ball_of(pair.b), pair.a, around);
+                               : respond_to_primitive(ball_of(pair.b), pair.a, around);
     if (trace_) trace_->end_round();
     return any;
 }
 
-bool SimpleSolver::respond_to_piece(Ball& ball, PieceIndex index, const Surroundings& around) {
-    const Piece& piece = layout_.piece(index);
+bool SimpleSolver::respond_to_primitive(Ball& ball, PrimitiveIndex index, const Surroundings& around) {
+    const Primitive& primitive = layout_.primitive(index);
     const Pose pose = layout_.pose(*table_, index, ahead_);
     if (!layout_.stops(*table_, index, pose, ball)) {
         if (trace_) trace_->passed_over(ball, index);
         return false;
     }
     ++record_->statistics.narrow_tests;
-    const Touch found = touch(ball.position, ball.radius, piece, pose);
+    const Touch found = touch(ball.position, ball.radius, primitive, pose);
     if (trace_) trace_->tested(ball, index, pose, found);
     if (found.separation >= -overlap_slop * ball.radius || found.past_end) return false;
     ++record_->statistics.contacts;
@@ -104,8 +104,8 @@ bool SimpleSolver::respond_to_piece(Ball& ball, PieceIndex index, const Surround
     push_out(ball, found);
     if (trace_) trace_->responded(ball, index, surface_velocity, impact, layout_.mixed(ball, index));
     if (impact.happened) {
-        report(ball, Other::part(piece.part), impact, found.point);
-        if (scene_.parts[piece.part].target) table_->set_down(piece.part, true);
+        report(ball, Other::part(primitive.part), impact, found.point);
+        if (scene_.parts[primitive.part].target) table_->set_down(primitive.part, true);
     }
     return true;
 }
@@ -136,14 +136,14 @@ void SimpleSolver::watch_sensors() {
     if (trace_) trace_->begin_sensors();
     for (const Pair pair : pairs_) {
         if (is_ball(pair.a)) continue;
-        const Piece& piece = layout_.piece(pair.a);
-        if (!scene_.parts[piece.part].sensor) continue;
+        const Primitive& primitive = layout_.primitive(pair.a);
+        if (!scene_.parts[primitive.part].sensor) continue;
         const Ball& ball = ball_of(pair.b);
         ++record_->statistics.narrow_tests;
         const Pose pose = layout_.pose(*table_, pair.a, ahead_);
-        const double separation = touch(ball.position, ball.radius, piece, pose).separation;
+        const double separation = touch(ball.position, ball.radius, primitive, pose).separation;
         if (trace_) trace_->sensed(ball, pair.a, separation);
-        if (separation <= 0) record_->crossed.push_back({ball.number, piece.part});
+        if (separation <= 0) record_->crossed.push_back({ball.number, primitive.part});
     }
 }
 

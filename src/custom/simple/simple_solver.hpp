@@ -43,7 +43,7 @@ class SimpleSolver {
     void find_pairs(BroadPhase& broad);
     void decide_gates(double duration);
     bool respond_to_pairs(double duration, int round);
-    bool respond_to_piece(Ball& ball, PieceIndex index, const Surroundings& around);
+    bool respond_to_primitive(Ball& ball, PrimitiveIndex index, const Surroundings& around);
     bool respond_to_ball(Ball& lower, Ball& upper, const Surroundings& around);
     void report(const Ball& ball, Other other, const Impact& impact, Vec2 point);
     void watch_sensors();
@@ -62,7 +62,7 @@ class SimpleSolver {
     StepRecord* record_ = nullptr;
     double ahead_ = 0;           ///< s from the table's time to the end of this motion iteration
     std::vector<Vec2> started_;  ///< m, per ball: centre before this motion iteration
-    std::vector<Proxy> moving_;  ///< turning pieces, then balls
+    std::vector<Proxy> moving_;  ///< turning primitives, then balls
     std::vector<Pair> pairs_;
     std::unique_ptr<SimpleTrace> trace_;  ///< where somebody looks inside; else null
 };

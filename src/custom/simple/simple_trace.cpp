@@ -72,8 +72,8 @@ void SimpleTrace::name_proxy(TraceItem& item, std::string_view prefix, Handle ha
         item.with(start + "ball", balls[handle - layout_.size()].number);
         return;
     }
-    item.with(start + "part", std::string_view(scene_.parts[layout_.piece(handle).part].name))
-        .with(start + "piece", handle);
+    item.with(start + "part", std::string_view(scene_.parts[layout_.primitive(handle).part].name))
+        .with(start + "primitive", handle);
 }
 
 void SimpleTrace::found_pairs(std::span<const Proxy> moving, std::span<const Ball> balls,
@@ -165,20 +165,20 @@ void SimpleTrace::begin_round(int k, int n) {
     turn_ = overlapping_ = impacts_ = resting_ = 0;
 }
 
-void SimpleTrace::passed_over(const Ball& ball, PieceIndex piece) {
+void SimpleTrace::passed_over(const Ball& ball, PrimitiveIndex primitive) {
     TraceItem& item = narrow().add("passed over").with("ball", ball.number);
-    name_proxy(item, "", piece, {});
+    name_proxy(item, "", primitive, {});
     item.with("reason", "a sensor, a target that is down, or a gate that lets this ball through");
 }
 
 /// One for each axis that a polygon takes.
-void SimpleTrace::add_axes(const Ball& ball, PieceIndex piece, const Pose& pose) {
-    const auto* polygon = std::get_if<piece::Polygon>(&layout_.piece(piece).is);
+void SimpleTrace::add_axes(const Ball& ball, PrimitiveIndex primitive, const Pose& pose) {
+    const auto* polygon = std::get_if<primitive::Polygon>(&layout_.primitive(primitive).is);
     if (polygon == nullptr) return;
     const auto shadow = [](const double(&ends)[2]) { return std::vector<double>{ends[0], ends[1]}; };
     for (const TriedAxis& tried : axes_tried(ball.position, ball.radius, *polygon, pose)) {
         TraceItem& item = narrow().add("axis").with("turn", turn_).with("ball", ball.number);
-        name_proxy(item, "", piece, {});
+        name_proxy(item, "", primitive, {});
         item.with("of", std::string_view(tried.of))
             .with("axis", tried.axis)
             .with("shadow_of_part", shadow(tried.polygon))
@@ -191,12 +191,12 @@ void SimpleTrace::add_axes(const Ball& ball, PieceIndex piece, const Pose& pose)
     }
 }
 
-void SimpleTrace::tested(const Ball& ball, PieceIndex piece, const Pose& pose, const Touch& found) {
+void SimpleTrace::tested(const Ball& ball, PrimitiveIndex primitive, const Pose& pose, const Touch& found) {
     lower_ = ball;
     ++turn_;
-    add_axes(ball, piece, pose);
+    add_axes(ball, primitive, pose);
     TraceItem& item = narrow().add("closest").with("turn", turn_).with("ball", ball.number);
-    name_proxy(item, "", piece, {});
+    name_proxy(item, "", primitive, {});
     item.with("center", ball.position)
         .with("radius", ball.radius)
         .with("pivot", pose.pivot)
@@ -204,7 +204,7 @@ void SimpleTrace::tested(const Ball& ball, PieceIndex piece, const Pose& pose, c
         .with("point", found.point)
         .with("normal", found.normal)
         .with("separation", found.separation);
-    explain_touch(item, ball.position, ball.radius, layout_.piece(piece), pose);
+    explain_touch(item, ball.position, ball.radius, layout_.primitive(primitive), pose);
     const bool overlaps = found.separation < -overlap_slop * ball.radius && !found.past_end;
     item.with("overlap", overlaps);
     overlapping_ += overlaps;
@@ -257,12 +257,12 @@ TraceItem& SimpleTrace::add_response(const Ball& before, const Ball& after, cons
         .with("push_out", after.position - before.position);
 }
 
-void SimpleTrace::responded(const Ball& ball, PieceIndex piece, Vec2 surface_velocity, const Impact& impact,
-                            const Mixed& material) {
+void SimpleTrace::responded(const Ball& ball, PrimitiveIndex primitive, Vec2 surface_velocity,
+                            const Impact& impact, const Mixed& material) {
     const TraceItem& seen = narrow().items.back();
     const double closing = -dot(lower_.velocity - surface_velocity, seen.get<Vec2>("normal"));
     TraceItem& item = add_response(lower_, ball, impact, material, closing);
-    name_proxy(item, "", piece, {});
+    name_proxy(item, "", primitive, {});
     item.with("surface_velocity", surface_velocity);
     item.with("formula", "v' = v + (closing + max(e s, k)) n");
     const double out = impact.happened ? std::max(material.restitution * impact.speed, material.kick) : 0;
@@ -303,9 +303,9 @@ void SimpleTrace::begin_sensors() {
     stage().says = "No ball is at a sensor.";
 }
 
-void SimpleTrace::sensed(const Ball& ball, PieceIndex piece, double separation) {
+void SimpleTrace::sensed(const Ball& ball, PrimitiveIndex primitive, double separation) {
     TraceItem& item = stage().add("sensor").with("ball", ball.number);
-    name_proxy(item, "", piece, {});
+    name_proxy(item, "", primitive, {});
     item.with("separation", separation).with("inside", separation <= 0);
     stage().says =
         "Balls looked at, for their boxes overlap that of a sensor: " + std::to_string(stage().items.size()) +

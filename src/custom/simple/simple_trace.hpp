@@ -28,24 +28,24 @@ class SimpleTrace {
 
     /// Collision iteration `k` of `n` at most.
     void begin_round(int k, int n);
-    void passed_over(const Ball& ball, PieceIndex piece);
-    void tested(const Ball& ball, PieceIndex piece, const Pose& pose, const Touch& found);
+    void passed_over(const Ball& ball, PrimitiveIndex primitive);
+    void tested(const Ball& ball, PrimitiveIndex primitive, const Pose& pose, const Touch& found);
     void tested(const Ball& lower, const Ball& upper, const Touch& found);
     /// After the response to the pair tested last.
-    void responded(const Ball& ball, PieceIndex piece, Vec2 surface_velocity, const Impact& impact,
+    void responded(const Ball& ball, PrimitiveIndex primitive, Vec2 surface_velocity, const Impact& impact,
                    const Mixed& material);
     void responded(const Ball& lower, const Ball& upper, const Impact& impact, const Mixed& material);
     void end_round();
 
     void begin_sensors();
-    void sensed(const Ball& ball, PieceIndex piece, double separation);
+    void sensed(const Ball& ball, PrimitiveIndex primitive, double separation);
 
   private:
     void begin(std::string_view name, std::string_view function);
     [[nodiscard]] TraceStage& stage() { return trace_.stages.back(); }
     [[nodiscard]] TraceStage& narrow() { return trace_.stages[trace_.stages.size() - 2]; }
     void add_cells(std::span<const Cell> tree, std::size_t moving, std::span<const Ball> balls);
-    void add_axes(const Ball& ball, PieceIndex piece, const Pose& pose);
+    void add_axes(const Ball& ball, PrimitiveIndex primitive, const Pose& pose);
     TraceItem& add_response(const Ball& before, const Ball& after, const Impact& impact,
                             const Mixed& material, double closing);
     void name_proxy(TraceItem& item, std::string_view prefix, Handle handle,

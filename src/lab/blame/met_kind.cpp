@@ -8,13 +8,13 @@ namespace flipside::lab {
 
 namespace {
 
-struct KindOfPiece {
-    std::string_view operator()(const piece::Point&) const { return "point"; }
-    std::string_view operator()(const piece::Segment&) const { return "segment"; }
-    std::string_view operator()(const piece::Arc&) const { return "arc"; }
-    std::string_view operator()(const piece::Circle&) const { return "circle"; }
-    std::string_view operator()(const piece::Polygon&) const { return "polygon"; }
-    std::string_view operator()(const piece::Taper&) const { return "taper"; }
+struct KindOfPrimitive {
+    std::string_view operator()(const primitive::Point&) const { return "point"; }
+    std::string_view operator()(const primitive::Segment&) const { return "segment"; }
+    std::string_view operator()(const primitive::Arc&) const { return "arc"; }
+    std::string_view operator()(const primitive::Circle&) const { return "circle"; }
+    std::string_view operator()(const primitive::Polygon&) const { return "polygon"; }
+    std::string_view operator()(const primitive::Taper&) const { return "taper"; }
 };
 
 Pose pose_of(const Part& part, double angle) {
@@ -23,7 +23,7 @@ Pose pose_of(const Part& part, double angle) {
     return {};
 }
 
-/// The piece of a part nearest to a disc: how it is touched.
+/// The primitive of a part nearest to a disc: how it is touched.
 struct Nearest {
     custom::Touch touch;
     std::string_view kind = "none";
@@ -32,12 +32,12 @@ Nearest nearest(const Scene& scene, PartIndex part, const PartState& state, Vec2
     const Pose pose = pose_of(scene.parts[part], state.angle);
     Nearest found;
     double least = INFINITY;
-    for (const Piece& piece : surface_of(scene)) {
-        if (piece.part != part) continue;
-        const custom::Touch touch = custom::touch(center, radius, piece, pose);
+    for (const Primitive& primitive : surface_of(scene)) {
+        if (primitive.part != part) continue;
+        const custom::Touch touch = custom::touch(center, radius, primitive, pose);
         if (std::abs(touch.separation) >= least) continue;
         least = std::abs(touch.separation);
-        found = {touch, std::visit(KindOfPiece{}, piece.is)};
+        found = {touch, std::visit(KindOfPrimitive{}, primitive.is)};
     }
     return found;
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// What a ball met, from the scene: the kind of piece at a point, and the normal that it has.
+/// What a ball met, from the scene: the kind of primitive at a point, and the normal that it has.
 
 #include <string_view>
 
@@ -8,8 +8,8 @@
 
 namespace flipside::lab {
 
-/// One of met_kinds. `point` is in the world's frame, `state` that of the part. Cost: linear in the pieces of
-/// the scene.
+/// One of met_kinds. `point` is in the world's frame, `state` that of the part. Cost: linear in the
+/// primitives of the scene.
 [[nodiscard]] std::string_view met_kind(const Scene& scene, Other other, const PartState& state, Vec2 point);
 
 /// The normal of a part's surface nearest to a disc there, from the surface to the disc. Cost as above.

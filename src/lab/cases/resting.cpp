@@ -71,13 +71,13 @@ void slide_to_roll(Experiment& experiment) {
 }
 
 void collinear_with(Experiment& experiment, double angle, double weight) {
-    constexpr int pieces = 10'000;
+    constexpr int primitives = 10'000;
     constexpr double speed = 5;
     const Vec2 along = from_angle(angle);
     Scene scene = empty_scene(weight * -perp(along));
     scene.bounds = {{-1000, -1000}, {1000, 1000}};
     shape::Polyline floor;
-    for (int i = 0; i <= pieces; ++i) floor.points.push_back(0.01 * i * along);
+    for (int i = 0; i <= primitives; ++i) floor.points.push_back(0.01 * i * along);
     add_part(scene, {floor}, {"", 0.5, 0, 0});
     add_ball(scene, 0.05 * along + radius * perp(along), speed * along, radius);
     Trial trial(experiment, scene);
@@ -87,7 +87,7 @@ void collinear_with(Experiment& experiment, double angle, double weight) {
     const std::string of =
         std::string(angle == 0 ? ", flat" : ", turned") + (weight == 0 ? ", no weight" : "");
     experiment.exact("impacts" + of, "", 0, static_cast<double>(trial.impact_count()), 0);
-    // The corners of a turned floor are rounded: its pieces slope by up to 1e-14.
+    // The corners of a turned floor are rounded: its primitives slope by up to 1e-14.
     experiment.exact("speed along" + of, "m/s", speed, dot(ball.velocity, along), 1e-11);
     experiment.exact("way along" + of, "m", 0.05 + speed * seconds, dot(ball.position, along), 1e-9);
     experiment.exact("height" + of, "m", radius, dot(ball.position, perp(along)), 1e-10);

@@ -36,7 +36,7 @@ class Subject {
     /// The scene has bounds of 10 m; `rest` is its other keys.
     [[nodiscard]] std::unique_ptr<World> world(const std::string& rest) const;
     [[nodiscard]] std::shared_ptr<const Scene> scene(const std::string& rest) const;
-    /// A part at y = 0 that a ball can fall on, of a kind of piece that the engine declares; "" where it
+    /// A part at y = 0 that a ball can fall on, of a kind of primitive that the engine declares; "" where it
     /// declares none. `more` are further keys of it.
     [[nodiscard]] std::string floor(const std::string& more = "") const;
 

@@ -1,4 +1,4 @@
-/// What balls meet: every kind of piece, and what surfaces do.
+/// What balls meet: every kind of primitive, and what surfaces do.
 
 #include <algorithm>
 #include <cmath>

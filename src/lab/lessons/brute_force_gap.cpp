@@ -15,20 +15,20 @@ class Nearest {
   public:
     Nearest(Vec2 center, int points) : center_(center), points_(points) {}
 
-    double of(const piece::Point& point) { return length(center_ - point.at); }
-    double of(const piece::Segment& segment) {
+    double of(const primitive::Point& point) { return length(center_ - point.at); }
+    double of(const primitive::Segment& segment) {
         line(segment.a, segment.b, 1);
         return least_;
     }
-    double of(const piece::Arc& piece) {
-        arc(piece.center, piece.radius, piece.from, piece.to, 1);
+    double of(const primitive::Arc& primitive) {
+        arc(primitive.center, primitive.radius, primitive.from, primitive.to, 1);
         return least_;
     }
-    double of(const piece::Circle& circle) {
+    double of(const primitive::Circle& circle) {
         arc(circle.center, circle.radius, 0, 2 * std::numbers::pi, 1);
         return least_;
     }
-    double of(const piece::Polygon& polygon) {
+    double of(const primitive::Polygon& polygon) {
         const auto& corners = polygon.points;
         double around = 0;
         const auto next = [&](std::size_t i) { return corners[(i + 1) % corners.size()]; };
@@ -38,7 +38,7 @@ class Nearest {
         return least_;
     }
     /// Two sides, each between the places where it touches the circles, and what is left of those.
-    double of(const piece::Taper& taper) {
+    double of(const primitive::Taper& taper) {
         const Vec2 axis = taper.b - taper.a;
         const double span = length(axis), forward = angle_of(axis);
         const double grows = taper.radius_a - taper.radius_b;
@@ -73,23 +73,25 @@ class Nearest {
 
 }  // namespace
 
-double distance_by_brute_force(Vec2 center, const Piece& piece, int points) {
-    return std::visit([&](const auto& kind) { return Nearest(center, points).of(kind); }, piece.is);
+double distance_by_brute_force(Vec2 center, const Primitive& primitive, int points) {
+    return std::visit([&](const auto& kind) { return Nearest(center, points).of(kind); }, primitive.is);
 }
 
 double separation_off(const Trace& trace, const Scene& scene) {
     constexpr int points = 10'000, most = 1000;
-    const std::vector<Piece> pieces = surface_of(scene);
+    const std::vector<Primitive> primitives = surface_of(scene);
     double off = 0;
     int looked_at = 0;
     for (const TraceStage& stage : trace.stages)
         for (const TraceItem& item : stage.items) {
-            if (item.kind != "closest" || item.find("piece") == nullptr || ++looked_at > most) continue;
+            if (item.kind != "closest" || item.find("primitive") == nullptr || ++looked_at > most) continue;
             const Pose pose{item.get<Vec2>("pivot"), item.get<double>("pose_angle")};
-            const Piece& piece = pieces[static_cast<std::size_t>(item.get<std::int64_t>("piece"))];
+            const Primitive& primitive =
+                primitives[static_cast<std::size_t>(item.get<std::int64_t>("primitive"))];
             // Of the centre, from the outline: inside a solid it is below 0.
             const double height = item.get<double>("separation") + item.get<double>("radius");
-            const double found = distance_by_brute_force(pose.undo(item.get<Vec2>("center")), piece, points);
+            const double found =
+                distance_by_brute_force(pose.undo(item.get<Vec2>("center")), primitive, points);
             off = std::max(off, std::abs(std::abs(height) - found));
         }
     return off;

@@ -39,7 +39,7 @@ class RunMeasure {
           session_(run.scene, *run.on.engine, contender_for(run.on, *run.scene, default_step).settings) {}
 
     void measure() {
-        set("pieces", static_cast<double>(surface_of(*run_.scene).size()));
+        set("primitives", static_cast<double>(surface_of(*run_.scene).size()));
         set("energy_first", energy(session_.world(), *run_.scene));
         for (const Contact& contact : session_.world().contacts())
             if (!contact.other.is_ball) touching_.emplace_back(contact.ball, contact.other.index);

@@ -71,10 +71,10 @@ class Attributes {
 /// Everything until the other end is closed.
 std::string read_all(int from) {
     std::string all;
-    char piece[4096];
+    char primitive[4096];
     for (;;) {
-        const ssize_t size = read(from, piece, sizeof piece);
-        if (size > 0) all.append(piece, static_cast<std::size_t>(size));
+        const ssize_t size = read(from, primitive, sizeof primitive);
+        if (size > 0) all.append(primitive, static_cast<std::size_t>(size));
         if (size == 0 || (size < 0 && errno != EINTR)) return all;
     }
 }

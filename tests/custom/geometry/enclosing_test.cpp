@@ -103,22 +103,22 @@ TEST(Enclosing, KnownShapes) {
     EXPECT_NEAR(disc.radius, 0.5 * std::sqrt(34.0), rounding);  // from (0, 0) to (3, 5)
 }
 
-TEST(Enclosing, OutlinesEncloseRoundPiecesTightly) {
+TEST(Enclosing, OutlinesEncloseRoundPrimitivesTightly) {
     const Pose pose{{1, 2}, 0.7};
     std::vector<Vec2> points;
-    append_outline({piece::Circle{{3, 1}, 2}, 0}, pose, points);
+    append_outline({primitive::Circle{{3, 1}, 2}, 0}, pose, points);
     Disc disc = enclosing_disc(points);
     EXPECT_NEAR(length(disc.center - pose.apply({3, 1})), 0, rounding);
     EXPECT_GE(disc.radius, 2);
     EXPECT_LT(disc.radius, 2 * 1.0013);
 
     points.clear();
-    append_outline({piece::Arc{{0, 0}, 1, 0, std::numbers::pi}, 0}, {}, points);
+    append_outline({primitive::Arc{{0, 0}, 1, 0, std::numbers::pi}, 0}, {}, points);
     const Rectangle half = enclosing_rectangle(points);
     EXPECT_GE(4 * half.half.x * half.half.y, 2 - rounding);
     EXPECT_LT(4 * half.half.x * half.half.y, 2 * 1.003);
     points.clear();
-    append_outline({piece::Taper{{0, 0}, {4, 0}, 1, 0.5}, 0}, {}, points);
+    append_outline({primitive::Taper{{0, 0}, {4, 0}, 1, 0.5}, 0}, {}, points);
     disc = enclosing_disc(points);
     EXPECT_NEAR(disc.radius, 5.5 / 2, 0.0013);  // from −1 to 4.5
 }

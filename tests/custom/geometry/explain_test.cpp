@@ -14,7 +14,7 @@ struct ExplainDice {
     Pose pose() { return {place(1), number(-3, 3)}; }
 };
 
-const piece::Polygon triangle{{{-0.6, -0.3}, {0.7, -0.4}, {0.1, 0.5}}};
+const primitive::Polygon triangle{{{-0.6, -0.3}, {0.7, -0.4}, {0.1, 0.5}}};
 
 TEST(AxesTried, DecideAsTheNarrowPhaseDoes) {
     ExplainDice dice;
@@ -23,7 +23,7 @@ TEST(AxesTried, DecideAsTheNarrowPhaseDoes) {
         const Pose pose = dice.pose();
         const Vec2 center = pose.apply(dice.place(1.5));
         const double radius = dice.number(0.01, 0.8);
-        const Touch found = touch(center, radius, Piece{triangle, 0}, pose);
+        const Touch found = touch(center, radius, Primitive{triangle, 0}, pose);
         const auto axes = axes_tried(center, radius, triangle, pose);
         const auto decides = std::ranges::find(axes, true, &TriedAxis::decides);
         ASSERT_NE(decides, axes.end());
@@ -48,22 +48,22 @@ TEST(AxesTried, DecideAsTheNarrowPhaseDoes) {
     EXPECT_GT(edges, 1000);
 }
 
-TraceItem explained(Vec2 center, const Piece& piece, const Pose& pose) {
+TraceItem explained(Vec2 center, const Primitive& primitive, const Pose& pose) {
     TraceItem item;
-    explain_touch(item, center, 0.1, piece, pose);
+    explain_touch(item, center, 0.1, primitive, pose);
     return item;
 }
 
 /// The closest point follows from what the item says.
 TEST(ExplainTouch, TheClampedPlaceIsTheClosestPoint) {
     ExplainDice dice;
-    const Piece segment{piece::Segment{{-0.5, 0.1}, {0.6, 0.3}}, 0};
-    const Piece arc{piece::Arc{{0.1, 0}, 0.5, 0.4, 5.1}, 0};
-    const Piece polygon{triangle, 0};
+    const Primitive segment{primitive::Segment{{-0.5, 0.1}, {0.6, 0.3}}, 0};
+    const Primitive arc{primitive::Arc{{0.1, 0}, 0.5, 0.4, 5.1}, 0};
+    const Primitive polygon{triangle, 0};
     for (int k = 0; k < 3000; ++k) {
         const Pose pose = dice.pose();
         const Vec2 center = pose.apply(dice.place(1.5));
-        for (const Piece* straight : {&segment, &polygon}) {
+        for (const Primitive* straight : {&segment, &polygon}) {
             const TraceItem item = explained(center, *straight, pose);
             const Touch found = touch(center, 0.1, *straight, pose);
             const Vec2 a = item.get<Vec2>("a"), b = item.get<Vec2>("b");
@@ -82,7 +82,7 @@ TEST(ExplainTouch, TheClampedPlaceIsTheClosestPoint) {
 }
 
 TEST(ExplainTouch, OfATaperTellsWhichPartOfItIsNearest) {
-    const Piece taper{piece::Taper{{0, 0}, {1, 0}, 0.3, 0.1}, 0};
+    const Primitive taper{primitive::Taper{{0, 0}, {1, 0}, 0.3, 0.1}, 0};
     EXPECT_LT(explained({-1, 0.1}, taper, {}).get<double>("along"), 0);
     EXPECT_GT(explained({2, 0.1}, taper, {}).get<double>("along"), 1);
     // Straight out from the middle of the side, which leans by asin(0.2).

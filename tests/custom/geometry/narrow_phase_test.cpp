@@ -21,13 +21,13 @@ void expect_touch(const Touch& found, Vec2 point, Vec2 normal, double separation
 }
 
 TEST(NarrowPhase, Point) {
-    const Touch found = touch({3, 4}, 2, piece::Point{{0, 0}});
+    const Touch found = touch({3, 4}, 2, primitive::Point{{0, 0}});
     expect_touch(found, {0, 0}, {0.6, 0.8}, 3);
-    expect_touch(touch({1, 1}, 2, piece::Point{{1, 1}}), {1, 1}, {0, 1}, -2);
+    expect_touch(touch({1, 1}, 2, primitive::Point{{1, 1}}), {1, 1}, {0, 1}, -2);
 }
 
 TEST(NarrowPhase, SegmentFromBothSides) {
-    const piece::Segment floor{{-1, 0}, {1, 0}};
+    const primitive::Segment floor{{-1, 0}, {1, 0}};
     expect_touch(touch({0.5, 0.3}, 0.5, floor), {0.5, 0}, {0, 1}, -0.2);
     expect_touch(touch({0.5, -0.3}, 0.5, floor), {0.5, 0}, {0, -1}, -0.2);
     const Touch on_it = touch({0, 0}, 0.5, floor);
@@ -36,7 +36,7 @@ TEST(NarrowPhase, SegmentFromBothSides) {
 }
 
 TEST(NarrowPhase, SegmentEndsAreNotTheFace) {
-    const piece::Segment floor{{-1, 0}, {1, 0}};
+    const primitive::Segment floor{{-1, 0}, {1, 0}};
     EXPECT_FALSE(touch({1, 0.3}, 0.5, floor).past_end);
     const Touch beyond = touch({4, 4}, 2, floor);
     EXPECT_TRUE(beyond.past_end);
@@ -44,7 +44,7 @@ TEST(NarrowPhase, SegmentEndsAreNotTheFace) {
 }
 
 TEST(NarrowPhase, ArcFromBothSidesAndBeyondItsEnds) {
-    const piece::Arc quarter{{1, 1}, 2, 0, pi / 2};
+    const primitive::Arc quarter{{1, 1}, 2, 0, pi / 2};
     const double s = std::sqrt(0.5);
     const Touch outside = touch({1 + 3 * s, 1 + 3 * s}, 0.5, quarter);
     expect_touch(outside, {1 + 2 * s, 1 + 2 * s}, {s, s}, 0.5);
@@ -58,36 +58,36 @@ TEST(NarrowPhase, ArcFromBothSidesAndBeyondItsEnds) {
 }
 
 TEST(NarrowPhase, ArcAcrossTheCutOfTheAngle) {
-    const piece::Arc left{{0, 0}, 1, 3 * pi / 4, 5 * pi / 4};
+    const primitive::Arc left{{0, 0}, 1, 3 * pi / 4, 5 * pi / 4};
     EXPECT_FALSE(touch({-2, 0}, 0.1, left).past_end);
     EXPECT_FALSE(touch({-2, -1e-9}, 0.1, left).past_end);
     EXPECT_TRUE(touch({2, 0}, 0.1, left).past_end);
-    const piece::Arc wound{{0, 0}, 1, -pi / 4 - 2 * pi, pi / 4 - 2 * pi};
+    const primitive::Arc wound{{0, 0}, 1, -pi / 4 - 2 * pi, pi / 4 - 2 * pi};
     EXPECT_FALSE(touch({2, 0}, 0.1, wound).past_end);
     EXPECT_TRUE(touch({-2, 0}, 0.1, wound).past_end);
 }
 
 TEST(NarrowPhase, CircleAlsoFromWithin) {
-    expect_touch(touch({5, 0}, 1, piece::Circle{{0, 0}, 2}), {2, 0}, {1, 0}, 2);
-    expect_touch(touch({0, 0.5}, 1, piece::Circle{{0, 0}, 2}), {0, 2}, {0, 1}, -2.5);
-    expect_touch(touch({0, 0}, 1, piece::Circle{{0, 0}, 2}), {0, 2}, {0, 1}, -3);
+    expect_touch(touch({5, 0}, 1, primitive::Circle{{0, 0}, 2}), {2, 0}, {1, 0}, 2);
+    expect_touch(touch({0, 0.5}, 1, primitive::Circle{{0, 0}, 2}), {0, 2}, {0, 1}, -2.5);
+    expect_touch(touch({0, 0}, 1, primitive::Circle{{0, 0}, 2}), {0, 2}, {0, 1}, -3);
 }
 
 TEST(NarrowPhase, PolygonFacesCornersAndInside) {
-    const piece::Polygon square{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}};
+    const primitive::Polygon square{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}};
     expect_touch(touch({3, 1}, 0.5, square), {2, 1}, {1, 0}, 0.5);
     expect_touch(touch({5, 6}, 1, square), {2, 2}, {0.6, 0.8}, 4);
     expect_touch(touch({1.75, 1}, 0.5, square), {2, 1}, {1, 0}, -0.75);
 }
 
 TEST(NarrowPhase, TaperSidesAndEnds) {
-    const piece::Taper capsule{{0, 0}, {4, 0}, 1, 1};
+    const primitive::Taper capsule{{0, 0}, {4, 0}, 1, 1};
     expect_touch(touch({2, 3}, 0.5, capsule), {2, 1}, {0, 1}, 1.5);
     expect_touch(touch({2, -3}, 0.5, capsule), {2, -1}, {0, -1}, 1.5);
     expect_touch(touch({7, 4}, 1, capsule), {4.6, 0.8}, {0.6, 0.8}, 3);
     expect_touch(touch({-3, 0}, 1, capsule), {-1, 0}, {-1, 0}, 1);
     // Radii 2 and 1, 2 apart: the tangents lean by 30 degrees.
-    const piece::Taper flipper{{0, 0}, {2, 0}, 2, 1};
+    const primitive::Taper flipper{{0, 0}, {2, 0}, 2, 1};
     const Vec2 lean = from_angle(pi / 3);
     const Vec2 on_side = 2 * lean + 0.5 * Vec2{lean.y, -lean.x};
     expect_touch(touch(on_side + 3 * lean, 1, flipper), on_side, lean, 2);
@@ -97,8 +97,8 @@ TEST(NarrowPhase, Discs) {
     expect_touch(touch({0, 3}, 1, {0, 0}, 1.5), {0, 1.5}, {0, 1}, 0.5);
 }
 
-/// Points on the surface of a piece, closer together than `step`.
-std::vector<Vec2> samples(const Piece& piece, double step) {
+/// Points on the surface of a primitive, closer together than `step`.
+std::vector<Vec2> samples(const Primitive& primitive, double step) {
     struct Sample {
         double step;
         std::vector<Vec2> points;
@@ -111,15 +111,15 @@ std::vector<Vec2> samples(const Piece& piece, double step) {
             for (int i = 0; i <= n; ++i)
                 points.push_back(center + radius * from_angle(from + (to - from) * i / n));
         }
-        void operator()(const piece::Point& p) { points.push_back(p.at); }
-        void operator()(const piece::Segment& p) { line(p.a, p.b); }
-        void operator()(const piece::Arc& p) { round(p.center, p.radius, p.from, p.to); }
-        void operator()(const piece::Circle& p) { round(p.center, p.radius, 0, 2 * pi); }
-        void operator()(const piece::Polygon& p) {
+        void operator()(const primitive::Point& p) { points.push_back(p.at); }
+        void operator()(const primitive::Segment& p) { line(p.a, p.b); }
+        void operator()(const primitive::Arc& p) { round(p.center, p.radius, p.from, p.to); }
+        void operator()(const primitive::Circle& p) { round(p.center, p.radius, 0, 2 * pi); }
+        void operator()(const primitive::Polygon& p) {
             for (std::size_t i = 0; i < p.points.size(); ++i)
                 line(p.points[i], p.points[(i + 1) % p.points.size()]);
         }
-        void operator()(const piece::Taper& p) {
+        void operator()(const primitive::Taper& p) {
             const double axis = angle_of(p.b - p.a);
             const double lean = std::acos((p.radius_a - p.radius_b) / length(p.b - p.a));
             round(p.a, p.radius_a, axis + lean, axis + 2 * pi - lean);
@@ -131,7 +131,7 @@ std::vector<Vec2> samples(const Piece& piece, double step) {
         }
     };
     Sample sample{step, {}};
-    std::visit([&](const auto& kind) { sample(kind); }, piece.is);
+    std::visit([&](const auto& kind) { sample(kind); }, primitive.is);
     return sample.points;
 }
 
@@ -146,16 +146,16 @@ double size() {
     return *rc::gen::inRange(10, 1500) * 1e-3;
 }
 
-/// The found point lies on the surface, and no sample is nearer: for all pieces alike. Inside a solid
+/// The found point lies on the surface, and no sample is nearer: for all primitives alike. Inside a solid
 /// the separation is that to the nearest surface, negative.
-void check_against_samples(const Piece& piece, bool solid) {
+void check_against_samples(const Primitive& primitive, bool solid) {
     const Vec2 center = place();
     const double radius = size();
     const Pose pose{place(), *rc::gen::inRange(-3, 4) * 0.9};
-    const Touch found = touch(center, radius, piece, pose);
+    const Touch found = touch(center, radius, primitive, pose);
     constexpr double step = 2e-3;
     double nearest = 1e9, to_point = 1e9;
-    for (const Vec2 sample : samples(piece, step)) {
+    for (const Vec2 sample : samples(primitive, step)) {
         nearest = std::min(nearest, length(pose.apply(sample) - center));
         to_point = std::min(to_point, length(pose.apply(sample) - found.point));
     }
@@ -171,24 +171,24 @@ void check_against_samples(const Piece& piece, bool solid) {
 
 RC_GTEST_PROP(NarrowPhase, SegmentAgreesWithSamples, ()) {
     const Vec2 a = place();
-    check_against_samples({piece::Segment{a, a + size() * from_angle(coordinate())}}, false);
+    check_against_samples({primitive::Segment{a, a + size() * from_angle(coordinate())}}, false);
 }
 RC_GTEST_PROP(NarrowPhase, ArcAgreesWithSamples, ()) {
     const Vec2 center = place();
     const double from = coordinate();
-    check_against_samples({piece::Arc{center, size(), from, from + *rc::gen::inRange(10, 6283) * 1e-3}},
+    check_against_samples({primitive::Arc{center, size(), from, from + *rc::gen::inRange(10, 6283) * 1e-3}},
                           false);
 }
 RC_GTEST_PROP(NarrowPhase, CircleAgreesWithSamples, ()) {
     const Vec2 center = place();
-    check_against_samples({piece::Circle{center, size()}}, true);
+    check_against_samples({primitive::Circle{center, size()}}, true);
 }
 RC_GTEST_PROP(NarrowPhase, PolygonAgreesWithSamples, ()) {
     // Corners on an ellipse, in order, are convex.
     const int corners = *rc::gen::inRange(3, 9);
     const double width = 0.1 + size(), height = 0.1 + size();
     const Vec2 center = place();
-    piece::Polygon polygon;
+    primitive::Polygon polygon;
     for (int i = 0; i < corners; ++i) {
         const Vec2 out = from_angle((i + *rc::gen::inRange(0, 800) * 1e-3) * 2 * pi / corners);
         polygon.points.push_back(center + Vec2{width * out.x, height * out.y});
@@ -199,7 +199,7 @@ RC_GTEST_PROP(NarrowPhase, TaperAgreesWithSamples, ()) {
     const double a = size(), b = size();
     const Vec2 at = place();
     const Vec2 along = (std::abs(a - b) + size()) * from_angle(coordinate());
-    check_against_samples({piece::Taper{at, at + along, a, b}}, true);
+    check_against_samples({primitive::Taper{at, at + along, a, b}}, true);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace {
 class Recomputed {
   public:
     Recomputed(const Scene& scene, const World& world, double driven)
-        : scene_(scene), pieces_(surface_of(scene)), around_{scene.gravity, scene.rest_speed, driven} {
+        : scene_(scene), primitives_(surface_of(scene)), around_{scene.gravity, scene.rest_speed, driven} {
         for (const Ball& ball : world.balls()) balls_[ball.number] = ball;
     }
 
@@ -54,11 +54,11 @@ class Recomputed {
         }
     }
 
-    using Thing = std::pair<bool, std::int64_t>;  ///< a ball's number or a piece's place
+    using Thing = std::pair<bool, std::int64_t>;  ///< a ball's number or a primitive's place
     static Thing thing(const TraceItem& item, const std::string& prefix) {
         const TraceValue* ball = item.find(prefix + "ball");
         return ball != nullptr ? Thing{true, std::get<std::int64_t>(*ball)}
-                               : Thing{false, item.get<std::int64_t>("piece")};
+                               : Thing{false, item.get<std::int64_t>("primitive")};
     }
 
     void check_pairs(const TraceStage& stage) {
@@ -68,8 +68,8 @@ class Recomputed {
             if (item.kind == "box") boxes[thing(item, "")] = item.get<Box>("box");
         for (const TraceItem& item : stage.items) {
             if (item.kind != "test") continue;
-            const Thing a = thing(item, ""), b = item.find("piece")
-                                                     ? Thing{false, item.get<std::int64_t>("piece")}
+            const Thing a = thing(item, ""), b = item.find("primitive")
+                                                     ? Thing{false, item.get<std::int64_t>("primitive")}
                                                      : thing(item, "other_");
             EXPECT_EQ(item.get<bool>("overlap"), overlap(boxes.at(a), boxes.at(b)));
             if (item.get<bool>("overlap")) pairs_.insert(std::minmax(a, b));
@@ -88,8 +88,8 @@ class Recomputed {
         }
     }
 
-    [[nodiscard]] const Part& part_of(std::int64_t piece) const {
-        return scene_.parts[layout_.piece(static_cast<PieceIndex>(piece)).part];
+    [[nodiscard]] const Part& part_of(std::int64_t primitive) const {
+        return scene_.parts[layout_.primitive(static_cast<PrimitiveIndex>(primitive)).part];
     }
 
     /// Narrow phase and response take turns.
@@ -111,14 +111,15 @@ class Recomputed {
         const Ball& ball = balls_.at(ball_in(item));
         EXPECT_EQ(item.get<Vec2>("center"), ball.position);
         EXPECT_TRUE(pairs_.contains(std::minmax(
-            Thing{true, ball.number}, item.find("piece") ? thing(item, "no ") : thing(item, "other_"))));
+            Thing{true, ball.number}, item.find("primitive") ? thing(item, "no ") : thing(item, "other_"))));
         Touch found;
         if (item.find("other_ball") != nullptr) {
             const Ball& other = balls_.at(ball_in(item, "other_ball"));
             found = touch(ball.position, ball.radius, other.position, other.radius);
         } else {
-            const Piece& piece = layout_.piece(static_cast<PieceIndex>(item.get<std::int64_t>("piece")));
-            found = touch(ball.position, ball.radius, piece,
+            const Primitive& primitive =
+                layout_.primitive(static_cast<PrimitiveIndex>(item.get<std::int64_t>("primitive")));
+            found = touch(ball.position, ball.radius, primitive,
                           {item.get<Vec2>("pivot"), item.get<double>("pose_angle")});
         }
         EXPECT_EQ(item.get<Vec2>("point"), found.point);
@@ -145,9 +146,9 @@ class Recomputed {
             EXPECT_EQ(item.get<Vec2>("other_velocity"), other.velocity);
             EXPECT_EQ(item.get<Vec2>("other_position"), other.position);
         } else {
-            const auto piece = static_cast<PieceIndex>(seen.get<std::int64_t>("piece"));
-            impact =
-                respond(ball, found, item.get<Vec2>("surface_velocity"), layout_.mixed(ball, piece), around_);
+            const auto primitive = static_cast<PrimitiveIndex>(seen.get<std::int64_t>("primitive"));
+            impact = respond(ball, found, item.get<Vec2>("surface_velocity"), layout_.mixed(ball, primitive),
+                             around_);
             push_out(ball, found);
         }
         EXPECT_EQ(item.get<Vec2>("velocity"), ball.velocity);
@@ -169,7 +170,7 @@ class Recomputed {
     }
 
     const Scene& scene_;
-    std::vector<Piece> pieces_;
+    std::vector<Primitive> primitives_;
     Layout layout_{scene_};
     Surroundings around_;
     std::map<BallNumber, Ball> balls_;

@@ -179,7 +179,7 @@ TEST(Blame, IsChargedToTheBallThatBeganIt) {
     expect_at_floor(blame);
 }
 
-TEST(Blame, KindsAreThoseOfThePieceThatIsMet) {
+TEST(Blame, KindsAreThoseOfThePrimitiveThatIsMet) {
     const std::pair<Shape, const char*> shapes[] = {
         {{shape::Circle{{0, 0}, 0.5}}, "circle"},
         {{shape::Arc{{0, 0}, 0.5, 0, std::numbers::pi}}, "arc"},
