@@ -9,6 +9,7 @@
 #include "lab/assets.hpp"
 #include "lab/engines.hpp"
 #include "world/input_error.hpp"
+#include "world/json_file.hpp"
 #include "world/printable.hpp"
 #include "world/scene_file.hpp"
 
@@ -47,7 +48,7 @@ int replay(const HuntOptions& options) {
     const Scene scene = load_scene(lab::scene_file(options.replay));
     const hunts::Request request = request_of(options);
     if (!hunts::says_something(request.goal, scene))
-        throw InputError("--goal " + options.goal + " says nothing of scene " + "'" + printable(scene.name) + "'" +
+        throw InputError("--goal " + options.goal + " says nothing of scene " + in_quotes(scene.name) +
                          ": something moves or gives energy there by itself");
     const hunts::Measured measured = measure(request, scene);
     print("%s\n", printable(hunts::sentence(request, measured)).c_str());
