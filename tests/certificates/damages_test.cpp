@@ -161,7 +161,7 @@ const Damage damages[] = {
          if (i + 1 >= legs.size() || !legs[i]["held"].empty()) return false;
          const double share = 0.4, t0 = legs[i]["start"], t1 = legs[i + 1]["start"];
          if (t1 - t0 < 0.02) return false;
-         const auto along = [&](int k) {
+         const auto along = [&](std::size_t k) {
              const double a = legs[i]["position"][k], b = legs[i + 1]["position"][k];
              return a + share * (b - a);
          };
