@@ -1,7 +1,8 @@
 #include "lab/impact_error.hpp"
 
-#include <algorithm>
 #include <cmath>
+
+#include "world/math.hpp"
 
 namespace flipside::lab {
 
@@ -9,21 +10,6 @@ ImpactError error_of(const Event& impact, const Event& exact) {
     const double turn = math::atan2(cross(exact.normal, impact.normal), dot(exact.normal, impact.normal));
     return {impact.time - exact.time, std::abs(turn), length(impact.point - exact.point),
             impact.speed - exact.speed};
-}
-
-std::optional<ImpactVerdict> judge(const ImpactLog& contender, const ImpactLog& exact, Other subject,
-                                   double tolerance, double now, double certain) {
-    const auto mine = contender.last(subject, now);
-    const auto truth = exact.last(subject, std::min(now, certain));
-    const double settled = std::min(now - tolerance, certain);
-    const bool behind = truth && (!mine || mine->event.time < truth->event.time);
-    if (behind && truth->event.time < settled && !contender.nearest(truth->event, tolerance, now))
-        return ImpactVerdict{truth->event, true, {}};
-    if (!mine || mine->event.time > certain) return std::nullopt;
-    if (const auto match = exact.nearest(mine->event, tolerance, now))
-        return ImpactVerdict{mine->event, false, error_of(mine->event, match->event)};
-    if (mine->event.time < settled) return ImpactVerdict{mine->event, false, {}};
-    return std::nullopt;
 }
 
 }  // namespace flipside::lab

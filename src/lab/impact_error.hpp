@@ -1,9 +1,7 @@
 #pragma once
 /// What was wrong with an impact, by the account of the exact engine.
 
-#include <optional>
-
-#include "lab/impact_log.hpp"
+#include "world/events.hpp"
 
 namespace flipside::lab {
 
@@ -15,18 +13,5 @@ struct ImpactError {
     double speed = 0;     ///< m/s by which it approached faster
 };
 [[nodiscard]] ImpactError error_of(const Event& impact, const Event& exact);
-
-struct ImpactVerdict {
-    Event impact;  ///< the contender's; the exact one where it is missed
-    bool missed = false;
-    std::optional<ImpactError> error;  ///< nothing where one of the two has no such impact
-};
-
-/// Of the last impact of a ball or part until `now`. Impacts of the same pair that are at most `tolerance` s
-/// apart are the same; one that is younger than that, and may find its match yet, is passed over in favour
-/// of none. Nothing where there is none to judge. Beyond `certain`, s, nothing is exact and nothing is
-/// judged.
-[[nodiscard]] std::optional<ImpactVerdict> judge(const ImpactLog& contender, const ImpactLog& exact,
-                                                 Other subject, double tolerance, double now, double certain);
 
 }  // namespace flipside::lab

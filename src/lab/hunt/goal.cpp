@@ -51,19 +51,14 @@ void note(Measured& worst, double value, double time, const std::function<std::s
     worst = {value, time, what()};
 }
 
-const Ball* ball_numbered(const World& world, BallNumber number) {
-    const auto at = std::ranges::find(world.balls(), number, &Ball::number);
-    return at == world.balls().end() ? nullptr : &*at;
-}
-
 /// By the engine's contacts, and between balls also by their places, of which no engine has a say.
 void look_for_overlap(const World& world, const Scene& scene, double time, Measured& worst) {
     for (const Contact& contact : world.contacts()) {
-        const Ball* const ball = ball_numbered(world, contact.ball);
+        const Ball* const ball = find_ball(world.balls(), contact.ball);
         if (!ball) continue;
         double radius = ball->radius;
         if (contact.other.is_ball)
-            if (const Ball* const other = ball_numbered(world, contact.other.index))
+            if (const Ball* const other = find_ball(world.balls(), contact.other.index))
                 radius = std::min(radius, other->radius);
         note(worst, -contact.separation / radius, time,
              [&] { return "ball " + std::to_string(contact.ball) + " in " + name_of(contact.other, scene); });
@@ -111,8 +106,8 @@ Measured measure_error(const Contender& contender, const Scene& scene, double se
     Measured worst;
     static_cast<void>(run(worlds, contender.dt, seconds, [&](double time) {
         for (std::size_t i = 0; i < truth->balls().size(); ++i) {
-            const Ball &right = truth->balls()[i], *moved = ball_numbered(*near, right.number),
-                       *other = ball_numbered(*ours, right.number);
+            const Ball &right = truth->balls()[i], *moved = find_ball(near->balls(), right.number),
+                       *other = find_ball(ours->balls(), right.number);
             // Beyond here a last digit decides.
             if (!moved || length(moved->position - right.position) > tame * right.radius ||
                 truth->uncertainty()[i] > tame * right.radius)
