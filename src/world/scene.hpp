@@ -107,6 +107,9 @@ struct Rules {
     std::vector<Spinner> spinners;
 };
 
+/// The most balls, and the most parts, of a scene.
+inline constexpr std::size_t most_things = 1'000'000;
+
 struct Scene {
     std::string name;
     std::string about;

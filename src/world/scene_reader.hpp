@@ -10,9 +10,6 @@
 
 namespace flipside {
 
-/// The most balls, and the most parts, of a scene.
-inline constexpr std::size_t most_things = 1'000'000;
-
 /// The scene that is being read, and how its names are found.
 class SceneReader {
   public:

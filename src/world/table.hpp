@@ -21,6 +21,14 @@ struct Pose {
     [[nodiscard]] Vec2 undo(Vec2 p) const { return angle == 0 ? p : pivot + rotated(p - pivot, -angle); }
 };
 
+/// Where a part stands in that state.
+[[nodiscard]] inline Pose pose_of(const Part& part, const PartState& state) {
+    if (const auto* turn = std::get_if<motion::Turn>(&part.motion)) return {turn->pivot, state.angle};
+    if (const auto* flipper = std::get_if<shape::Flipper>(&part.shape.is))
+        return {flipper->pivot, state.angle};
+    return {};
+}
+
 class Table {
   public:
     explicit Table(std::shared_ptr<const Scene> scene);

@@ -56,7 +56,12 @@ void draw_parts(Canvas& canvas, const Camera& camera, const Run& run, const Look
     const Scene& scene = session.scene();
     for (PartIndex i = 0; i < scene.parts.size(); ++i) {
         const Pose pose = pose_of(scene.parts[i], session.world().parts()[i]);
-        draw_shape(canvas, camera, scene.parts[i].shape, pose, style_of(canvas, run, i, look));
+        ShapeStyle style = style_of(canvas, run, i, look);
+        if (look.picked == Other::part(i)) {
+            style.line = colour::lit;
+            style.width = canvas.scaled(3);
+        }
+        draw_shape(canvas, camera, scene.parts[i].shape, pose, style);
     }
     if (!scene.rules) return;
     for (const Rules::Spinner& spinner : scene.rules->spinners)
@@ -109,13 +114,6 @@ bool out_of_sight(const Camera& camera, Vec2 at, double radius) {
 }
 
 }  // namespace
-
-Pose pose_of(const Part& part, const PartState& state) {
-    if (const auto* turn = std::get_if<motion::Turn>(&part.motion)) return {turn->pivot, state.angle};
-    if (const auto* flipper = std::get_if<shape::Flipper>(&part.shape.is))
-        return {flipper->pivot, state.angle};
-    return {};
-}
 
 void draw_table(Canvas& canvas, const Camera& camera, const Run& run, const Look& look) {
     const Box& bounds = run.session().scene().bounds;

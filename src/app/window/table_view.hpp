@@ -1,6 +1,8 @@
 #pragma once
 /// Draws the table and the balls of a run into a pane.
 
+#include <optional>
+
 #include "app/window/camera.hpp"
 #include "app/window/canvas.hpp"
 #include "app/window/run.hpp"
@@ -9,11 +11,22 @@
 
 namespace flipside::app {
 
+/// A ball that is pulled back, to be thrown.
+struct Sling {
+    BallNumber ball = 0;
+    Vec2 held;      ///< m, where it is pulled to
+    Vec2 velocity;  ///< m/s, that it will get
+
+    friend bool operator==(const Sling&, const Sling&) = default;
+};
+
 /// How the user wants the table drawn.
 struct Look {
     Shows shows{1U << static_cast<unsigned>(Show::lights)};
-    bool random_colours = false;  ///< each ball tinted by its number
-    double charge = 0;            ///< 0…1, of the launch that is being held
+    bool random_colours = false;    ///< each ball tinted by its number
+    double charge = 0;              ///< 0…1, of the launch that is being held
+    std::optional<Other> picked{};  ///< stands out
+    std::optional<Sling> sling{};
 
     friend bool operator==(const Look&, const Look&) = default;
 };
@@ -27,7 +40,5 @@ void draw_balls(Canvas& canvas, const Camera& camera, const Run& run, std::span<
 void draw_halos(Canvas& canvas, const Camera& camera, const Run& run, std::span<const Ball> balls);
 /// Lines between the same ball in both runs.
 void draw_links(Canvas& canvas, const Camera& camera, const Run& a, const Run& b, sf::Color color);
-/// Where a part stands now.
-[[nodiscard]] Pose pose_of(const Part& part, const PartState& state);
 
 }  // namespace flipside::app
