@@ -191,20 +191,20 @@ void App::process(const sf::Event& event) {
         case sf::Event::LostFocus: {
             const std::set<sf::Keyboard::Key> keys = held_;
             for (const sf::Keyboard::Key key : keys) press(action_of(key), key, false);
-            return;
+            return touch(event);
         }
         case sf::Event::KeyPressed:
             return press(action_of(event.key), event.key.code, true);
         case sf::Event::KeyReleased:
             return press(action_of(event.key.code), event.key.code, false);
         default:
-            return mouse_.process(event, clock_.getElapsedTime().asSeconds(), layout_, camera_);
+            return touch(event);
     }
 }
 
 void App::advance(double seconds) {
     if (accumulator_.dt() != stage_.dt()) accumulator_ = Accumulator(stage_.dt(), most_catch_up);
-    const double simulated = controls_.paused ? 0 : seconds * controls_.speed;
+    const double simulated = controls_.paused || hand_.slings() ? 0 : seconds * controls_.speed;
     if (held(Action::launch)) state_.charge = std::min(1.0, state_.charge + simulated / charge_seconds);
     if (!controls_.paused) controls_.single_steps = 0;
     const sf::Clock stepping;
@@ -242,6 +242,7 @@ void App::arrange() {
     camera_.size = {layout_.panes.front().width, layout_.panes.front().height};
     if (shown_scene_ != stage_.scene_name()) {
         mouse_.fit();
+        hand_ = {};
         shown_scene_ = stage_.scene_name();
         scene_file_.watch(stage_.is_lesson() ? "" : lab::scene_file(shown_scene_));
     }
@@ -250,6 +251,8 @@ void App::arrange() {
 
 void App::draw() {
     controls_.look.charge = state_.charge;
+    controls_.look.picked = hand_.picked();
+    controls_.look.sling = hand_.sling(camera_, stage_);
     // The panel may change what is on show, so it comes before the picture of it.
     places_ = draw_panel(layout_.panel, stage_, controls_, lessons_, load_);
     arrange();
@@ -258,6 +261,7 @@ void App::draw() {
     draw_scrubber(layout_.scrubber, stage_, controls_, places_);
     if (controls_.bar_open) draw_step_bar(layout_.bar, stage_, microscope_, places_);
     const bool inside = controls_.bar_open && microscope_.shows(stage_);
+    inspect();
     if (controls_.help_open) draw_help({0, 0, state_.width, state_.height}, places_);
     count_up(0);
     state_.slow = slow_in_words();

@@ -11,7 +11,9 @@
 #include <SFML/System/Clock.hpp>
 
 #include "app/window/accumulator.hpp"
+#include "app/window/card_place.hpp"
 #include "app/window/file_watch.hpp"
+#include "app/window/hand.hpp"
 #include "app/window/imgui_sfml.hpp"
 #include "app/window/kept.hpp"
 #include "app/window/keys.hpp"
@@ -47,6 +49,9 @@ class App {
     void keep();
     void drop_slowest();
     void advance(double seconds);
+    void touch(const sf::Event& event);
+    void inspect();
+    [[nodiscard]] std::vector<Rect> places_of(Other subject) const;
     void draw();
     [[nodiscard]] std::string slow_in_words() const;
     void measure(double frame, double busy);
@@ -73,6 +78,8 @@ class App {
     std::optional<Screen> screen_;
     Imgui imgui_;
     PaneMouse mouse_;
+    Hand hand_;
+    CardPlace card_place_;
     Camera camera_;
     Layout layout_;
     ControlPlaces places_;

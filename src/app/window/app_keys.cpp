@@ -1,6 +1,7 @@
 /// What keys do in the window.
 
 #include <algorithm>
+#include <utility>
 
 #include "app/window/app.hpp"
 
@@ -59,6 +60,13 @@ void App::act(Action action) {
             return nudge({0, nudge_speed});
         case Action::nudge_right:
             return nudge({nudge_speed, 0});
+        case Action::next_ball:
+            return hand_.pick_next_ball(stage_);
+        case Action::next_part:
+            return hand_.pick_next_part(stage_);
+        case Action::remove_ball:
+            if (!hand_.remove(stage_)) controls_.notice = no_ball_picked;
+            break;
         case Action::restart:
             stage_.restart();
             break;
@@ -150,6 +158,9 @@ void App::act_on_window(Action action) {
             break;
         case Action::drop_slowest:
             return drop_slowest();
+        case Action::last_impact:
+            controls_.impact_open = !controls_.impact_open;
+            break;
         case Action::screenshot:
             screenshot_wanted_ = true;
             break;
@@ -164,7 +175,7 @@ void App::act_on_window(Action action) {
                 controls_.by_keys = false;
             else if (controls_.help_open)
                 controls_.help_open = false;
-            else
+            else if (!hand_.let_go() && !std::exchange(controls_.impact_open, false))
                 window_.close();
             break;
         default:

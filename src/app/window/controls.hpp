@@ -18,6 +18,7 @@ struct WindowControls {
     double speed = 1;      ///< simulated seconds per second
     bool panel_open = true;
     bool help_open = false;
+    bool impact_open = false;    ///< the card of the last impact, while nothing is picked
     bool bar_open = false;       ///< the step bar
     bool by_keys = false;        ///< keys work the controls instead of the table
     double scale = 0;            ///< of letters and controls; 0: as suits the window
@@ -32,6 +33,8 @@ struct WindowControls {
     std::string notice;            ///< what went wrong last, for the panel to show
 };
 
+inline constexpr std::string_view no_place = "There is no free place for a ball";
+inline constexpr std::string_view no_ball_picked = "Pick a ball first: click it, or O";
 inline constexpr std::string_view no_room = "There is room for four panes: take one away first";
 
 /// How busy the program is, over the last second.

@@ -19,7 +19,9 @@ std::vector<Line> all_lines() {
     for (const KeyUse& use : key_uses()) lines.emplace_back(use.names, use.meaning);
     lines.emplace_back("Wheel, drag", "Zoom, move the table");
     lines.emplace_back("Double click", "Fit the table to its pane");
-    lines.emplace_back("Ctrl click", "On a slider: type its value");
+    lines.emplace_back("Click", "Pick a ball or part: its card says all about it");
+    lines.emplace_back("Drag a ball", "Throw it: pull it back and let go");
+    lines.emplace_back("Ctrl click", "Add a ball (Shift too); on a slider: type its value");
     return lines;
 }
 

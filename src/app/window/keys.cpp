@@ -54,6 +54,10 @@ constexpr KeyUse uses[] = {
     {Action::view_overlay, {K::Num3, K::Numpad3, no}, none, "3", "The engines on one table"},
     {Action::drop_slowest, {K::X, no, no}, none, "X", "Take the slowest of several panes away"},
     {Action::next_plots, {K::G, no, no}, none, "G", "Next plots: distance, energy, cost, tests"},
+    {Action::next_ball, {K::O, no, no}, none, "O", "Pick the next ball"},
+    {Action::next_part, {K::L, no, no}, none, "L", "Pick the next part"},
+    {Action::last_impact, {K::K, no, no}, none, "K", "The last impact on every engine, or close that"},
+    {Action::remove_ball, {K::Delete, no, no}, none, "Delete", "Take the picked ball off the table"},
     {Action::fold_panel, {K::F2, no, no}, none, "F2", "Fold the controls away, or open them"},
     {Action::work_controls,
      {K::F6, no, no},
@@ -70,7 +74,7 @@ constexpr KeyUse uses[] = {
      "F11",
      "Save the plots as a picture, and their numbers as CSV"},
     {Action::help, {K::F1, no, no}, none, "F1", "This help"},
-    {Action::quit, {K::Escape, no, no}, none, "Esc", "Close this help, or the window"}};
+    {Action::quit, {K::Escape, no, no}, none, "Esc", "Close this help, what is picked, or the window"}};
 
 }  // namespace
 

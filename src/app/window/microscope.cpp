@@ -55,7 +55,9 @@ bool Microscope::shows(const Stage& stage) const {
     if (traces_.empty() || traces_.size() != stage.runs().size()) return false;
     for (std::size_t i = 0; i < traces_.size(); ++i) {
         const Run& run = stage.runs()[i];
-        if (run.name() != traces_[i].name || run.session().totals().steps != traces_[i].steps) return false;
+        const Traced& traced = traces_[i];
+        if (run.name() != traced.name || run.session().totals().steps != traced.steps) return false;
+        if (!std::ranges::equal(run.session().world().balls(), traced.after)) return false;
     }
     return !stage.under_way();
 }

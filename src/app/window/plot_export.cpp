@@ -26,9 +26,8 @@ std::string stages_in_words(const Statistics& statistics) {
 
 /// From the reference where it takes part, else from the first.
 std::string base_of(const Stage& stage) {
-    const auto exact =
-        std::ranges::find_if(stage.runs(), [](const Run& run) { return is_reference(run.engine()); });
-    return (exact == stage.runs().end() ? stage.runs().front() : *exact).name();
+    const Run* exact = stage.exact();
+    return (exact ? *exact : stage.runs().front()).name();
 }
 
 std::optional<double> distance_at(const Stage& stage, const std::string& name, const std::string& base,

@@ -37,12 +37,6 @@ Curve curve_of(const Run& run, const std::string& unit, std::string (*words)(dou
     return curve;
 }
 
-const Run* exact_run(const Stage& stage) {
-    const auto at =
-        std::ranges::find_if(stage.runs(), [](const Run& run) { return is_reference(run.engine()); });
-    return at == stage.runs().end() ? nullptr : &*at;
-}
-
 /// In place of nothing where two are together to the last bit: below what is drawn.
 Curve distance_curve(std::string name, sf::Color color, const std::deque<Sample>& samples) {
     return {std::move(name), color, {samples.begin(), samples.end()}, "r", in_radii};
@@ -55,7 +49,7 @@ PlotChoice plots_named(std::string_view name) {
 }
 
 Plot distance_plot(const Stage& stage) {
-    const Run* exact = exact_run(stage);
+    const Run* exact = stage.exact();
     const Run& base = exact ? *exact : stage.runs().front();
     Plot plot{exact ? "From the reference, in radii" : "From " + base.name() + ", in radii",
               exact ? "Error" : "Apart"};

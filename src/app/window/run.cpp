@@ -68,7 +68,6 @@ void Run::go_to(double time, const Script& script) {
     pressed_.clear();
     traces_ = Traces(session_.scene().parts.size());
     halt_ = recorded_halt_ && time >= recorded_halt_->time ? recorded_halt_ : std::nullopt;
-    if (passed_horizon_ && *passed_horizon_ > time) passed_horizon_.reset();
     energy_ = lab::energy(session_.world(), session_.scene());
     for (const Sample& baseline : baselines_)
         if (baseline.time <= session_.world().time()) energy_before_ = baseline.value;
@@ -80,6 +79,8 @@ void Run::go_on_from_here() {
     const double now = session_.world().time();
     recorder_.forget_after(recorder_.at(now));
     recorded_halt_ = halt_;
+    impacts_.forget_after(now);
+    passed_horizon_ = passed_horizon();
     std::erase_if(baselines_, [now](const Sample& later) { return later.time > now; });
     while (!numbers_.empty() && numbers_.back().time > now) numbers_.pop_back();
     forget_after(uncertainty_, now);
@@ -96,6 +97,7 @@ void Run::observe_step() {
     spent_ += cost;
     step_cost_ = step_cost_ == 0 ? cost : step_cost_ + 0.05 * (cost - step_cost_);
     traces_.observe(session_.events(), session_.world().balls(), session_.world().time());
+    impacts_.observe(session_.events(), session_.world().balls());
     measure_energy(false);
     measure_uncertainty();
     const World& world = session_.world();
@@ -115,6 +117,10 @@ void Run::measure_uncertainty() {
         passed_horizon_.reset();
     else if (!passed_horizon_)
         passed_horizon_ = world.time();
+}
+
+std::optional<double> Run::passed_horizon() const {
+    return passed_horizon_ && *passed_horizon_ <= session_.world().time() ? passed_horizon_ : std::nullopt;
 }
 
 void Run::measure_energy(bool start_anew) {
@@ -142,22 +148,36 @@ void Run::change(std::shared_ptr<const Scene> scene, const lab::Contender& conte
     step_cost_ = 0;
     spent_ = session_.totals().step_seconds;
     measure_energy(true);
+    if (!another) return record_change();
     // Of another engine the past is another's.
-    if (another)
-        recorder_.start(session_, next_control_);
-    else
-        recorder_.changed(session_, events_);
+    impacts_ = {};
+    pressed_.clear();
+    recorder_.start(session_, next_control_);
+}
+
+void Run::record_change() {
+    // It has in it what was pressed since the last step.
+    pressed_.clear();
+    recorder_.changed(session_, events_);
 }
 
 void Run::clear() {
     State state = session_.world().save();
     state.balls.clear();
     state.launches.clear();
-    session_.restore(state);
     halt_.reset();
     recorded_halt_.reset();
+    go_on_from(state);
+}
+
+std::optional<State> Run::edited(const lab::BallEdit& edit) const {
+    return halt_ ? std::nullopt : lab::edited(session_.scene(), session_.world().save(), edit);
+}
+
+void Run::go_on_from(const State& state) {
+    session_.restore(state);
     measure_energy(true);
-    recorder_.changed(session_, events_);
+    record_change();
 }
 
 void Run::refresh(double seconds) {

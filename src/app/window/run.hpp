@@ -10,7 +10,9 @@
 #include "app/window/history.hpp"
 #include "app/window/step_numbers.hpp"
 #include "app/window/traces.hpp"
+#include "lab/ball_edit.hpp"
 #include "lab/contender.hpp"
+#include "lab/impact_log.hpp"
 #include "lab/recorder.hpp"
 #include "lab/session.hpp"
 
@@ -48,6 +50,11 @@ class Run {
     void change(std::shared_ptr<const Scene> scene, const lab::Contender& contender);
     /// Takes every ball off the table, and those that wait to be launched.
     void clear();
+    /// Its state after a hand has done that to its balls; nothing where that cannot be, or the run has
+    /// halted.
+    [[nodiscard]] std::optional<State> edited(const lab::BallEdit& edit) const;
+    /// From another state at the same time.
+    void go_on_from(const State& state);
     /// Its last half minute, and where in it the run stands.
     [[nodiscard]] const lab::Recorder& recorder() const { return recorder_; }
     /// Shows the last recorded moment at or before `time` as it was, or the first one. What came after it
@@ -68,6 +75,8 @@ class Run {
     /// Everything that happened in the last span.
     [[nodiscard]] std::span<const Event> events() const { return events_; }
     [[nodiscard]] const Traces& traces() const { return traces_; }
+    /// All that is recorded of them, also those after a moment of the past that is on show.
+    [[nodiscard]] const lab::ImpactLog& impacts() const { return impacts_; }
     [[nodiscard]] const Rates& rates() const { return rates_; }
     [[nodiscard]] double energy() const { return energy_; }  ///< J
     /// Energy gained since balls last came or went, J.
@@ -81,10 +90,12 @@ class Run {
     /// nothing.
     [[nodiscard]] const std::deque<Sample>& uncertainty_history() const { return uncertainty_; }
     /// When the first of the balls on the table passed beyond the horizon (claim.hpp), s.
-    [[nodiscard]] const std::optional<double>& passed_horizon() const { return passed_horizon_; }
+    [[nodiscard]] std::optional<double> passed_horizon() const;
 
   private:
     void observe_step();
+    /// The moment on show is another one than the steps led to.
+    void record_change();
     /// Sums and rates go on from the session as it is.
     void count_from_here();
     void measure_energy(bool start_anew);
@@ -101,6 +112,7 @@ class Run {
     std::vector<Control> pressed_;       ///< since the last span
     std::optional<Halt> recorded_halt_;  ///< at the end of what is recorded
     Traces traces_;
+    lab::ImpactLog impacts_;
     Rates rates_;
     lab::Totals counted_;  ///< at the last refresh
     double energy_ = 0, energy_before_ = 0;
@@ -111,7 +123,7 @@ class Run {
     std::deque<StepNumbers> numbers_;
     std::optional<Halt> halt_;
     std::deque<Sample> uncertainty_;
-    std::optional<double> passed_horizon_;
+    std::optional<double> passed_horizon_;  ///< as far as is recorded
 };
 
 }  // namespace flipside::app

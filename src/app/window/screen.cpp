@@ -8,6 +8,7 @@
 #include "app/window/contender_colour.hpp"
 #include "app/window/header.hpp"
 #include "app/window/overlays.hpp"
+#include "app/window/pick_view.hpp"
 #include "app/window/stage_view.hpp"
 #include "app/window/strip.hpp"
 #include "app/window/words.hpp"
@@ -90,6 +91,8 @@ void Screen::draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect&
         else
             draw_balls(canvas_, camera, run, balls_of(run), look);
     }
+    for (const Run& run : runs)
+        if (seen(run)) draw_picked(canvas_, camera, balls_of(run), look);
     if (!inside) draw_links_of(runs, camera);
     for (const Run& run : runs)
         if (seen(run) && !inside) draw_marks(canvas_, camera, run, look);

@@ -132,6 +132,7 @@ void Stage::start() {
             script_);
     divergences_.clear();
     pressed_.clear();
+    edits_.clear();
     pair_up();
 }
 
@@ -181,6 +182,11 @@ const Run& Stage::lead() const {
 bool Stage::reference() const {
     return std::ranges::any_of(contenders_,
                                [](const lab::Contender& one) { return is_reference(*one.engine); });
+}
+
+const Run* Stage::exact() const {
+    const auto at = std::ranges::find_if(runs_, [](const Run& run) { return is_reference(run.engine()); });
+    return at == runs_.end() ? nullptr : &*at;
 }
 
 Run Stage::taken_up(const Run& from, const lab::Contender& contender) const {
@@ -295,6 +301,7 @@ bool Stage::step_within(double span, double seconds) {
     for (Divergence& divergence : divergences_)
         divergence.observe(run_named(divergence.first()), run_named(divergence.second()));
     for (const Control& control : std::exchange(pressed_, {})) press(control);
+    for (const lab::BallEdit& edit : std::exchange(edits_, {})) this->edit(edit);
     return true;
 }
 

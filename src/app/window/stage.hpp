@@ -55,6 +55,10 @@ class Stage {
     /// What the player does, as far as each run's rules permit it; after the step that is under way.
     void press(const Control& control);
     void clear();
+    /// What a hand does to the balls of all runs; after the step that is under way. A new ball has one number
+    /// in all of them. False, and nothing, where a new ball has no room in one of them, or none has that
+    /// ball.
+    bool edit(const lab::BallEdit& edit);
     void set_gravity(bool on);
 
     /// What follows changes the contender of a run. Each throws InputError, and changes nothing, where that
@@ -101,6 +105,8 @@ class Stage {
     /// The first run that has not halted, or the first of all.
     [[nodiscard]] const Run& lead() const;
     [[nodiscard]] bool reference() const;
+    /// The run of the reference that is on show, or null.
+    [[nodiscard]] const Run* exact() const;
     [[nodiscard]] bool gravity() const { return gravity_; }
     [[nodiscard]] bool has_gravity() const { return !(original_->gravity == Vec2{}); }
     /// Of every two runs, since they last began in one state.
@@ -154,7 +160,8 @@ class Stage {
     bool gravity_ = true;
     bool in_past_ = false;
     std::vector<Divergence> divergences_;
-    std::vector<Control> pressed_;  ///< during the step that is under way
+    std::vector<Control> pressed_;      ///< during the step that is under way
+    std::vector<lab::BallEdit> edits_;  ///< likewise
 };
 
 [[nodiscard]] bool is_reference(const Engine& engine);

@@ -133,6 +133,12 @@ Json json_of(const Microscope& microscope, const Stage& stage) {
             {"balls", balls}};
 }
 
+Json json_of(const Card& card) {
+    Json j{{"title", card.title}, {"about", card.about}, {"rows", Json::object()}};
+    for (const Card::Row& row : card.rows) j["rows"][row.label] = row.cells;
+    return j;
+}
+
 Json json_of(const Divergence& divergence, const Scene& scene) {
     Json j{{"first", divergence.first()}, {"second", divergence.second()}};
     j["radii"] = divergence.history().empty() ? Json() : Json(divergence.history().back().value);
@@ -164,6 +170,9 @@ void WindowReport::write(double now, const Stage& stage, const Microscope& micro
     j["record"] = {stage.record_begin(), stage.record_end()};
     j["in_past"] = stage.in_past();
     j["charge"] = window.charge;
+    j["card"] = window.card ? json_of(*window.card) : Json();
+    const std::optional<Sling>& sling = controls.look.sling;
+    j["sling"] = sling ? Json{sling->velocity.x, sling->velocity.y} : Json();
     j["scale"] = camera.scale;
     j["center"] = {camera.center.x, camera.center.y};
     for (std::size_t i = 0; i < stage.runs().size(); ++i)

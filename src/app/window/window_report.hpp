@@ -6,6 +6,7 @@
 #include <fstream>
 #include <string>
 
+#include "app/window/card.hpp"
 #include "app/window/controls.hpp"
 #include "app/window/lesson_tab.hpp"
 #include "app/window/microscope.hpp"
@@ -21,7 +22,8 @@ struct WindowState {
     std::string last_screenshot;
     std::string last_export;  ///< the CSV
     double charge = 0;
-    std::string slow;  ///< as in Readings
+    std::string slow;          ///< as in Readings
+    std::optional<Card> card;  ///< while one is open
 };
 
 class WindowReport {
