@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <sstream>
 
 #include "app/window/contender_colour.hpp"
 #include "app/window/panel_tabs.hpp"
@@ -12,6 +13,33 @@ namespace {
 
 using Value = std::function<std::string(const Run&)>;
 
+/// Takes the last letter of a text in UTF-8 away.
+void drop_letter(std::string& text) {
+    const auto within_letter = [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U; };
+    while (text.size() > 1 && within_letter(text.back())) text.pop_back();
+    text.pop_back();
+}
+
+/// With an ellipsis where there is no room for all of it.
+std::string cut(std::string name, float room) {
+    const auto width_of = [](const std::string& words) { return ImGui::CalcTextSize(words.c_str()).x; };
+    if (width_of(name) <= room) return name;
+    while (!name.empty() && width_of(name + "…") > room) drop_letter(name);
+    return name + "…";
+}
+
+/// Broken between words; a word for which there is no room is cut, and the tooltip has all of it.
+void value_in_cell(const std::string& text) {
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float slack = room - ImGui::CalcTextSize(text.c_str()).x;
+    if (slack > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + slack);
+    std::istringstream words(text);
+    std::string shown;
+    for (std::string word; words >> word;) shown += (shown.empty() ? "" : " ") + cut(word, room);
+    ImGui::TextWrapped("%s", shown.c_str());
+    if (shown != text) tooltip(text);
+}
+
 /// One line: what it is, and its value for each run.
 void row(const Stage& stage, const char* words, const char* meaning, const Value& value) {
     ImGui::TableNextColumn();
@@ -19,19 +47,8 @@ void row(const Stage& stage, const char* words, const char* meaning, const Value
     tooltip(meaning);
     for (const Run& run : stage.runs()) {
         ImGui::TableNextColumn();
-        const std::string text = value(run);
-        const float slack = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
-        if (slack > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + slack);
-        ImGui::TextWrapped("%s", text.c_str());
+        value_in_cell(value(run));
     }
-}
-
-/// With an ellipsis where there is no room for all of it. Names are in ASCII.
-std::string cut(std::string name, float room) {
-    const auto width_of = [](const std::string& words) { return ImGui::CalcTextSize(words.c_str()).x; };
-    if (width_of(name) <= room) return name;
-    while (!name.empty() && width_of(name + "…") > room) name.pop_back();
-    return name + "…";
 }
 
 bool begin_table(const Stage& stage, const char* id) {
