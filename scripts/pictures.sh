@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Remakes the pictures of README.md in docs/ from the Release build, four by `flipside render`, one by the window
 # itself and one by `flipside report`; and docs/lessons, a picture of every lesson as the window shows it and an
-# index of them. `scripts/pictures.sh lessons` makes the latter alone, `scripts/pictures.sh lessons 05` one of
-# them. Needs no display.
+# index of them, and docs/engine, the figures of docs/engine.md: the tables of some lessons without the lesson.
+# `scripts/pictures.sh lessons` makes the pictures of lessons alone, `scripts/pictures.sh lessons 05` one of them,
+# `scripts/pictures.sh engine` the figures alone. Needs no display.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 if [[ -z ${IN_XVFB:-} ]]; then
@@ -23,7 +24,7 @@ photograph() {
     shift 2
     "$flipside" play --no-settings --scale 1 --report "$folder/report" --screenshots "$folder" "$@" &
     window=$(xdotool search --sync --name '^Flipside$' | tail -n 1)
-    xdotool windowmove "$window" 0 0 windowfocus --sync "$window"
+    xdotool windowmove "$window" 0 0 windowfocus --sync "$window" mousemove 0 0
     # shellcheck disable=SC2086  # they are words
     xdotool key --delay 20 $keys
     until [[ -n $before && $before == "$(on_show)" ]]; do
@@ -85,11 +86,33 @@ lessons() {
     done
 }
 
+# figure PNG LESSON HEIGHT [KEYS]: the table of a lesson when it shows its idea best, or after other keys.
+figure() {
+    photograph "docs/engine/$1.png" "F2 ${4:-$(lesson_keys "$2")}" --lesson "${2#0}" --width 840 --height "$3"
+}
+
+engine() {
+    mkdir -p docs/engine
+    figure quadtree 04 620
+    figure closest-point 06 560
+    figure response 10 560
+    figure tunnelling 08 560
+    figure time-of-impact 17 560
+    figure events 18 600
+    figure stack 14 520
+    figure sleep 15 620
+}
+
 if [[ ${1:-} == lessons ]]; then
     lessons "${2:-}"
     exit
 fi
+if [[ ${1:-} == engine ]]; then
+    engine
+    exit
+fi
 lessons
+engine
 
 render pinball --view split --at 1.6 --show tracks --out docs/split.png
 render pinball --view overlay --at 1.6 --show tracks --out docs/overlay.png

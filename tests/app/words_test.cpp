@@ -40,5 +40,17 @@ TEST(Words, BallsAreCountedAsPeopleCount) {
     EXPECT_EQ(balls_in_words(1200, 0), "1,200 balls");
 }
 
+TEST(Words, AreShortenedByWholeLettersToWhatFits) {
+    const auto bytes = [](std::size_t most) {
+        return [most](const std::string& words) { return words.size() <= most; };
+    };
+    EXPECT_EQ(shortened("12.3 µs", bytes(8)), "12.3 µs");
+    EXPECT_EQ(shortened("12.3 µs", bytes(7)), "12.3…");
+    EXPECT_EQ(shortened("µµµ", bytes(5)), "µ…");
+    EXPECT_EQ(shortened("µµµ", bytes(4)), "…");
+    EXPECT_EQ(shortened("µ", bytes(0)), "…");
+    EXPECT_EQ(shortened("", bytes(0)), "");
+}
+
 }  // namespace
 }  // namespace flipside::app

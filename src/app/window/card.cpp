@@ -25,12 +25,8 @@ std::string both(Vec2 v, int digits) {
 
 /// Names come from files and may be of any length.
 std::string short_name(std::string_view name) {
-    constexpr std::size_t most = 16;
-    std::string shown = printable(name);
-    if (shown.size() <= most) return shown;
-    std::size_t end = most;
-    while (end > 0 && (static_cast<unsigned char>(shown[end]) & 0xc0U) == 0x80U) --end;
-    return shown.substr(0, end) + "…";
+    constexpr std::size_t most = 18;  // bytes, the ellipsis too
+    return shortened(printable(name), [](const std::string& words) { return words.size() <= most; });
 }
 
 std::string called(Other what, const Scene& scene) {

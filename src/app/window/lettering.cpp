@@ -7,6 +7,7 @@
 
 #include <SFML/System/String.hpp>
 
+#include "app/window/words.hpp"
 #include "world/printable.hpp"
 
 namespace flipside::app {
@@ -68,15 +69,7 @@ std::vector<std::string> Lettering::lines(std::string_view utf8, Type type, doub
 }
 
 std::string Lettering::cut(std::string_view utf8, Type type, double room) const {
-    if (width(utf8, type) <= room) return std::string(utf8);
-    constexpr std::string_view rest = "…";
-    std::string kept(utf8);
-    while (!kept.empty() && width(kept + std::string(rest), type) > room) {
-        // The bytes that go on with a letter go with it.
-        while ((static_cast<unsigned char>(kept.back()) & 0xC0) == 0x80) kept.pop_back();
-        kept.pop_back();
-    }
-    return kept + std::string(rest);
+    return shortened(std::string(utf8), [&](const std::string& words) { return width(words, type) <= room; });
 }
 
 const sf::Texture& Lettering::texture(Type type) const {

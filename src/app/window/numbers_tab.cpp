@@ -13,21 +13,6 @@ namespace {
 
 using Value = std::function<std::string(const Run&)>;
 
-/// Takes the last letter of a text in UTF-8 away.
-void drop_letter(std::string& text) {
-    const auto within_letter = [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U; };
-    while (text.size() > 1 && within_letter(text.back())) text.pop_back();
-    text.pop_back();
-}
-
-/// With an ellipsis where there is no room for all of it.
-std::string cut(std::string name, float room) {
-    const auto width_of = [](const std::string& words) { return ImGui::CalcTextSize(words.c_str()).x; };
-    if (width_of(name) <= room) return name;
-    while (!name.empty() && width_of(name + "…") > room) drop_letter(name);
-    return name + "…";
-}
-
 /// Broken between words; a word for which there is no room is cut, and the tooltip has all of it.
 void value_in_cell(const std::string& text) {
     const float room = ImGui::GetContentRegionAvail().x;

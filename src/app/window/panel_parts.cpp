@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
+
+#include "app/window/words.hpp"
 
 namespace flipside::app {
 
@@ -29,6 +32,11 @@ void tooltip(std::string_view words) {
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
     ImGui::PopStyleVar();
+}
+
+std::string cut(std::string words, float room) {
+    return shortened(std::move(words),
+                     [room](const std::string& kept) { return ImGui::CalcTextSize(kept.c_str()).x <= room; });
 }
 
 void note(ControlPlaces& places, const std::string& label) {

@@ -24,6 +24,8 @@ inline constexpr ImGuiWindowFlags docked =
 [[nodiscard]] ImVec4 imgui_color(sf::Color color);
 /// Shows `words` beside the column, or above anything else, while the mouse rests on the last item.
 void tooltip(std::string_view words);
+/// As it is shown in a line with so much room, px: with an ellipsis where that is too little for all of it.
+[[nodiscard]] std::string cut(std::string words, float room);
 /// Notes where the last item is, if it is to be seen.
 void note(ControlPlaces& places, const std::string& label);
 /// A foldable region; true while it is open.

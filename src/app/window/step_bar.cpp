@@ -1,6 +1,7 @@
 #include "app/window/step_bar.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "app/window/contender_colour.hpp"
@@ -85,9 +86,14 @@ struct StepBar {
             note(places, "stage " + std::to_string(i + 1));
         }
     }
+    /// Of the rest of the bar, as whole lines: none is seen cut in half.
+    [[nodiscard]] static double height_of_lines() {
+        const double line = ImGui::GetTextLineHeightWithSpacing();
+        return line * std::max(1.0, std::floor(ImGui::GetContentRegionAvail().y / line));
+    }
     void items(double width) const {
         const TraceStage& now = microscope.stage();
-        ImGui::BeginChild("items", imgui_vector(width, 0));
+        ImGui::BeginChild("items", imgui_vector(width, height_of_lines()));
         const float row = ImGui::GetTextLineHeightWithSpacing();
         if (microscope.to_be_shown())
             ImGui::SetScrollY(row * static_cast<float>(microscope.item()) - 0.4F * ImGui::GetWindowHeight());
@@ -97,15 +103,17 @@ struct StepBar {
             for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
                 const auto place = static_cast<std::size_t>(i);
                 ImGui::PushID(i);
-                if (ImGui::Selectable(in_one_line(now.items[place]).c_str(), place == microscope.item()))
-                    microscope.pick(place);
+                const std::string line = in_one_line(now.items[place]);
+                const std::string shown = cut(line, ImGui::GetContentRegionAvail().x);
+                if (ImGui::Selectable(shown.c_str(), place == microscope.item())) microscope.pick(place);
+                if (shown != line) tooltip(line);
                 note(places, "item " + std::to_string(i + 1));
                 ImGui::PopID();
             }
         ImGui::EndChild();
     }
     void picked() const {
-        ImGui::BeginChild("picked");
+        ImGui::BeginChild("picked", imgui_vector(0, height_of_lines()));
         const TraceStage& now = microscope.stage();
         if (microscope.item() < now.items.size()) {
             const TraceItem& item = now.items[microscope.item()];

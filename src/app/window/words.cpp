@@ -68,4 +68,16 @@ std::string balls_in_words(std::size_t balls, std::size_t asleep) {
     return words;
 }
 
+std::string shortened(std::string words, const std::function<bool(const std::string&)>& fits) {
+    if (fits(words)) return words;
+    const std::string rest = "…";
+    while (!words.empty() && !fits(words + rest)) {
+        // The bytes that go on with a letter go with it.
+        while (words.size() > 1 && (static_cast<unsigned char>(words.back()) & 0xc0U) == 0x80U)
+            words.pop_back();
+        words.pop_back();
+    }
+    return words + rest;
+}
+
 }  // namespace flipside::app

@@ -2,6 +2,7 @@
 /// Numbers as people read them: grouped thousands, a unit always, a real minus sign.
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -23,5 +24,7 @@ namespace flipside::app {
 [[nodiscard]] std::string step_in_words(double dt);
 /// "1 ball", "11 balls, 2 asleep", "no balls".
 [[nodiscard]] std::string balls_in_words(std::size_t balls, std::size_t asleep);
+/// As much of a text in UTF-8 as `fits`, with an ellipsis behind it where that is not all.
+[[nodiscard]] std::string shortened(std::string words, const std::function<bool(const std::string&)>& fits);
 
 }  // namespace flipside::app
