@@ -78,6 +78,10 @@ void ContinuousSolver::wait(BallIndex i, double time) {
     flying.velocity = {};
     cover_way(i, time);
     predict(i, time);
+    // It looks for nobody, so those beside it are to look for it.
+    cells_.each_near(i, [&](BallIndex j) {
+        if (!movers_[j].waits) predict(j, time);
+    });
 }
 
 /// Ticks end with the window.
@@ -106,12 +110,27 @@ void ContinuousSolver::tick(double time) {
     const double duration = next_tick_ - time;
     if (members_.empty() || !(duration > 0)) return;
     gather(time, duration);
+    while (!overlapped_.empty()) {
+        take_in_overlapped(time);
+        gather(time, duration);
+    }
     contact_solver_.solve(duration, scene_.gravity);
     if (record_->trace) trace_tick(time, duration);
     note_loads(duration);
     for (BallIndex k = 0; k < members_.size(); ++k)
         set_out_pressed(members_[k], time, contact_solver_.bodies()[k]);
     if (time > 0) predict_together(members_, time);
+}
+
+/// Moving members apart may press one into a ball that flies: no event undoes that, so it becomes a member.
+void ContinuousSolver::take_in_overlapped(double time) {
+    for (const BallIndex j : overlapped_) {
+        if (flying_[j].pressed) continue;
+        move_to(j, time);
+        join(j, time);
+        members_.push_back(j);
+    }
+    std::ranges::sort(members_);
 }
 
 /// The bodies of all members, and the contacts that may press within the tick.
@@ -126,16 +145,19 @@ void ContinuousSolver::gather(double time, double duration) {
             {ball.position, ball.velocity, driven, ball.spin, ball.radius, 1 / ball.mass, 1 / inertia(ball)});
     }
     deepest_ = 0;
-    for (const BallIndex i : members_) cells_.each_near(i, [&](BallIndex j) { press_balls(i, j, duration); });
+    overlapped_.clear();
+    for (const BallIndex i : members_)
+        cells_.each_near(i, [&](BallIndex j) { press_balls(i, j, time, duration); });
     for (const BallIndex i : members_) press_parts(i, time, duration);
 }
 
 /// Adds two balls that are in touch or will be, slowly; a fast approach is an event.
-void ContinuousSolver::press_balls(BallIndex i, BallIndex j, double duration) {
+void ContinuousSolver::press_balls(BallIndex i, BallIndex j, double time, double duration) {
     const Ball &a = bodies_[i], &b = bodies_[j];
     ++record_->statistics.pair_tests;
-    if (b.asleep ? movers_[j].lost : !flying_[j].pressed || j > i) return;
-    const Vec2 between = a.position - b.position;
+    if (movers_[j].lost || (flying_[j].pressed && j > i)) return;
+    const bool flies = !b.asleep && !flying_[j].pressed;
+    const Vec2 between = a.position - (flies ? movers_[j].way.path.position(time) : b.position);
     const double reach = a.radius + b.radius,
                  slack = slow_ * duration + press_distance * std::min(a.radius, b.radius);
     const double square = length_squared(between);
@@ -143,6 +165,10 @@ void ContinuousSolver::press_balls(BallIndex i, BallIndex j, double duration) {
     const double distance = std::sqrt(square), gap = distance - reach;
     const Vec2 normal = between / distance;
     const bool deep = gap < -press_distance * std::min(a.radius, b.radius);
+    if (flies) {
+        if (deep) overlapped_.push_back(j);
+        return;
+    }
     deepest_ = std::max(deepest_, -gap);
     const Vec2 other_velocity = b.asleep ? Vec2{} : b.velocity;
     const bool crushed = movers_[i].crushed || movers_[j].crushed;
@@ -283,7 +309,10 @@ void ContinuousSolver::set_out_pressed(BallIndex i, double time, const ContactSo
     way.path.start = time;
     way.path.swings = false;
     ball.position = body.position;
-    mover.set_out_with = ball.velocity;
+    // What is stopped by more than its weight is stopped at once: a blow within the tick must not find it
+    // with the speed that it has lost.
+    const bool stopped = length(body.velocity - ball.velocity) > 2 * length(scene_.gravity) * tick_length;
+    mover.set_out_with = stopped ? body.velocity : ball.velocity;
     mover.arrives_with = body.velocity;
     const TimeInterval interval(drive_.drag, duration);
     const Vec2 thrown = mover.sides == 0
@@ -318,14 +347,16 @@ bool ContinuousSolver::in_slow_touch(BallIndex i, BallIndex j, double time) cons
     return -dot(a.velocity - b.velocity, normal) <= slow_;
 }
 
-/// The same for a member and a feature.
+/// The same for a member and a feature. One that joined since the last tick flies on, and a whole tick at
+/// that speed would take it into the part: it is left to itself only where it would come to rest there
+/// anyway.
 bool ContinuousSolver::rests_on(BallIndex i, const Feature& feature, const Pose& pose, double time) const {
     const auto here = movers_[i].way.path.at(time);
     const Closest closest = closest_point(feature, pose.undo(here.position), bodies_[i].radius);
     const Vec2 normal = pose.angle == 0 ? closest.normal : rotated(closest.normal, pose.angle);
     const Vec2 point = here.position - closest.distance * normal;
     const Vec2 surface = cross(turnings_[feature.part].rate_at(time), point - pose.pivot);
-    return -dot(here.velocity - surface, normal) <= slow_;
+    return -dot(here.velocity - surface, normal) <= (movers_[i].hops ? slow_ : scene_.rest_speed);
 }
 
 }  // namespace flipside::custom

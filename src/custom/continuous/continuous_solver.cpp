@@ -71,6 +71,7 @@ void ContinuousSolver::reserve(std::size_t balls) {
     custom::reserve_for(members_, most);
     custom::reserve_for(pending_, most, events_per_ball);
     custom::reserve_for(woken_, most);
+    custom::reserve_for(overlapped_, most, contacts_per_ball);
     if (flying_.size() < most) flying_.resize(most), rank_.resize(most);
     next_events_.reserve(most);
     cells_.reserve(most);

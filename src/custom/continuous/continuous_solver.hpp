@@ -141,7 +141,8 @@ class ContinuousSolver {
     void wait(BallIndex i, double time);
     void tick(double time);
     void gather(double time, double duration);
-    void press_balls(BallIndex i, BallIndex j, double duration);
+    void take_in_overlapped(double time);
+    void press_balls(BallIndex i, BallIndex j, double time, double duration);
     void press_parts(BallIndex i, double time, double duration);
     void note_loads(double duration);
     void press(ContactSolver::Contact& contact, const ContactForce& key, double duration);
@@ -258,10 +259,11 @@ class ContinuousSolver {
     ContactSolver contact_solver_;
     /// Of the last tick in this window: on ball a by primitive b; by b, then a.
     std::vector<ContactForce> part_forces_;
-    double deepest_ = 0;              ///< m, of the overlaps of balls in islands
-    std::vector<BallIndex> members_;  ///< of the islands at hand, in order
-    std::vector<BallIndex> woken_;    ///< at the event at hand
-    std::vector<BallIndex> rank_;     ///< of a ball among those read
+    double deepest_ = 0;                 ///< m, of the overlaps of balls in islands
+    std::vector<BallIndex> members_;     ///< of the islands at hand, in order
+    std::vector<BallIndex> woken_;       ///< at the event at hand
+    std::vector<BallIndex> overlapped_;  ///< by members, and flying
+    std::vector<BallIndex> rank_;        ///< of a ball among those read
     std::vector<Pair> pairs_;
     std::array<State, 2> starts_;  ///< of the window, and of the one that is kept
     std::size_t current_ = 0, kept_ = 0;

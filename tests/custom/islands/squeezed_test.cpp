@@ -1,0 +1,70 @@
+// Balls that a blow squeezes between others and walls: many impacts at one instant, or without end.
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "custom/scenes.hpp"
+#include "in_small.hpp"
+
+namespace flipside::custom::test {
+namespace {
+
+double between(std::mt19937& random, double low, double high) {
+    return low + (high - low) * (static_cast<double>(random()) / static_cast<double>(std::mt19937::max()));
+}
+
+/// A ball that lies between a floor and a wall that leans over it by up to 60°, and one that strikes it from
+/// the open side.
+Scene wedge(std::mt19937& random, double most_ratio) {
+    const double lean = between(random, 0.5, 1.5), r = between(random, 0.03, 0.1);
+    Scene scene = empty_scene({0, -9.81});
+    scene.rest_speed = 0.1;
+    scene.materials[0] = {"ball", between(random, 0, 1), 0, 0};
+    const Vec2 up{-std::cos(lean), std::sin(lean)}, inward{-std::sin(lean), -std::cos(lean)};
+    add_part(scene, segment({-5, 0}, {5, 0}), {"", between(random, 0, 1), 0, 0});
+    add_part(scene, segment({0, 0}, 5 * up), {"", between(random, 0, 1), 0, 0});
+    // In touch with both: at the height of its radius, and as far from the wall.
+    const Vec2 lies{-r * (1 - inward.y) / -inward.x, r};
+    add_ball(scene, lies, {}, r, 1);
+    const double other = between(random, 0.03, 0.1);
+    const double angle = std::numbers::pi - lean * between(random, 0.2, 0.8);
+    double far = r + other;
+    Vec2 from;
+    do {
+        far += 0.02;
+        from = lies + far * Vec2{std::cos(angle), std::sin(angle)};
+    } while (from.y < other || dot(from, inward) < other);
+    add_ball(scene, from, between(random, 1, 10) * unit(lies - from), other,
+             std::exp(between(random, 0, std::log(most_ratio))));
+    return scene;
+}
+
+/// Of 3,000 wedges, the deepest overlap of any two, in radii of the smaller ball.
+double deepest(double most_ratio, unsigned seed) {
+    std::mt19937 random(seed);
+    double deepest = 0;
+    for (int i = 0; i < (flipside::test::in_small ? 100 : 3000); ++i) {
+        const Scene scene = wedge(random, most_ratio);
+        const auto world = make_world(scene);
+        double here = 0;
+        for (int step = 0; step < 120; ++step) {
+            world->step(1.0 / 240);
+            for (const Contact& contact : world->contacts())
+                here = std::max(here,
+                                -contact.separation / std::min(scene.balls[0].radius, scene.balls[1].radius));
+        }
+        deepest = std::max(deepest, here);
+    }
+    return deepest;
+}
+
+TEST(Squeezed, ABlowOnABallInAWedgeDoesNotPressThemIntoEachOther) {
+    EXPECT_LT(deepest(2, 1), 0.01);
+    EXPECT_LT(deepest(100, 2), 0.02);
+}
+
+}  // namespace
+}  // namespace flipside::custom::test
