@@ -1,8 +1,8 @@
 #include "contender.hpp"
 
-#include "lab/cpu_clock.hpp"
-#include "lab/engines.hpp"
-#include "lab/session.hpp"
+#include "lab/contenders/engines.hpp"
+#include "lab/process/cpu_clock.hpp"
+#include "lab/session/session.hpp"
 
 namespace flipside::bench {
 

@@ -13,9 +13,9 @@
 #include <CLI/CLI.hpp>
 
 #include "contender.hpp"
-#include "lab/engines.hpp"
+#include "lab/contenders/engines.hpp"
 #include "lab/report/facts.hpp"
-#include "lab/session.hpp"
+#include "lab/session/session.hpp"
 #include "regimes.hpp"
 #include "world/refusal.hpp"
 

@@ -1,7 +1,7 @@
 #include "regimes.hpp"
 
-#include "lab/assets.hpp"
-#include "lab/elastic_scenes.hpp"
+#include "lab/files/assets.hpp"
+#include "lab/scenes/elastic_scenes.hpp"
 #include "world/scene_builder.hpp"
 #include "world/scene_file.hpp"
 

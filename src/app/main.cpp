@@ -7,8 +7,8 @@
 #include "app/cli/exit_code.hpp"
 #include "app/cli/interrupt.hpp"
 #include "app/cli/output.hpp"
-#include "lab/assets.hpp"
-#include "lab/text_stream.hpp"
+#include "lab/files/assets.hpp"
+#include "lab/files/text_stream.hpp"
 #include "plugin/worker.hpp"
 #include "world/input_error.hpp"
 

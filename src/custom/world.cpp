@@ -157,6 +157,7 @@ void CustomWorld::sort_events() const {
 void CustomWorld::fill_statistics(std::uint64_t pair_tests) {
     Statistics& statistics = record_.statistics;
     statistics.solver = settings_.solver;
+    statistics.event_ordered = windows_ != nullptr;
     statistics.pair_tests += pair_tests;
     const bool all_sleep = windows_ && windows_->quiet();
     statistics.asleep = static_cast<std::uint64_t>(all_sleep ? std::ssize(balls_)

@@ -108,6 +108,7 @@ void ReferenceWorld::load() {
 
 void ReferenceWorld::begin_statistics() {
     statistics_ = {};
+    statistics_.event_ordered = true;
     statistics_.solver = bits_ == 53 ? "53 bits" : "113 bits";
 }
 

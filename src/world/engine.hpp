@@ -1,5 +1,6 @@
 #pragma once
-/// How an engine offers itself. Each engine's folder defines one of these; lab/engines.hpp lists them.
+/// How an engine offers itself. Each engine's folder defines one of these; lab/contenders/engines.hpp lists
+/// them.
 
 #include <functional>
 #include <memory>

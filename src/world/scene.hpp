@@ -82,7 +82,7 @@ struct Launcher {
     Ball ball;                        ///< radius, mass, material, layers; the rest is unused
 };
 
-/// The game played on the table, see lab/game.hpp.
+/// The game played on the table, see lab/session/game.hpp.
 struct Rules {
     struct Score {
         PartIndex part;

@@ -25,6 +25,7 @@ struct BroadPhaseFacts {
 
 struct Statistics {
     std::string_view solver;         ///< the one that made the step; empty where there is only one
+    bool event_ordered = false;      ///< impacts were found at their exact times and handled in that order
     std::uint64_t pair_tests = 0;    ///< tests of one box against another, insertion included
     bool counts_pair_tests = true;   ///< whether the engine counts these; a library may not say
     std::uint64_t narrow_tests = 0;  ///< tests of one shape against another

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command_line.hpp"
-#include "lab/csv_table.hpp"
+#include "lab/files/csv_table.hpp"
 
 namespace flipside::app {
 namespace {

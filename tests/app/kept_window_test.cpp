@@ -4,7 +4,7 @@
 
 #include "app/window/kept.hpp"
 #include "app/window_fixture.hpp"
-#include "lab/assets.hpp"
+#include "lab/files/assets.hpp"
 
 namespace flipside::app {
 namespace {

@@ -1,9 +1,9 @@
 /// The step bar in the real window, worked by keys and clicks.
 
 #include "app/window_fixture.hpp"
-#include "lab/assets.hpp"
-#include "lab/engines.hpp"
-#include "lab/traced_step.hpp"
+#include "lab/contenders/engines.hpp"
+#include "lab/files/assets.hpp"
+#include "lab/session/traced_step.hpp"
 #include "world/scene_file.hpp"
 
 namespace flipside::app {

@@ -3,7 +3,7 @@
 #include <fstream>
 
 #include "app/window_fixture.hpp"
-#include "lab/assets.hpp"
+#include "lab/files/assets.hpp"
 #include "world/scene_file.hpp"
 
 namespace flipside::app {

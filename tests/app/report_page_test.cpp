@@ -10,7 +10,7 @@
 
 #include "../lab/report/made_up_sweep.hpp"
 #include "../lab/report/tiny_effort.hpp"
-#include "lab/csv_table.hpp"
+#include "lab/files/csv_table.hpp"
 #include "lab/report/process.hpp"
 #include "lab/report/report.hpp"
 

@@ -10,9 +10,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "lab/assets.hpp"
-#include "lab/certificate.hpp"
-#include "lab/engines.hpp"
+#include "lab/certificates/certificate.hpp"
+#include "lab/contenders/engines.hpp"
+#include "lab/files/assets.hpp"
 #include "world/scene_file.hpp"
 #include "world/script_file.hpp"
 

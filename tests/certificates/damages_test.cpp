@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "checking.hpp"
-#include "lab/dice.hpp"
+#include "lab/scenes/dice.hpp"
 
 namespace flipside {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "checking.hpp"
-#include "lab/run.hpp"
+#include "lab/session/run.hpp"
 #include "world/refusal.hpp"
 #include "world/schema.hpp"
 

@@ -1,6 +1,6 @@
 // A step allocates nothing once the world has seen its busiest moment.
 
-#include "lab/allocations.hpp"
+#include "lab/process/allocations.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include "../lab/report/made_up_sweep.hpp"
 #include "../lab/report/tiny_effort.hpp"
 #include "damages.hpp"
-#include "lab/failure.hpp"
+#include "lab/process/failure.hpp"
 #include "lab/report/report.hpp"
 #include "scenarios.hpp"
 

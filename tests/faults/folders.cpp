@@ -5,7 +5,7 @@
 #include <regex>
 #include <sstream>
 
-#include "lab/csv_table.hpp"
+#include "lab/files/csv_table.hpp"
 #include "world/input_error.hpp"
 
 namespace flipside::faults {

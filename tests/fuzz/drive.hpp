@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "lab/session.hpp"
+#include "lab/session/session.hpp"
 
 namespace flipside::fuzz {
 

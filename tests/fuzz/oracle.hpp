@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "lab/failure.hpp"
+#include "lab/process/failure.hpp"
 #include "world/input_error.hpp"
 #include "world/refusal.hpp"
 

@@ -1,4 +1,4 @@
-/// Plans of a sweep, without their last line (lab/data_file.hpp): read, and asked for what they plan.
+/// Plans of a sweep, without their last line (lab/files/data_file.hpp): read, and asked for what they plan.
 
 #include <cmath>
 

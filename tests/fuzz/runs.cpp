@@ -1,4 +1,5 @@
-/// Run files of a sweep, without their last line (lab/data_file.hpp): read, written again and summed up.
+/// Run files of a sweep, without their last line (lab/files/data_file.hpp): read, written again and summed
+/// up.
 
 #include "lab/sweep/runs.hpp"
 

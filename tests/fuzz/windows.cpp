@@ -1,4 +1,4 @@
-/// Window files of a sweep, without their last line (lab/data_file.hpp): read, written again and run.
+/// Window files of a sweep, without their last line (lab/files/data_file.hpp): read, written again and run.
 
 #include "lab/sweep/windows.hpp"
 

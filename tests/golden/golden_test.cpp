@@ -16,9 +16,9 @@
 #include <gtest/gtest.h>
 
 #include "custom/engine.hpp"
-#include "lab/assets.hpp"
-#include "lab/run_settings.hpp"
-#include "lab/session.hpp"
+#include "lab/files/assets.hpp"
+#include "lab/session/run_settings.hpp"
+#include "lab/session/session.hpp"
 #include "reference/engine.hpp"
 #include "world/scene_file.hpp"
 #include "world/script_file.hpp"

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "lab/compare.hpp"
-#include "lab/session.hpp"
+#include "lab/comparison/compare.hpp"
+#include "lab/session/session.hpp"
 #include "lab/sweep/contenders.hpp"
 #include "lab/sweep/unit.hpp"
 #include "support.hpp"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lab/engines.hpp"
+#include "lab/contenders/engines.hpp"
 #include "world/refusal.hpp"
 #include "world/scene_file.hpp"
 

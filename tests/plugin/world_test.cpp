@@ -1,7 +1,7 @@
 #include "plugin/world.hpp"
 
-#include "lab/assets.hpp"
-#include "lab/session.hpp"
+#include "lab/files/assets.hpp"
+#include "lab/session/session.hpp"
 #include "plugin/needs.hpp"
 #include "support.hpp"
 #include "world/input_error.hpp"

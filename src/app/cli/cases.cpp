@@ -7,9 +7,9 @@
 #include "app/cli/progress.hpp"
 #include "lab/cases/case.hpp"
 #include "lab/cases/stability_map.hpp"
-#include "lab/engines.hpp"
+#include "lab/contenders/engines.hpp"
+#include "lab/files/whole_file.hpp"
 #include "lab/hunt/hard.hpp"
-#include "lab/whole_file.hpp"
 #include "world/printable.hpp"
 #include "world/scene_file.hpp"
 

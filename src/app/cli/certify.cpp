@@ -1,8 +1,8 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
 #include "app/cli/run_options.hpp"
-#include "lab/certificate.hpp"
-#include "lab/whole_file.hpp"
+#include "lab/certificates/certificate.hpp"
+#include "lab/files/whole_file.hpp"
 #include "world/state_file.hpp"
 #include "world/trace.hpp"
 

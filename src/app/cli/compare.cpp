@@ -1,4 +1,4 @@
-#include "lab/compare.hpp"
+#include "lab/comparison/compare.hpp"
 
 #include <algorithm>
 
@@ -6,9 +6,9 @@
 #include "app/cli/output.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/run_options.hpp"
-#include "lab/csv.hpp"
-#include "lab/engines.hpp"
-#include "lab/whole_file.hpp"
+#include "lab/contenders/engines.hpp"
+#include "lab/files/csv.hpp"
+#include "lab/files/whole_file.hpp"
 #include "world/input_error.hpp"
 #include "world/printable.hpp"
 

@@ -6,7 +6,7 @@
 #include "app/cli/distinct_files.hpp"
 #include "app/cli/output.hpp"
 #include "app/cli/progress.hpp"
-#include "lab/whole_file.hpp"
+#include "lab/files/whole_file.hpp"
 
 namespace flipside::app {
 

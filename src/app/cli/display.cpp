@@ -5,7 +5,7 @@
 
 #include <X11/Xlib.h>
 
-#include "lab/failure.hpp"
+#include "lab/process/failure.hpp"
 
 namespace flipside::app {
 

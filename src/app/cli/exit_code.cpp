@@ -6,8 +6,8 @@
 #include <new>
 
 #include "app/cli/output.hpp"
-#include "lab/path_error.hpp"
-#include "lab/unfinished.hpp"
+#include "lab/files/path_error.hpp"
+#include "lab/process/unfinished.hpp"
 #include "world/input_error.hpp"
 
 namespace flipside::app {

@@ -5,7 +5,7 @@
 
 #include <unistd.h>
 
-#include "lab/unfinished.hpp"
+#include "lab/process/unfinished.hpp"
 
 namespace flipside::app {
 

@@ -1,9 +1,9 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
-#include "lab/assets.hpp"
-#include "lab/engines.hpp"
-#include "lab/scene_notes.hpp"
-#include "lab/text_stream.hpp"
+#include "lab/contenders/engines.hpp"
+#include "lab/files/assets.hpp"
+#include "lab/files/text_stream.hpp"
+#include "lab/scenes/scene_notes.hpp"
 #include "world/printable.hpp"
 #include "world/scene_file.hpp"
 

@@ -11,7 +11,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "lab/failure.hpp"
+#include "lab/process/failure.hpp"
 #include "world/printable.hpp"
 
 namespace flipside::app {

@@ -4,8 +4,8 @@
 #include "app/cli/distinct_files.hpp"
 #include "app/cli/output.hpp"
 #include "app/cli/progress.hpp"
-#include "lab/pair_tests.hpp"
-#include "lab/whole_file.hpp"
+#include "lab/files/whole_file.hpp"
+#include "lab/pairs/pair_tests.hpp"
 
 namespace flipside::app {
 

@@ -6,7 +6,7 @@
 #include "app/cli/output.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/run_options.hpp"
-#include "lab/engines.hpp"
+#include "lab/contenders/engines.hpp"
 #include "world/printable.hpp"
 
 namespace flipside::app {

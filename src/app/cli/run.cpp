@@ -1,12 +1,12 @@
-#include "lab/run.hpp"
+#include "lab/session/run.hpp"
 
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/run_options.hpp"
-#include "lab/csv.hpp"
-#include "lab/run_figures.hpp"
-#include "lab/whole_file.hpp"
+#include "lab/files/csv.hpp"
+#include "lab/files/whole_file.hpp"
+#include "lab/session/run_figures.hpp"
 #include "world/state_file.hpp"
 
 namespace flipside::app {

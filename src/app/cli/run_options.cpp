@@ -3,7 +3,7 @@
 #include <iomanip>
 
 #include "app/cli/output.hpp"
-#include "lab/assets.hpp"
+#include "lab/files/assets.hpp"
 #include "world/scene_file.hpp"
 #include "world/script_file.hpp"
 

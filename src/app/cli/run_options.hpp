@@ -10,7 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/distinct_files.hpp"
-#include "lab/engines.hpp"
+#include "lab/contenders/engines.hpp"
 
 namespace flipside::app {
 

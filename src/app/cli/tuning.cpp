@@ -4,7 +4,7 @@
 
 #include "app/cli/output.hpp"
 #include "app/cli/progress.hpp"
-#include "lab/whole_file.hpp"
+#include "lab/files/whole_file.hpp"
 #include "world/printable.hpp"
 
 namespace flipside::app {

@@ -6,7 +6,7 @@
 #include "app/play.hpp"
 #include "app/render.hpp"
 #include "app/window/layout.hpp"
-#include "lab/assets.hpp"
+#include "lab/files/assets.hpp"
 #include "lab/lessons/lesson.hpp"
 #include "world/input_error.hpp"
 

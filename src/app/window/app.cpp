@@ -19,8 +19,8 @@
 #include "app/window/step_bar.hpp"
 #include "app/window/strip.hpp"
 #include "app/window/words.hpp"
-#include "lab/assets.hpp"
-#include "lab/whole_file.hpp"
+#include "lab/files/assets.hpp"
+#include "lab/files/whole_file.hpp"
 #include "world/input_error.hpp"
 
 namespace flipside::app {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/window/stage.hpp"
-#include "lab/impact_verdict.hpp"
+#include "lab/comparison/impact_verdict.hpp"
 
 namespace flipside::app {
 

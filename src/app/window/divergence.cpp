@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "lab/csv.hpp"
+#include "lab/files/csv.hpp"
 
 namespace flipside::app {
 

@@ -8,7 +8,7 @@
 
 #include "app/window/history.hpp"
 #include "app/window/run.hpp"
-#include "lab/live_match.hpp"
+#include "lab/comparison/live_match.hpp"
 
 namespace flipside::app {
 

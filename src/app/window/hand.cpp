@@ -4,7 +4,7 @@
 #include <span>
 
 #include "app/window/screen.hpp"
-#include "lab/pick.hpp"
+#include "lab/session/pick.hpp"
 
 namespace flipside::app {
 

@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "lab/failure.hpp"
-#include "lab/whole_file.hpp"
+#include "lab/files/whole_file.hpp"
+#include "lab/process/failure.hpp"
 #include "world/input_error.hpp"
 #include "world/json_file.hpp"
 #include "world/schema.hpp"

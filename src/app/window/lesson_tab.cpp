@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/window/panel_parts.hpp"
-#include "lab/failure.hpp"
+#include "lab/process/failure.hpp"
 #include "world/input_error.hpp"
 #include "world/printable.hpp"
 #include "world/refusal.hpp"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <sstream>
 
-#include "lab/csv.hpp"
+#include "lab/files/csv.hpp"
 
 namespace flipside::app {
 

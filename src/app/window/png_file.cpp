@@ -6,8 +6,8 @@
 #include <SFML/Graphics/Image.hpp>
 #include <png.h>
 
-#include "lab/failure.hpp"
-#include "lab/whole_file.hpp"
+#include "lab/files/whole_file.hpp"
+#include "lab/process/failure.hpp"
 
 namespace flipside::app {
 

@@ -9,7 +9,8 @@ class Image;
 
 namespace flipside::app {
 
-/// A whole file or none (lab/whole_file.hpp). Throws lab::Failure or InputError where it cannot be written.
+/// A whole file or none (lab/files/whole_file.hpp). Throws lab::Failure or InputError where it cannot be
+/// written.
 void write_png(const sf::Image& picture, const std::filesystem::path& file);
 
 }  // namespace flipside::app

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/window/claim.hpp"
-#include "lab/timeline.hpp"
+#include "lab/session/timeline.hpp"
 #include "world/refusal.hpp"
 
 namespace flipside::app {

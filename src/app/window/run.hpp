@@ -10,11 +10,11 @@
 #include "app/window/history.hpp"
 #include "app/window/step_numbers.hpp"
 #include "app/window/traces.hpp"
-#include "lab/ball_edit.hpp"
-#include "lab/contender.hpp"
-#include "lab/impact_log.hpp"
-#include "lab/recorder.hpp"
-#include "lab/session.hpp"
+#include "lab/comparison/impact_log.hpp"
+#include "lab/contenders/contender.hpp"
+#include "lab/session/ball_edit.hpp"
+#include "lab/session/recorder.hpp"
+#include "lab/session/session.hpp"
 
 namespace flipside::app {
 

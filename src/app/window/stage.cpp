@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "lab/assets.hpp"
-#include "lab/timeline.hpp"
+#include "lab/files/assets.hpp"
+#include "lab/session/timeline.hpp"
 #include "world/input_error.hpp"
 #include "world/scene_file.hpp"
 #include "world/script_file.hpp"

@@ -9,7 +9,7 @@
 
 #include "app/play.hpp"
 #include "app/window/divergence.hpp"
-#include "lab/engines.hpp"
+#include "lab/contenders/engines.hpp"
 #include "lab/lessons/lesson.hpp"
 
 namespace flipside::app {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "app/window/panel_tabs.hpp"
-#include "lab/assets.hpp"
+#include "lab/files/assets.hpp"
 #include "world/printable.hpp"
 
 namespace flipside::app {

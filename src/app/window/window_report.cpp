@@ -7,8 +7,8 @@
 
 #include "app/window/claim.hpp"
 #include "app/window/step_bar.hpp"
-#include "lab/failure.hpp"
-#include "lab/path_error.hpp"
+#include "lab/files/path_error.hpp"
+#include "lab/process/failure.hpp"
 #include "world/json_file.hpp"
 
 namespace flipside::app {

@@ -1,7 +1,7 @@
 #include "lab/blame/approach.hpp"
 
 #include "lab/blame/met_kind.hpp"
-#include "lab/impact_error.hpp"
+#include "lab/comparison/impact_error.hpp"
 
 namespace flipside::lab {
 

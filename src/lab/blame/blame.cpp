@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "lab/csv.hpp"
+#include "lab/files/csv.hpp"
 #include "world/printable.hpp"
 #include "world/trace.hpp"
 

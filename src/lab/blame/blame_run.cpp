@@ -2,8 +2,8 @@
 
 #include "lab/blame/continuation.hpp"
 #include "lab/blame/find_blame.hpp"
-#include "lab/engines.hpp"
-#include "lab/run.hpp"
+#include "lab/contenders/engines.hpp"
+#include "lab/session/run.hpp"
 #include "world/refusal.hpp"
 
 namespace flipside::lab {

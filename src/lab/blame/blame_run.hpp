@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "lab/blame/blame.hpp"
-#include "lab/contender.hpp"
+#include "lab/contenders/contender.hpp"
 #include "world/controls.hpp"
 
 namespace flipside::lab {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lab/session.hpp"
+#include "lab/session/session.hpp"
 #include "world/refusal.hpp"
 
 namespace flipside::lab {

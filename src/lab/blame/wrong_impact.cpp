@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lab/impact_error.hpp"
+#include "lab/comparison/impact_error.hpp"
 
 namespace flipside::lab {
 

@@ -23,8 +23,8 @@
 #include <string>
 #include <vector>
 
-#include "lab/compare.hpp"
-#include "lab/run_settings.hpp"
+#include "lab/comparison/compare.hpp"
+#include "lab/session/run_settings.hpp"
 
 namespace flipside::lab {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "lab/cases/families.hpp"
-#include "lab/dice.hpp"
+#include "lab/scenes/dice.hpp"
 #include "world/limits.hpp"
 #include "world/scene_builder.hpp"
 

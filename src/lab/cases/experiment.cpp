@@ -31,10 +31,6 @@ bool is_narrow(const CaseRow& row) {
     return !row.needed || (row.interval && *row.interval <= *row.needed);
 }
 
-bool is_event_ordered(const Session& session) {
-    return session.engine().name == "reference" || session.world().statistics().solver == "continuous";
-}
-
 }  // namespace
 
 Estimate estimate(std::span<const double> samples) {
@@ -154,7 +150,7 @@ void Trial::step(double dt) {
     result.impacts += session_.totals().impacts - before.impacts;
     result.cpu_seconds += session_.totals().step_seconds - before.step_seconds;
     result.handed_over += world().statistics().handed_over;
-    if (!is_event_ordered(session_)) experiment_->event_ordered_ = false;
+    if (!session_.world().statistics().event_ordered) experiment_->event_ordered_ = false;
     if (experiment_->input().watch) experiment_->input().watch();
 }
 

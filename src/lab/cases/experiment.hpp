@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "lab/cases/case.hpp"
-#include "lab/run.hpp"
+#include "lab/session/run.hpp"
 #include "world/input_error.hpp"
 #include "world/refusal.hpp"
 

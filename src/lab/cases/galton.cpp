@@ -10,8 +10,8 @@
 #include "lab/cases/double_policy.hpp"
 #include "lab/cases/families.hpp"
 #include "lab/cases/text.hpp"
-#include "lab/dice.hpp"
-#include "lab/engines.hpp"
+#include "lab/contenders/engines.hpp"
+#include "lab/scenes/dice.hpp"
 #include "world/scene_builder.hpp"
 
 namespace flipside::lab {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "lab/cases/families.hpp"
-#include "lab/timeline.hpp"
+#include "lab/session/timeline.hpp"
 #include "world/scene_builder.hpp"
 
 namespace flipside::lab {

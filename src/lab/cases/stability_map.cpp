@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <ostream>
 
-#include "lab/csv.hpp"
-#include "lab/run.hpp"
+#include "lab/files/csv.hpp"
+#include "lab/session/run.hpp"
 #include "world/refusal.hpp"
 #include "world/scene_builder.hpp"
 

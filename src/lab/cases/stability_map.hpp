@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lab/compare.hpp"
+#include "lab/comparison/compare.hpp"
 
 namespace flipside::lab {
 

@@ -5,7 +5,7 @@
 
 #include "lab/cases/families.hpp"
 #include "lab/cases/text.hpp"
-#include "lab/dice.hpp"
+#include "lab/scenes/dice.hpp"
 #include "world/scene_builder.hpp"
 
 namespace flipside::lab {

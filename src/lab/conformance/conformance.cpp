@@ -8,7 +8,7 @@
 
 #include "flipside/engine.h"
 #include "lab/conformance/check.hpp"
-#include "lab/engines.hpp"
+#include "lab/contenders/engines.hpp"
 #include "plugin/needs.hpp"
 #include "world/input_error.hpp"
 #include "world/json_file.hpp"

@@ -5,9 +5,9 @@
 #include <functional>
 #include <memory>
 
-#include "lab/engines.hpp"
-#include "lab/session.hpp"
-#include "lab/timeline.hpp"
+#include "lab/contenders/engines.hpp"
+#include "lab/session/session.hpp"
+#include "lab/session/timeline.hpp"
 #include "world/input_error.hpp"
 #include "world/refusal.hpp"
 
@@ -179,6 +179,8 @@ Measured measure(Goal goal, const Contender& contender, const Scene& scene, doub
         if (goal == Goal::work && tests > most_tests) return false;
         if (goal == Goal::overlap) look_for_overlap(*world, scene, time, worst);
         if (goal == Goal::escape) look_for_lost(*world, balls, time, worst);
+        // A ball that is lost takes its energy along, below the origin less than none.
+        if (goal == Goal::energy && world->balls().size() < balls) return false;
         if (goal == Goal::energy && most > 0)
             note(worst, (energy(*world, scene) - begun) / most, time,
                  [] { return std::string("all balls"); });

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "lab/contender.hpp"
+#include "lab/contenders/contender.hpp"
 
 namespace flipside::lab::hunt {
 

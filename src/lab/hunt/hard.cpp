@@ -1,6 +1,6 @@
 #include "lab/hunt/hard.hpp"
 
-#include "lab/assets.hpp"
+#include "lab/files/assets.hpp"
 #include "world/input_error.hpp"
 #include "world/json_file.hpp"
 #include "world/schema.hpp"

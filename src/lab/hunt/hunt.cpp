@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "lab/build_commit.hpp"
-#include "lab/csv.hpp"
-#include "lab/whole_file.hpp"
+#include "lab/files/csv.hpp"
+#include "lab/files/whole_file.hpp"
+#include "lab/process/build_commit.hpp"
 #include "world/input_error.hpp"
 #include "world/scene_file.hpp"
 #include "world/scene_json.hpp"

@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "lab/data_file.hpp"
+#include "lab/files/data_file.hpp"
 #include "lab/hunt/round.hpp"
 #include "lab/sweep/sweep.hpp"
 

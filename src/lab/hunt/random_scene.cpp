@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "lab/engines.hpp"
-#include "lab/run_settings.hpp"
+#include "lab/contenders/engines.hpp"
+#include "lab/session/run_settings.hpp"
 
 namespace flipside::lab {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "lab/failure.hpp"
 #include "lab/hunt/mutate.hpp"
+#include "lab/process/failure.hpp"
 
 namespace flipside::lab::hunt {
 

@@ -6,11 +6,11 @@
 
 #include <muParser.h>
 
-#include "lab/engines.hpp"
+#include "lab/contenders/engines.hpp"
 #include "lab/lessons/brute_force_gap.hpp"
-#include "lab/session.hpp"
-#include "lab/timeline.hpp"
-#include "lab/traced_step.hpp"
+#include "lab/session/session.hpp"
+#include "lab/session/timeline.hpp"
+#include "lab/session/traced_step.hpp"
 #include "world/input_error.hpp"
 #include "world/json_file.hpp"
 #include "world/surface.hpp"

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lab/contender.hpp"
+#include "lab/contenders/contender.hpp"
 #include "world/engine.hpp"
 
 namespace flipside::lab {

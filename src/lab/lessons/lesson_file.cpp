@@ -1,9 +1,9 @@
 #include <algorithm>
 
-#include "lab/assets.hpp"
-#include "lab/engines.hpp"
+#include "lab/contenders/engines.hpp"
+#include "lab/files/assets.hpp"
+#include "lab/files/plain_name.hpp"
 #include "lab/lessons/lesson.hpp"
-#include "lab/plain_name.hpp"
 #include "world/input_error.hpp"
 #include "world/json_file.hpp"
 #include "world/printable.hpp"

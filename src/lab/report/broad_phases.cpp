@@ -4,11 +4,11 @@
 #include <tuple>
 
 #include "custom/broad_phase/registry.hpp"
-#include "lab/csv.hpp"
-#include "lab/csv_table.hpp"
-#include "lab/pair_tests.hpp"
+#include "lab/files/csv.hpp"
+#include "lab/files/csv_table.hpp"
+#include "lab/files/text_stream.hpp"
+#include "lab/pairs/pair_tests.hpp"
 #include "lab/report/chapter.hpp"
-#include "lab/text_stream.hpp"
 #include "world/input_error.hpp"
 
 namespace flipside::lab::report {

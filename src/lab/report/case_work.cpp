@@ -3,12 +3,12 @@
 #include <limits>
 
 #include "lab/cases/case.hpp"
-#include "lab/csv.hpp"
-#include "lab/csv_table.hpp"
-#include "lab/engines.hpp"
+#include "lab/contenders/engines.hpp"
+#include "lab/files/csv.hpp"
+#include "lab/files/csv_table.hpp"
+#include "lab/files/text_stream.hpp"
 #include "lab/report/chapter.hpp"
 #include "lab/report/contender.hpp"
-#include "lab/text_stream.hpp"
 
 namespace flipside::lab::report {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lab/engines.hpp"
+#include "lab/contenders/engines.hpp"
 #include "lab/report/figure.hpp"
 
 namespace flipside::lab::report {

@@ -2,14 +2,14 @@
 #include <cmath>
 #include <optional>
 
-#include "lab/assets.hpp"
-#include "lab/csv.hpp"
-#include "lab/csv_table.hpp"
-#include "lab/parting.hpp"
+#include "lab/comparison/parting.hpp"
+#include "lab/files/assets.hpp"
+#include "lab/files/csv.hpp"
+#include "lab/files/csv_table.hpp"
+#include "lab/files/text_stream.hpp"
 #include "lab/report/chapter.hpp"
 #include "lab/report/contender.hpp"
-#include "lab/run.hpp"
-#include "lab/text_stream.hpp"
+#include "lab/session/run.hpp"
 #include "world/input_error.hpp"
 #include "world/refusal.hpp"
 #include "world/scene_file.hpp"

@@ -1,9 +1,9 @@
 #include <cmath>
 
-#include "lab/assets.hpp"
-#include "lab/elastic_scenes.hpp"
+#include "lab/files/assets.hpp"
 #include "lab/report/chapter.hpp"
 #include "lab/report/recording.hpp"
+#include "lab/scenes/elastic_scenes.hpp"
 #include "world/scene_file.hpp"
 
 namespace flipside::lab::report {

@@ -8,7 +8,7 @@
 #include <sys/utsname.h>
 
 #include "build_facts.hpp"
-#include "lab/engines.hpp"
+#include "lab/contenders/engines.hpp"
 
 namespace flipside::lab::report {
 

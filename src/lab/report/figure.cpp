@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <limits>
 
-#include "lab/csv.hpp"
-#include "lab/whole_file.hpp"
+#include "lab/files/csv.hpp"
+#include "lab/files/whole_file.hpp"
 
 namespace flipside::lab::report {
 

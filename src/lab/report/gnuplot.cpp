@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstdio>
 
-#include "lab/failure.hpp"
-#include "lab/plain_name.hpp"
+#include "lab/files/plain_name.hpp"
+#include "lab/files/text_stream.hpp"
+#include "lab/files/whole_file.hpp"
+#include "lab/process/failure.hpp"
 #include "lab/report/memory_file.hpp"
 #include "lab/report/process.hpp"
 #include "lab/report/svg.hpp"
-#include "lab/text_stream.hpp"
-#include "lab/whole_file.hpp"
 #include "world/input_error.hpp"
 #include "world/json_file.hpp"
 #include "world/printable.hpp"

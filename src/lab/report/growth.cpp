@@ -2,13 +2,13 @@
 #include <cmath>
 #include <limits>
 
-#include "lab/assets.hpp"
-#include "lab/csv.hpp"
-#include "lab/csv_table.hpp"
-#include "lab/engines.hpp"
+#include "lab/contenders/engines.hpp"
+#include "lab/files/assets.hpp"
+#include "lab/files/csv.hpp"
+#include "lab/files/csv_table.hpp"
+#include "lab/files/text_stream.hpp"
 #include "lab/report/chapter.hpp"
 #include "lab/report/recording.hpp"
-#include "lab/text_stream.hpp"
 #include "world/scene_file.hpp"
 
 namespace flipside::lab::report {

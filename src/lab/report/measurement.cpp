@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "lab/build_commit.hpp"
+#include "lab/process/build_commit.hpp"
 
 namespace flipside::lab::report {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "lab/data_file.hpp"
+#include "lab/files/data_file.hpp"
 
 namespace flipside::lab::report {
 

@@ -10,7 +10,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include "lab/failure.hpp"
+#include "lab/process/failure.hpp"
 
 namespace flipside::lab::report {
 

@@ -9,8 +9,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "lab/failure.hpp"
-#include "lab/unfinished.hpp"
+#include "lab/process/failure.hpp"
+#include "lab/process/unfinished.hpp"
 
 extern char** environ;
 

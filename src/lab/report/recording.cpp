@@ -4,11 +4,11 @@
 #include <limits>
 #include <optional>
 
-#include "lab/csv.hpp"
-#include "lab/csv_table.hpp"
-#include "lab/failure.hpp"
-#include "lab/run.hpp"
-#include "lab/text_stream.hpp"
+#include "lab/files/csv.hpp"
+#include "lab/files/csv_table.hpp"
+#include "lab/files/text_stream.hpp"
+#include "lab/process/failure.hpp"
+#include "lab/session/run.hpp"
 #include "world/input_error.hpp"
 #include "world/refusal.hpp"
 

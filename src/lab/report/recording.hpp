@@ -7,7 +7,7 @@
 
 #include "lab/report/contender.hpp"
 #include "lab/report/measurement.hpp"
-#include "lab/session.hpp"
+#include "lab/session/session.hpp"
 
 namespace flipside::lab::report {
 

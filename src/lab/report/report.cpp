@@ -2,12 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "lab/build_commit.hpp"
-#include "lab/data_file.hpp"
-#include "lab/engines.hpp"
+#include "lab/contenders/engines.hpp"
+#include "lab/files/data_file.hpp"
+#include "lab/files/whole_file.hpp"
+#include "lab/process/build_commit.hpp"
 #include "lab/report/facts.hpp"
 #include "lab/report/gnuplot.hpp"
-#include "lab/whole_file.hpp"
 #include "world/input_error.hpp"
 #include "world/json_file.hpp"
 

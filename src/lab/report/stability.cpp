@@ -1,10 +1,10 @@
 #include <map>
 
 #include "lab/cases/stability_map.hpp"
-#include "lab/csv_table.hpp"
+#include "lab/files/csv_table.hpp"
+#include "lab/files/text_stream.hpp"
 #include "lab/report/chapter.hpp"
 #include "lab/report/contender.hpp"
-#include "lab/text_stream.hpp"
 #include "world/input_error.hpp"
 
 namespace flipside::lab::report {

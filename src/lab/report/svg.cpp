@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "lab/failure.hpp"
+#include "lab/process/failure.hpp"
 #include "lab/report/markup.hpp"
 
 namespace flipside::lab::report {

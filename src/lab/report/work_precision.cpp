@@ -3,8 +3,8 @@
 #include <limits>
 #include <map>
 
-#include "lab/engines.hpp"
-#include "lab/pair_tests.hpp"
+#include "lab/contenders/engines.hpp"
+#include "lab/pairs/pair_tests.hpp"
 #include "lab/report/blame_tables.hpp"
 #include "lab/report/chapter.hpp"
 #include "lab/report/contender.hpp"

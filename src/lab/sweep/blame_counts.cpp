@@ -4,8 +4,8 @@
 #include <cmath>
 #include <tuple>
 
-#include "lab/csv.hpp"
-#include "lab/whole_file.hpp"
+#include "lab/files/csv.hpp"
+#include "lab/files/whole_file.hpp"
 
 namespace flipside::lab::sweep {
 

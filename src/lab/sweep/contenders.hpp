@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lab/engines.hpp"
+#include "lab/contenders/engines.hpp"
 
 namespace flipside::lab::sweep {
 

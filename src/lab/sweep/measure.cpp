@@ -5,7 +5,7 @@
 #include <limits>
 #include <tuple>
 
-#include "lab/cpu_clock.hpp"
+#include "lab/process/cpu_clock.hpp"
 
 namespace flipside::lab::sweep {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lab/data_file.hpp"
+#include "lab/files/data_file.hpp"
 
 namespace flipside::lab::sweep {
 

@@ -2,10 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "lab/assets.hpp"
-#include "lab/build_commit.hpp"
-#include "lab/data_file.hpp"
-#include "lab/plain_name.hpp"
+#include "lab/files/assets.hpp"
+#include "lab/files/data_file.hpp"
+#include "lab/files/plain_name.hpp"
+#include "lab/process/build_commit.hpp"
 #include "lab/sweep/plan.hpp"
 #include "world/input_error.hpp"
 #include "world/printable.hpp"

@@ -5,9 +5,9 @@
 #include <limits>
 #include <tuple>
 
-#include "lab/csv.hpp"
-#include "lab/csv_table.hpp"
-#include "lab/text_stream.hpp"
+#include "lab/files/csv.hpp"
+#include "lab/files/csv_table.hpp"
+#include "lab/files/text_stream.hpp"
 #include "world/printable.hpp"
 
 namespace flipside::lab::sweep {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <tuple>
 
-#include "lab/csv.hpp"
-#include "lab/data_file.hpp"
-#include "lab/whole_file.hpp"
+#include "lab/files/csv.hpp"
+#include "lab/files/data_file.hpp"
+#include "lab/files/whole_file.hpp"
 #include "world/input_error.hpp"
 
 namespace flipside::lab::sweep {

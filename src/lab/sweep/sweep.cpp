@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <set>
 
-#include "lab/failure.hpp"
+#include "lab/files/whole_file.hpp"
+#include "lab/process/failure.hpp"
 #include "lab/sweep/unit.hpp"
 #include "lab/sweep/windows.hpp"
-#include "lab/whole_file.hpp"
 #include "world/input_error.hpp"
 
 namespace flipside::lab::sweep {

@@ -16,7 +16,7 @@
 #include <functional>
 #include <map>
 
-#include "lab/data_file.hpp"
+#include "lab/files/data_file.hpp"
 #include "lab/sweep/plan.hpp"
 
 namespace flipside::lab::sweep {

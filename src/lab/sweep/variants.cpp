@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "lab/assets.hpp"
-#include "lab/plain_name.hpp"
+#include "lab/files/assets.hpp"
+#include "lab/files/plain_name.hpp"
 #include "world/input_error.hpp"
 #include "world/json_file.hpp"
 #include "world/scene_file.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lab/dice.hpp"
+#include "lab/scenes/dice.hpp"
 #include "world/controls.hpp"
 
 namespace flipside::lab::sweep {

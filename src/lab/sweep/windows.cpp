@@ -4,7 +4,7 @@
 #include <optional>
 #include <set>
 
-#include "lab/session.hpp"
+#include "lab/session/session.hpp"
 #include "world/refusal.hpp"
 
 namespace flipside::lab::sweep {

@@ -13,7 +13,7 @@
 #include <functional>
 #include <map>
 
-#include "lab/engines.hpp"
+#include "lab/contenders/engines.hpp"
 #include "lab/sweep/variants.hpp"
 #include "world/events.hpp"
 #include "world/state.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lab/cpu_clock.hpp"
+#include "lab/process/cpu_clock.hpp"
 #include "lab/sweep/measure.hpp"
 #include "world/input_error.hpp"
 #include "world/refusal.hpp"

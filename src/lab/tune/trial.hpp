@@ -5,7 +5,7 @@
 #include <functional>
 #include <limits>
 
-#include "lab/contender.hpp"
+#include "lab/contenders/contender.hpp"
 #include "lab/sweep/windows.hpp"
 
 namespace flipside::lab::tune {

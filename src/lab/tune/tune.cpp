@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lab/csv.hpp"
-#include "lab/whole_file.hpp"
+#include "lab/files/csv.hpp"
+#include "lab/files/whole_file.hpp"
 
 namespace flipside::lab::tune {
 

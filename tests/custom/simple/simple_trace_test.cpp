@@ -9,7 +9,7 @@
 #include "custom/response.hpp"
 #include "custom/scenes.hpp"
 #include "custom/tolerances.hpp"
-#include "lab/assets.hpp"
+#include "lab/files/assets.hpp"
 #include "world/scene_file.hpp"
 #include "world/surface.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "lab/engines.hpp"
+#include "lab/contenders/engines.hpp"
 #include "world/refusal.hpp"
 #include "world/world.hpp"
 

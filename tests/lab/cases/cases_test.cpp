@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lab/cases/experiment.hpp"
-#include "lab/engines.hpp"
+#include "lab/contenders/engines.hpp"
 #include "world/input_error.hpp"
 
 namespace flipside::lab {

@@ -5,7 +5,7 @@
 
 #include "in_small.hpp"
 #include "lab/cases/case.hpp"
-#include "lab/engines.hpp"
+#include "lab/contenders/engines.hpp"
 
 namespace flipside::lab {
 namespace {

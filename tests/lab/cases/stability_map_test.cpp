@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lab/engines.hpp"
+#include "lab/contenders/engines.hpp"
 
 namespace flipside::lab {
 namespace {

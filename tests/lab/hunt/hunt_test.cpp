@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "lab/engines.hpp"
+#include "lab/contenders/engines.hpp"
 #include "lab/hunt/hard.hpp"
 #include "lab/hunt/mutate.hpp"
 #include "world/input_error.hpp"
@@ -135,6 +135,14 @@ TEST(Goals, EscapesAreCounted) {
     exact.contender = contender("a=custom");
     exact.seconds = 0.06;
     EXPECT_EQ(measure(exact, scene).value, 0);
+}
+
+TEST(Goals, ABallThatIsLostIsNoGainOfEnergy) {
+    // It falls from the origin through the lower bound at −0.5 m after 0.32 s, and takes its −½mgh along.
+    Scene scene = falling();
+    scene.bounds = {{-0.5, -0.5}, {0.5, 0.5}};
+    EXPECT_LT(measure(request_for(Goal::energy, "a=custom"), scene).value, 1e-12);
+    EXPECT_LT(measure(request_for(Goal::energy, "a=box2d"), scene).value, 0.02);
 }
 
 TEST(Goals, SayNothingWhereSomethingMovesOrGivesEnergy) {

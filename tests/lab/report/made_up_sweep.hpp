@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "lab/data_file.hpp"
+#include "lab/files/data_file.hpp"
 #include "lab/sweep/runs.hpp"
 
 namespace flipside::lab::report {

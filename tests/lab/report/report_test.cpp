@@ -11,8 +11,8 @@
 #include <unistd.h>
 
 #include "drawn.hpp"
-#include "lab/csv_table.hpp"
-#include "lab/failure.hpp"
+#include "lab/files/csv_table.hpp"
+#include "lab/process/failure.hpp"
 #include "lab/report/gnuplot.hpp"
 #include "made_up_sweep.hpp"
 #include "tiny_effort.hpp"

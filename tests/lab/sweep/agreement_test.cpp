@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lab/assets.hpp"
+#include "lab/files/assets.hpp"
 #include "lab/sweep/contenders.hpp"
 #include "lab/sweep/measure.hpp"
 

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "lab/assets.hpp"
-#include "lab/session.hpp"
+#include "lab/files/assets.hpp"
+#include "lab/session/session.hpp"
 #include "lab/sweep/contenders.hpp"
 #include "lab/sweep/windows.hpp"
 #include "world/refusal.hpp"

@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-#include "lab/csv_table.hpp"
-#include "lab/data_file.hpp"
+#include "lab/files/csv_table.hpp"
+#include "lab/files/data_file.hpp"
+#include "lab/files/whole_file.hpp"
 #include "lab/sweep/blame_counts.hpp"
-#include "lab/whole_file.hpp"
 #include "world/input_error.hpp"
 
 namespace flipside::lab::sweep {

@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "lab/assets.hpp"
-#include "lab/csv_table.hpp"
-#include "lab/failure.hpp"
+#include "lab/files/assets.hpp"
+#include "lab/files/csv_table.hpp"
+#include "lab/process/failure.hpp"
 #include "lab/sweep/blame_counts.hpp"
 #include "world/input_error.hpp"
 #include "world/json_file.hpp"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lab/dice.hpp"
+#include "lab/scenes/dice.hpp"
 
 namespace flipside::lab::tune {
 namespace {

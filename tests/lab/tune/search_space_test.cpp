@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lab/engines.hpp"
+#include "lab/contenders/engines.hpp"
 
 namespace flipside::lab::tune {
 namespace {

@@ -1,0 +1,43 @@
+#include "lab/scenes/scene_notes.hpp"
+
+#include "custom/engine.hpp"
+#include "custom/geometry/bounds.hpp"
+#include "custom/geometry/inside.hpp"
+
+namespace flipside::lab {
+
+namespace {
+
+std::string name_of(const Ball& ball) {
+    return "ball " + std::to_string(ball.number);
+}
+
+}  // namespace
+
+std::vector<std::string> notes_on(const Scene& scene) {
+    // What the custom engine finds in touch when nothing has moved yet: it need not look at every pair.
+    const auto world =
+        custom::engine().make(std::make_shared<const Scene>(scene), Settings(custom::engine().settings));
+    const std::span<const Contact> contacts = world->contacts();
+    std::vector<std::string> notes;
+    auto contact = contacts.begin();
+    for (const Ball& ball : scene.balls) {
+        if (!custom::overlap(scene.bounds, ball.position, ball.radius))
+            notes.push_back(name_of(ball) + " starts outside the bounds");
+        for (; contact != contacts.end() && contact->ball == ball.number; ++contact) {
+            if (contact->other.is_ball) {
+                const Ball& other = scene.balls[contact->other.index];
+                // Balls laid side by side in decimals may overlap by a rounding.
+                constexpr double tolerance = 1e-9;
+                if (-contact->separation > tolerance * (ball.radius + other.radius))
+                    notes.push_back(name_of(other) + " starts inside " + name_of(ball));
+            } else if (const Part& part = scene.parts[contact->other.index];
+                       custom::inside(ball.position, part.shape)) {
+                notes.push_back(name_of(ball) + " starts inside part '" + part.name + "'");
+            }
+        }
+    }
+    return notes;
+}
+
+}  // namespace flipside::lab

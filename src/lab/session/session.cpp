@@ -1,0 +1,180 @@
+#include "lab/session/session.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "lab/process/allocations.hpp"
+#include "lab/process/cpu_clock.hpp"
+#include "lab/session/refusing_world.hpp"
+#include "world/refusal.hpp"
+
+namespace flipside::lab {
+
+namespace {
+
+/// Fraction of a step within which a control counts as at the step's end.
+constexpr double same_moment = 1e-9;
+
+}  // namespace
+
+Session::Session(std::shared_ptr<const Scene> scene, const Engine& engine, Settings settings,
+                 WithoutWorld otherwise)
+    : scene_(std::move(scene)),
+      engine_(&engine),
+      settings_(std::move(settings)),
+      otherwise_(otherwise),
+      world_(make(scene_, engine, settings_)),
+      game_(scene_) {}
+
+std::unique_ptr<World> Session::make(const std::shared_ptr<const Scene>& scene, const Engine& engine,
+                                     const Settings& settings) const {
+    return otherwise_ == WithoutWorld::fail ? engine.make(scene, settings)
+                                            : world_or_refusal(engine, scene, settings);
+}
+
+void Session::apply(const Control& control) {
+    record(world_->time(), control);
+}
+
+bool Session::press(const Control& control) {
+    if (!game_.permits(control, world_->balls())) return false;
+    apply(control);
+    return true;
+}
+
+/// Records the time that was asked for rather than the world's, so that a replay splits its steps at the
+/// very same times and gives the same bits.
+void Session::record(double time, const Control& control) {
+    if (!recording_.empty()) time = std::max(time, recording_.back().time);
+    recording_.push_back({time, control});
+    world_->apply(control);
+    game_.applied(control, world_->time());
+}
+
+void Session::step(double dt) {
+    const Script nothing;
+    std::size_t next = 0;
+    step(dt, nothing, next);
+}
+
+void Session::step(double dt, const Script& script, std::size_t& next) {
+    static_cast<void>(step_within(dt, script, next, std::numeric_limits<double>::infinity()));
+}
+
+bool Session::step_within(double dt, const Script& script, std::size_t& next, double seconds) {
+    if (!under_way_) {
+        events_.clear();
+        under_way_ = Progress{world_->time(), 0};
+    }
+    auto& [start, done] = *under_way_;
+    for (; next < script.size(); ++next) {
+        const double ahead = script[next].time - start;
+        if (ahead >= dt * (1 - same_moment)) break;
+        if (ahead > done + dt * same_moment) {
+            if (!advance(ahead - done, seconds)) return false;
+            done = ahead;
+        }
+        record(script[next].time, script[next].control);
+    }
+    if (!advance(dt - done, seconds)) return false;
+    ++totals_.steps;
+    under_way_.reset();
+    return true;
+}
+
+bool Session::advance(double dt, double seconds) {
+    const std::uint64_t allocated = allocations();
+    const CpuStopwatch watch;
+    bool done = false;
+    try {
+        done = world_->step_within(dt, seconds);
+        // An engine may find these only when asked: they are part of what a step costs.
+        if (done) static_cast<void>(world_->events()), static_cast<void>(world_->contacts());
+    } catch (const Refusal&) {
+        under_way_.reset();
+        throw;
+    }
+    const std::optional<double> elsewhere = world_->statistics().cpu_seconds;
+    totals_.step_seconds += elsewhere ? (done ? *elsewhere : 0) : watch.seconds();
+    if (totals_.steps >= warm_up_steps) totals_.allocations += allocations() - allocated;
+    if (!done) return false;
+
+    const Statistics& statistics = world_->statistics();
+    totals_.pair_tests += statistics.pair_tests;
+    totals_.narrow_tests += statistics.narrow_tests;
+    totals_.contacts += statistics.contacts;
+    totals_.handed_over += statistics.handed_over;
+    totals_.max_penetration = std::max(totals_.max_penetration, deepest_overlap(world_->contacts()));
+    for (const Event& event : world_->events()) count(event);
+    events_.insert(events_.end(), world_->events().begin(), world_->events().end());
+
+    const long launched = game_.launched();
+    const auto answer = game_.observe(world_->events(), world_->time(), world_->balls().size());
+    totals_.launched += static_cast<std::uint64_t>(game_.launched() - launched);
+    for (const Control& control : answer) world_->apply(control);
+    return true;
+}
+
+void Session::count(const Event& event) {
+    if (event.kind == EventKind::impact) ++totals_.impacts;
+    if (event.kind != EventKind::lost) return;
+    ++totals_.lost;
+    const Box& bounds = scene_->bounds;
+    const bool drained = scene_->rules && event.point.y < bounds.min.y && event.point.x >= bounds.min.x &&
+                         event.point.x <= bounds.max.x;
+    if (!drained) ++totals_.strays;
+}
+
+void Session::change(std::shared_ptr<const Scene> scene, const Engine& engine, Settings settings) {
+    State state = world_->save();
+    // What lay at rest under one gravity need not under another.
+    if (scene->gravity != scene_->gravity)
+        for (Ball& ball : state.balls) ball.asleep = false;
+    std::unique_ptr<World> next = make(scene, engine, settings);
+    next->restore(state);
+    world_ = std::move(next);
+    under_way_.reset();
+    scene_ = std::move(scene);
+    engine_ = &engine;
+    settings_ = std::move(settings);
+}
+
+void Session::restore(const State& state) {
+    world_->restore(state);
+    under_way_.reset();
+    game_.resume(state.balls.size(), state.clock.time);
+}
+
+void Session::restore(const Snapshot& snapshot) {
+    if (snapshot.scene != scene_ || snapshot.engine != engine_ || !(snapshot.settings == settings_)) {
+        world_ = snapshot.engine->make(snapshot.scene, snapshot.settings);
+        scene_ = snapshot.scene;
+        engine_ = snapshot.engine;
+        settings_ = snapshot.settings;
+    }
+    world_->restore(snapshot.state);
+    under_way_.reset();
+    game_ = snapshot.game;
+    recording_ = snapshot.recording;
+    totals_ = snapshot.totals;
+    events_ = snapshot.events;
+}
+
+std::size_t next_control(const Script& script, double time) {
+    constexpr double same_time = 1e-9;
+    const auto at = std::ranges::find_if(
+        script, [&](const TimedControl& control) { return control.time >= time - same_time; });
+    return static_cast<std::size_t>(at - script.begin());
+}
+
+double energy(const World& world, const Scene& scene) {
+    double sum = 0;
+    for (const Ball& ball : world.balls()) {
+        sum += 0.5 * ball.mass * length_squared(ball.velocity);
+        sum += 0.5 * inertia(ball) * ball.spin * ball.spin;
+        sum -= ball.mass * dot(scene.gravity, ball.position);
+    }
+    return sum;
+}
+
+}  // namespace flipside::lab
