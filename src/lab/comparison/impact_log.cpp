@@ -18,6 +18,11 @@ std::optional<double> leaving_speed(const Event& event, std::span<const Ball> ba
     return event.impulse * yield - event.speed;
 }
 
+std::optional<Impact> last_that(const std::deque<Impact>& impacts, auto&& holds) {
+    const auto at = std::find_if(impacts.rbegin(), impacts.rend(), holds);
+    return at == impacts.rend() ? std::nullopt : std::optional(*at);
+}
+
 }  // namespace
 
 void ImpactLog::observe(std::span<const Event> events, std::span<const Ball> balls) {
@@ -33,15 +38,13 @@ void ImpactLog::forget_after(double time) {
 }
 
 std::optional<Impact> ImpactLog::last(double until) const {
-    for (auto at = impacts_.rbegin(); at != impacts_.rend(); ++at)
-        if (at->event.time <= until + same_time) return *at;
-    return std::nullopt;
+    return last_that(impacts_, [&](const Impact& impact) { return impact.event.time <= until + same_time; });
 }
 
 std::optional<Impact> ImpactLog::last(Other subject, double until) const {
-    for (auto at = impacts_.rbegin(); at != impacts_.rend(); ++at)
-        if (at->event.time <= until + same_time && concerns(at->event, subject)) return *at;
-    return std::nullopt;
+    return last_that(impacts_, [&](const Impact& impact) {
+        return impact.event.time <= until + same_time && concerns(impact.event, subject);
+    });
 }
 
 std::optional<Impact> ImpactLog::nearest(const Event& like, double tolerance, double until) const {
