@@ -53,8 +53,9 @@ TEST_F(StageEdit, PutsNoBallWhereOneContenderHasNoRoom) {
 TEST_F(StageEdit, IsUndoneByGoingBackBeforeItAndDoneAgainByGoingForth) {
     stage.run_until(0.1);
     const double then = stage.time();
-    stage.edit(edit::Remove{0});
-    stage.edit(edit::Add{ball_at({0.3, 0.5})});
+    const Ball ball = ball_at({0.3, 0.5});
+    ASSERT_TRUE(stage.edit(edit::Remove{0}));
+    ASSERT_TRUE(stage.edit(edit::Add{ball}));
     stage.run_until(0.1);
     const std::vector<Ball> after(balls_of(stage.runs()[0]).begin(), balls_of(stage.runs()[0]).end());
     const double end = stage.time();
