@@ -15,8 +15,8 @@ Box range_of(const Feature& feature, const Primitive& primitive, const Table& ta
 
 Box bounds_of(const Path& path, double radius, double end) {
     const double t = end - path.start;
-    if (!path.swings) return grown(path.flight.bounds(t), radius);
-    return bounds_of(path.flight.position, path.top_speed * t + radius);
+    if (!path.swings()) return grown(path.flight.bounds(t), radius);
+    return bounds_of(path.flight.position, path.swing[0].top_speed * t + radius);
 }
 
 std::uint64_t Candidates::cover(const Box& box, const BoxIndex& feature_ranges) {

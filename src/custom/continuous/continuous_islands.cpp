@@ -65,10 +65,8 @@ void ContinuousSolver::wait(BallIndex i, double time) {
     mover.glides.clear();
     mover.set_out_with = mover.arrives_with = ball.velocity;
     ConstrainedPath& way = mover.way;
-    way = ConstrainedPath{};
+    way.fly({ball.position, {}, {}, 0}, time);
     way.until = next_tick(time);
-    way.path.start = time;
-    way.path.flight = {ball.position, {}, {}, 0};
     ball.velocity = {};
     Flying& flying = flying_[i];
     ++flying.changes;
@@ -146,13 +144,20 @@ void ContinuousSolver::gather(double time, double duration) {
     }
     deepest_ = 0;
     overlapped_.clear();
-    for (const BallIndex i : members_)
-        cells_.each_near(i, [&](BallIndex j) { press_balls(i, j, time, duration); });
-    for (const BallIndex i : members_) press_parts(i, time, duration);
+    RememberedForces of_balls(table_->memory().forces), of_parts(part_forces_);
+    for (const BallIndex i : members_) {
+        of_balls.go_on_to(movers_[i].number);
+        cells_.each_near(i, [&](BallIndex j) { press_balls(i, j, time, duration, of_balls); });
+    }
+    for (const BallIndex i : members_) {
+        of_parts.go_on_to(movers_[i].number);
+        press_parts(i, time, duration, of_parts);
+    }
 }
 
 /// Adds two balls that are in touch or will be, slowly; a fast approach is an event.
-void ContinuousSolver::press_balls(BallIndex i, BallIndex j, double time, double duration) {
+void ContinuousSolver::press_balls(BallIndex i, BallIndex j, double time, double duration,
+                                   const RememberedForces& known) {
     const Ball &a = bodies_[i], &b = bodies_[j];
     ++record_->statistics.pair_tests;
     if (movers_[j].lost || (flying_[j].pressed && j > i)) return;
@@ -184,23 +189,21 @@ void ContinuousSolver::press_balls(BallIndex i, BallIndex j, double time, double
     contact.gap_found = gap;
     contact.friction = layout_.mixed(a.material, b.material).friction;
     contact.height = -dot(a.position + b.position, scene_.gravity);
-    press(contact, {std::min(a.number, b.number), std::max(a.number, b.number), 0, 0}, duration);
+    contact.a = std::min(a.number, b.number), contact.b = std::max(a.number, b.number);
+    press(contact, known, duration);
 }
 
 /// Adds a contact, which begins from the force that it had in the tick before.
-void ContinuousSolver::press(ContactSolver::Contact& contact, const ContactForce& key, double duration) {
-    contact.a = key.a, contact.b = key.b;
-    const bool balls = contact.with == ContactSolver::With::ball;
-    const std::vector<ContactForce>& forces = balls ? table_->memory().forces : part_forces_;
-    const auto known = std::ranges::lower_bound(forces, rank(key), {}, rank);
-    if (known != forces.end() && rank(*known) == rank(key)) {
-        contact.impulse.normal = known->normal * duration;
-        contact.impulse.tangent = known->tangent * duration;
+void ContinuousSolver::press(ContactSolver::Contact& contact, const RememberedForces& known,
+                             double duration) {
+    if (const ContactForce* force = known.find(contact.a, contact.b)) {
+        contact.impulse.normal = force->normal * duration;
+        contact.impulse.tangent = force->tangent * duration;
     }
     contact_solver_.add(contact);
 }
 
-void ContinuousSolver::press_parts(BallIndex i, double time, double duration) {
+void ContinuousSolver::press_parts(BallIndex i, double time, double duration, const RememberedForces& known) {
     const Ball& ball = bodies_[i];
     Mover& mover = movers_[i];
     // Where balls are to be moved apart, they are kept from being moved through a part.
@@ -233,7 +236,8 @@ void ContinuousSolver::press_parts(BallIndex i, double time, double duration) {
         contact.height = -2 * dot(found.point, scene_.gravity);
         contact.with =
             turning.rate_at(time) == 0 ? ContactSolver::With::still_part : ContactSolver::With::moving_part;
-        press(contact, {ball.number, seen, 0, 0}, duration);
+        contact.a = seen, contact.b = ball.number;
+        press(contact, known, duration);
     }
 }
 
@@ -301,13 +305,6 @@ void ContinuousSolver::set_out_pressed(BallIndex i, double time, const ContactSo
     mover.hops = true;
     mover.resting_on = mover.released = nullptr;
     mover.glides.clear();
-    ConstrainedPath& way = mover.way;
-    way.until = next_tick_;
-    way.roll = {};
-    way.separates = false;
-    way.spin_rate = (body.spin - ball.spin) / duration;
-    way.path.start = time;
-    way.path.swings = false;
     ball.position = body.position;
     // What is stopped by more than its weight is stopped at once: a blow within the tick must not find it
     // with the speed that it has lost.
@@ -318,7 +315,10 @@ void ContinuousSolver::set_out_pressed(BallIndex i, double time, const ContactSo
     const Vec2 thrown = mover.sides == 0
                             ? ball.velocity
                             : (duration * body.velocity - interval.fallen * drive_.gravity) / interval.shrunk;
-    way.path.flight = {ball.position, thrown, drive_.gravity, drive_.drag};
+    ConstrainedPath& way = mover.way;
+    way.fly({ball.position, thrown, drive_.gravity, drive_.drag}, time);
+    way.until = next_tick_;
+    way.spin_rate = (body.spin - ball.spin) / duration;
     ball.velocity = thrown;
     Flying& flying = flying_[i];
     ++flying.changes;

@@ -34,15 +34,9 @@ void ContinuousSolver::set_out(BallIndex i, double time) {
     if (ball.asleep && beside_moving_part(i)) ball.asleep = false;
     mover.resting_on = nullptr;
     mover.glides.clear();
-    mover.way.until = never_touch;
-    mover.way.separates = false;
-    mover.way.spin_rate = 0;
-    mover.way.roll = {};
-    Path& path = mover.way.path;
-    path.start = time;
-    path.swings = false;
-    path.flight = {ball.position, ball.velocity, ball.asleep ? Vec2{} : drive_.gravity,
-                   ball.asleep ? 0 : drive_.drag};
+    mover.way.fly(ball.asleep ? Flight{ball.position, ball.velocity, {}, 0}
+                              : Flight{ball.position, ball.velocity, drive_.gravity, drive_.drag},
+                  time);
     Flying& flying = flying_[i];
     ++flying.changes;
     flying.position = ball.position;
@@ -83,7 +77,7 @@ void ContinuousSolver::cover_way(BallIndex i, double time) {
     const auto [here, velocity] = path.at(time);
     const double left = dt_ - time;
     Vec2 top{std::abs(path.flight.acceleration.x), std::abs(path.flight.acceleration.y)};
-    if (path.swings || path.flight.drag > 0) {
+    if (path.swings() || path.flight.drag > 0) {
         const double most = path.max_acceleration(dt_);
         top = {most, most};
     }

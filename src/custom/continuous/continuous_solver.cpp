@@ -15,6 +15,13 @@ Box touching_box(const Ball& ball) {
     return bounds_of(ball.position, ball.radius * (1 + touch_distance));
 }
 
+std::vector<Box> ranges_of(std::span<const Feature> features, const Layout& layout, const Table& table) {
+    std::vector<Box> ranges;
+    for (const Feature& feature : features)
+        ranges.push_back(range_of(feature, layout.primitive(feature.primitive), table));
+    return ranges;
+}
+
 }  // namespace
 
 ContinuousSolver::ContinuousSolver(const Table& table, const Layout& layout, const SolverSettings& settings)
@@ -24,11 +31,9 @@ ContinuousSolver::ContinuousSolver(const Table& table, const Layout& layout, con
       drive_{scene_.gravity, scene_.damping},
       slow_(2 * (scene_.rest_speed + length(scene_.gravity) * tick_length)),
       features_(features_of(layout.primitives(), scene_)),
-      ranges_(scene_.bounds, features_.size()),
+      ranges_(scene_.bounds, ranges_of(features_, layout, table)),
       primitives_(scene_.parts.size()),
       turnings_(scene_.parts.size()) {
-    for (FeatureIndex i = 0; i < features_.size(); ++i)
-        ranges_.set(i, range_of(features_[i], layout.primitive(features_[i].primitive), table));
     for (PrimitiveIndex i = 0; i < layout.size(); ++i) {
         const Part& part = scene_.parts[layout.primitive(i).part];
         if (part.sensor || gate_of(part) != nullptr) primitives_[layout.primitive(i).part].push_back(i);
@@ -39,14 +44,17 @@ ContinuousSolver::ContinuousSolver(const Table& table, const Layout& layout, con
 void ContinuousSolver::reset(const Table& table, std::span<const Ball> balls) {
     inside_.clear();
     for (Mover& mover : pool_) mover.near.forget();
-    for (const Ball& ball : balls)
-        for (PartIndex part = 0; part < primitives_.size(); ++part)
+    for (PartIndex part = 0; part < primitives_.size(); ++part) {
+        if (!scene_.parts[part].sensor) continue;
+        for (const Ball& ball : balls) {
+            if (!layers_meet(ball, scene_.parts[part])) continue;
             for (const PrimitiveIndex primitive : primitives_[part]) {
-                if (!scene_.parts[part].sensor || !layers_meet(ball, scene_.parts[part])) continue;
                 const Touch found =
                     touch(ball.position, ball.radius, layout_.primitive(primitive), table.pose(part));
                 if (found.separation <= 0) set_inside(ball.number, part, true);
             }
+        }
+    }
 }
 
 void ContinuousSolver::reserve(std::size_t balls) {
@@ -57,7 +65,10 @@ void ContinuousSolver::reserve(std::size_t balls) {
         const std::size_t movers = movers_.size();
         pool_.resize(most);
         movers_ = std::span(pool_).first(movers);
-        for (Mover& mover : pool_) mover.near.reserve(std::min(features_.size(), most_near));
+        for (Mover& mover : pool_) {
+            mover.near.reserve(std::min(features_.size(), most_near));
+            mover.way.path.swing.reserve(1);
+        }
     }
     custom::reserve_for(bodies_, most);
     custom::reserve_for(inside_, most, touches_per_ball);

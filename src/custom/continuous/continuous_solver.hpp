@@ -26,6 +26,7 @@
 #include "custom/continuous/next_events.hpp"
 #include "custom/continuous/resting_contact.hpp"
 #include "custom/islands/contact_solver.hpp"
+#include "custom/islands/remembered_forces.hpp"
 #include "custom/layout.hpp"
 #include "custom/response.hpp"
 #include "custom/settings.hpp"
@@ -142,14 +143,13 @@ class ContinuousSolver {
     void tick(double time);
     void gather(double time, double duration);
     void take_in_overlapped(double time);
-    void press_balls(BallIndex i, BallIndex j, double time, double duration);
-    void press_parts(BallIndex i, double time, double duration);
+    void press_balls(BallIndex i, BallIndex j, double time, double duration, const RememberedForces& known);
+    void press_parts(BallIndex i, double time, double duration, const RememberedForces& known);
     void note_loads(double duration);
-    void press(ContactSolver::Contact& contact, const ContactForce& key, double duration);
+    void press(ContactSolver::Contact& contact, const RememberedForces& known, double duration);
     void set_out_pressed(BallIndex i, double time, const ContactSolver::Body& body);
     void move_to(BallIndex i, double time);
     [[nodiscard]] Vec2 true_velocity(BallIndex i, double time) const;
-    [[nodiscard]] static std::pair<BallNumber, BallNumber> rank(const ContactForce& f) { return {f.b, f.a}; }
     [[nodiscard]] double next_tick(double time) const;
     void follow(Ball& ball, const Mover& mover, double time) const;
     [[nodiscard]] bool rattles(BallIndex i, BallIndex j, double approach, double time);
@@ -257,7 +257,7 @@ class ContinuousSolver {
     Cells cells_;
     std::vector<Support> supports_;
     ContactSolver contact_solver_;
-    /// Of the last tick in this window: on ball a by primitive b; by b, then a.
+    /// Of the last tick in this window: by primitive a on ball b; by b, then a.
     std::vector<ContactForce> part_forces_;
     double deepest_ = 0;                 ///< m, of the overlaps of balls in islands
     std::vector<BallIndex> members_;     ///< of the islands at hand, in order

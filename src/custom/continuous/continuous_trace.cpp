@@ -64,8 +64,8 @@ void ContinuousSolver::trace_paths(bool all_set_out) {
         TraceItem& item = stage.add("path").with("ball", ball.number);
         item.with("way", ball.asleep          ? "asleep"
                          : flying_[i].pressed ? "a hop of an island, to its next tick"
-                         : mover.resting_on   ? mover.way.path.swings ? "swings along a part" : "along a part"
-                                              : "free flight");
+                         : mover.resting_on ? mover.way.path.swings() ? "swings along a part" : "along a part"
+                                            : "free flight");
         if (mover.resting_on != nullptr)
             item.with("part", std::string_view(scene_.parts[mover.resting_on->part].name));
         const Flight& flight = mover.way.path.flight;
@@ -161,11 +161,11 @@ void ContinuousSolver::trace_tick(double time, double duration) {
         record_->trace->stage("island solve", "src/custom/islands/contact_solver.cpp: ContactSolver::solve");
     for (const ContactSolver::Contact& contact : contact_solver_.contacts()) {
         const bool balls = contact.with == ContactSolver::With::ball;
-        TraceItem& item = stage.add("contact").with("ball", contact.a);
+        TraceItem& item = stage.add("contact").with("ball", balls ? contact.a : contact.b);
         if (balls)
             item.with("other_ball", contact.b);
         else
-            item.with("part", std::string_view(scene_.parts[layout_.primitive(contact.b).part].name));
+            item.with("part", std::string_view(scene_.parts[layout_.primitive(contact.a).part].name));
         const ContactSolver::Body& upper = contact_solver_.bodies()[contact.upper];
         item.with("point", upper.position - upper.radius * contact.normal)
             .with("normal", contact.normal)

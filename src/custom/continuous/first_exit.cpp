@@ -80,10 +80,10 @@ double first_exit(const Path& path, const Box& box, double t0, double t1) {
     if (!is_inside(t0)) return t0;
     Instants turns;
     const double h = t1 - path.start;
-    if (path.swings) {
+    if (path.swings()) {
         for (double Vec2::*axis : {&Vec2::x, &Vec2::y}) {
             Coefficients series{};
-            for (std::size_t k = 1; k < series.size(); ++k) series[k] = path.taylor[k].*axis;
+            for (std::size_t k = 1; k < series.size(); ++k) series[k] = path.swing[0].displacement[k].*axis;
             add_turns(series, h, turns);
         }
     } else {

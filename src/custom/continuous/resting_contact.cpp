@@ -86,18 +86,18 @@ struct Rub {
     [[nodiscard]] double share() const { return rolls ? 2.0 / 3 : 1; }
 };
 
-/// A swing as series in time; its displacement is in path.taylor.
-struct Swing {
+/// What acts in a swing, as series in time.
+struct Loads {
     Series<double> force{};  ///< per mass, along the normal
     Series<double> push{};   ///< change of the speed along perp(normal), relative to the surface
 };
 
-Swing swing_straight(const Guide& guide, Vec2 normal, Vec2 velocity, const Drive& drive, const Rub& rub,
-                     Path& path) {
+Loads swing_straight(const Guide& guide, Vec2 normal, Vec2 velocity, const Drive& drive, const Rub& rub,
+                     Series<Vec2>& displacement) {
     const double w = guide.rate, d = guide.offset, c = drive.drag;
     const Series<Vec2> t = turning_vector(-perp(normal), w), n = turning_vector(normal, w);
     Series<double> s{};
-    Swing swing;
+    Loads loads;
     s[0] = guide.s;
     s[1] = dot(velocity, t[0]) + d * w;
     for (int k = 0; k + 2 <= order; ++k) {
@@ -107,15 +107,15 @@ Swing swing_straight(const Guide& guide, Vec2 normal, Vec2 velocity, const Drive
         const double driven = w * w * s[at(k)] + dot(t[at(k)], drive.gravity) - c * speed;
         const double bend = rub.share() * driven + rub.slide * force;
         s[at(k + 2)] = bend / ((k + 1) * (k + 2));
-        swing.force[at(k)] = force;
-        swing.push[at(k)] = -bend;
+        loads.force[at(k)] = force;
+        loads.push[at(k)] = -bend;
     }
-    for (int k = 0; k <= order; ++k) path.taylor[at(k)] = product(s, t, k) + d * n[at(k)];
-    return swing;
+    for (int k = 0; k <= order; ++k) displacement[at(k)] = product(s, t, k) + d * n[at(k)];
+    return loads;
 }
 
-Swing swing_curved(const Guide& guide, Vec2 normal, Vec2 velocity, const Drive& drive, const Rub& rub,
-                   Path& path) {
+Loads swing_curved(const Guide& guide, Vec2 normal, Vec2 velocity, const Drive& drive, const Rub& rub,
+                   Series<Vec2>& displacement) {
     const double c = drive.drag, radius = guide.radius, side = dot(guide.out, normal) > 0 ? 1 : -1;
     const Series<Vec2> center = turning_vector(guide.arm, guide.rate);
     Series<Vec2> driving{};  // gravity as felt by one who moves with the centre
@@ -124,7 +124,7 @@ Swing swing_curved(const Guide& guide, Vec2 normal, Vec2 velocity, const Drive& 
                          c * (k + 1) * center[at(k + 1)];
     Series<Vec2> out{}, tangent{};  // out' = turn·tangent, tangent' = −turn·out
     Series<double> turn{};
-    Swing swing;
+    Loads loads;
     out[0] = guide.out;
     tangent[0] = perp(guide.out);
     turn[0] = dot(velocity - cross(guide.rate, guide.arm), tangent[0]) / radius;
@@ -136,11 +136,11 @@ Swing swing_curved(const Guide& guide, Vec2 normal, Vec2 velocity, const Drive& 
         const Vec2 turned = product(turn, tangent, k) / (k + 1);
         out[at(k + 1)] = turned;
         tangent[at(k + 1)] = perp(turned);
-        swing.force[at(k)] = force;
-        swing.push[at(k)] = side * bend;
+        loads.force[at(k)] = force;
+        loads.push[at(k)] = side * bend;
     }
-    for (int k = 0; k <= order; ++k) path.taylor[at(k)] = center[at(k)] + radius * out[at(k)];
-    return swing;
+    for (int k = 0; k <= order; ++k) displacement[at(k)] = center[at(k)] + radius * out[at(k)];
+    return loads;
 }
 
 /// How long the polynomial is good: its last terms stay below `error`.
@@ -244,13 +244,20 @@ RestingContact resting_contact_at(const Feature& feature, const Turning& turning
     return contact;
 }
 
+void ConstrainedPath::fly(const Flight& flight, double time) {
+    path.start = time;
+    path.flight = flight;
+    path.swing.clear();
+    until = never_touch;
+    spin_rate = 0;
+    roll = {};
+    separates = false;
+}
+
 double ConstrainedPath::spin_at(double spin, double time) const {
     const double t = time - path.start;
     if (roll != Vec2{}) return dot(roll, path.velocity(time));
-    if (!path.swings) return spin + spin_rate * t;
-    double sum = 0;
-    for (int k = order; k >= 1; --k) sum = t * (sum + spins[at(k)]);
-    return spin + sum;
+    return spin + (path.swings() ? path.swing[0].spin_change(t) : spin_rate * t);
 }
 
 namespace {
@@ -301,19 +308,20 @@ void swing(const RestingContact& contact, const Ball& ball, const Guide& guide, 
     Path& path = held.path;
     const double time = path.start;
     const Vec2 velocity = path.flight.velocity;
-    const Swing swing = guide.straight ? swing_straight(guide, contact.normal, velocity, drive, rub, path)
-                                       : swing_curved(guide, contact.normal, velocity, drive, rub, path);
-    path.flight = {guide.pivot + path.taylor[0], velocity, {}, 0};
+    Swing& swing = path.swing.emplace_back();
+    const Loads loads = guide.straight
+                            ? swing_straight(guide, contact.normal, velocity, drive, rub, swing.displacement)
+                            : swing_curved(guide, contact.normal, velocity, drive, rub, swing.displacement);
+    path.flight = {guide.pivot + swing.displacement[0], velocity, {}, 0};
     const double stop = contact.turning->rate_at(time) != 0 ? contact.turning->stop : never_touch;
-    const double good = time + good_for(path.taylor, 1e-17 * ball.radius);
+    const double good = time + good_for(swing.displacement, 1e-17 * ball.radius);
     const double h = std::min({good, stop, t1}) - time;
-    path.top_speed = path.top_acceleration = 0;
     double power = 1;
     for (int k = 1; k <= order; ++k, power *= h) {
-        path.top_speed += k * length(path.taylor[at(k)]) * power;
-        if (k < order) path.top_acceleration += (k + 1) * k * length(path.taylor[at(k + 1)]) * power;
+        swing.top_speed += k * length(swing.displacement[at(k)]) * power;
+        if (k < order) swing.top_acceleration += (k + 1) * k * length(swing.displacement[at(k + 1)]) * power;
     }
-    const double falls = time + first_below_zero(swing.force, h, patience);
+    const double falls = time + first_below_zero(loads.force, h, patience);
     held.until = std::min({good, stop, falls});
     held.separates = held.until == falls;
     if (contact.friction <= 0) return;
@@ -322,14 +330,14 @@ void swing(const RestingContact& contact, const Ball& ball, const Guide& guide, 
     const double sign = rub.slide > 0 ? 1 : -1;
     more[0] = sign * (along - ball.radius * ball.spin);
     for (int k = 0; k + 1 < order; ++k) {
-        const double rubbed = rub.slide * swing.force[at(k)];
-        held.spins[at(k + 1)] = (rub.rolls ? swing.push[at(k)] : 2 * rubbed) / (ball.radius * (k + 1));
+        const double rubbed = rub.slide * loads.force[at(k)];
+        swing.spin[at(k + 1)] = (rub.rolls ? loads.push[at(k)] : 2 * rubbed) / (ball.radius * (k + 1));
         if (!rub.rolls) {
-            more[at(k + 1)] = sign * (swing.push[at(k)] - 2 * rubbed) / (k + 1);
+            more[at(k + 1)] = sign * (loads.push[at(k)] - 2 * rubbed) / (k + 1);
             continue;
         }
-        more[at(k)] = contact.friction * swing.force[at(k)] + swing.push[at(k)] / 2;
-        less[at(k)] = contact.friction * swing.force[at(k)] - swing.push[at(k)] / 2;
+        more[at(k)] = contact.friction * loads.force[at(k)] + loads.push[at(k)] / 2;
+        less[at(k)] = contact.friction * loads.force[at(k)] - loads.push[at(k)] / 2;
     }
     double switches = never_touch;
     if (rub.rolls)
@@ -354,18 +362,11 @@ bool constrain(const RestingContact& contact, const Ball& ball, double time, dou
     const Vec2 n = contact.normal, tangent = perp(n);
     const Guide guide = guide_of(contact, ball, time);
     const double along = dot(ball.velocity - contact.surface_velocity, tangent);
-    held.until = never_touch;
-    held.separates = false;
-    held.spin_rate = 0;
-    held.roll = {};
-    held.spins = {};
+    held.fly({{}, along * tangent + contact.surface_velocity, {}, drive.drag}, time);
     Path& path = held.path;
-    path.start = time;
-    path.swings = !guide.straight || guide.rate != 0;
-    path.flight = {{}, along * tangent + contact.surface_velocity, {}, drive.drag};
     const Rub rub = rub_of(contact, ball, along, contact.driven);
     Patience patience;
-    if (path.swings) {
+    if (!guide.straight || guide.rate != 0) {
         swing(contact, ball, guide, rub, along, t1, drive, held, patience);
     } else {
         path.flight.position = guide.pivot + (guide.offset * n - guide.s * tangent);

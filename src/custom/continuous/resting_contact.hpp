@@ -53,11 +53,12 @@ struct ConstrainedPath {
     double until = never_touch;  ///< must be looked at again then; never_touch if not before t1
     double spin_rate = 0;        ///< rad/s², of a ball that slides along a still line
     Vec2 roll;                   ///< of one that rolls there: its spin is this times its velocity
-    std::array<double, taylor_order + 1> spins{};  ///< of one that swings: the series of its spin
+    bool separates = false;      ///< because the contact ends there
 
+    /// Begins anew, with a flight from `time` on.
+    void fly(const Flight& flight, double time);
     /// The spin at `time` of a ball that began the path with `spin`.
     [[nodiscard]] double spin_at(double spin, double time) const;
-    bool separates = false;  ///< because the contact ends there
 };
 
 /// The path of a resting ball from `time`; its normal speed against the surface is taken out. False when the

@@ -202,7 +202,7 @@ double search(MovingAt&& moving, GapOf&& gap_of, double radius, double rounding,
 double search_turning(const Feature& feature, Pose begin, double rate, double begin_time, const Path& path,
                       double radius, double t0, double t1, std::uint64_t* steps) {
     const double v = path.max_speed(t1), a = path.max_acceleration(t1), w = std::abs(rate);
-    const double drag = path.flight.drag, jerk = path.swings ? INFINITY : drag * a;
+    const double drag = path.flight.drag, jerk = path.swings() ? INFINITY : drag * a;
     const auto moving = [&](double t) {
         const auto [p, u] = path.at(t);
         const Pose pose{begin.pivot, begin.angle + rate * (t - begin_time)};
@@ -292,7 +292,7 @@ double time_of_impact(const Feature& feature, const Turning& turning, const Path
         return time_of_impact(posed(feature, turning.pose(t0)), {}, path, radius, t0, t1, steps);
     }
     const Flight& flight = path.flight;
-    if (path.swings) return search_impact(feature, turning, path, radius, t0, t1, steps);
+    if (path.swings()) return search_impact(feature, turning, path, radius, t0, t1, steps);
     if (const auto* line = std::get_if<Line>(&feature.is)) return touch_line(*line, path, radius, t0, t1);
     if (const auto* circle = std::get_if<Circle>(&feature.is);
         circle && flight.acceleration == Vec2{} && flight.drag <= 0) {
@@ -306,9 +306,9 @@ double time_of_impact(const Feature& feature, const Turning& turning, const Path
 
 double time_of_impact(const Path& a, const Path& b, double radii, double t0, double t1,
                       std::uint64_t* steps) {
-    const bool alike = !a.swings && !b.swings && a.flight.acceleration == b.flight.acceleration &&
+    const bool alike = !a.swings() && !b.swings() && a.flight.acceleration == b.flight.acceleration &&
                        a.flight.drag == b.flight.drag;
-    if (!alike && !a.swings && !b.swings && a.flight.drag <= 0 && b.flight.drag <= 0) {
+    if (!alike && !a.swings() && !b.swings() && a.flight.drag <= 0 && b.flight.drag <= 0) {
         const Vec2 p = a.position(t0) - b.position(t0), v = a.velocity(t0) - b.velocity(t0);
         const double t =
             t0 + first_fall(squared_gap(p, v, a.flight.acceleration - b.flight.acceleration, radii), t1 - t0);

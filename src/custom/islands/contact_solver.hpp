@@ -58,7 +58,7 @@ class ContactSolver {
         With with = With::ball;
         bool bounces = false;  ///< is met too fast to press: an event will see to it
 
-        std::uint32_t a = 0, b = 0;
+        std::uint32_t a = 0, b = 0;  ///< by which its force is remembered
 
         // Found by solve().
         Vec2 found_at;                  ///< of the upper body

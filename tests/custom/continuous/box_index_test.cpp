@@ -7,6 +7,8 @@
 namespace flipside::custom {
 namespace {
 
+constexpr Box nowhere{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+
 double number() {
     return *rc::gen::inRange(-60, 61) * 0.125;
 }
@@ -29,31 +31,44 @@ std::vector<std::uint32_t> found_one_by_one(const BoxIndex& index, const Box& bo
     return found;
 }
 
-// Whatever lies outside the range, touches a border, is moved or taken away.
+// Whatever lies outside the range, touches a border, covers everything or is empty.
 RC_GTEST_PROP(BoxIndex, FindsWhatTestingEachFinds, ()) {
-    const auto count = *rc::gen::inRange<std::size_t>(1, 150);
-    BoxIndex index({{-4, -3}, {5, 4}}, count);
-    for (std::size_t i = 0; i < count; ++i) index.set(i, any_box());
+    std::vector<Box> boxes(*rc::gen::inRange<std::size_t>(1, 150));
+    for (Box& box : boxes) box = *rc::gen::inRange(0, 9) == 0 ? nowhere : any_box();
+    const BoxIndex index({{-4, -3}, {5, 4}}, boxes);
     for (int round = 0; round < 8; ++round) {
-        const auto moved = *rc::gen::inRange<std::size_t>(0, count);
-        index.set(moved, *rc::gen::inRange(0, 3) == 0 ? BoxIndex::nowhere : any_box());
         const Box box = any_box();
         RC_ASSERT(found_by(index, box) == found_one_by_one(index, box));
     }
 }
 
 TEST(BoxIndex, OfNothingFindsNothing) {
-    EXPECT_TRUE(found_by(BoxIndex({{0, 0}, {1, 1}}, 0), {{0, 0}, {1, 1}}).empty());
+    EXPECT_TRUE(found_by(BoxIndex({{0, 0}, {1, 1}}, {}), {{0, 0}, {1, 1}}).empty());
 }
 
 TEST(BoxIndex, ARangeWithoutSizeAndABoxWithoutEndAreNoMatter) {
-    BoxIndex index({{1, 1}, {1, 1}}, 3);
     const Box everywhere{{-INFINITY, -INFINITY}, {INFINITY, INFINITY}};
-    index.set(0, everywhere);
-    index.set(2, {{1, 1}, {2, 2}});
+    const BoxIndex index({{1, 1}, {1, 1}}, {everywhere, nowhere, {{1, 1}, {2, 2}}});
     EXPECT_EQ(found_by(index, {{1.5, 1.5}, {1.6, 1.6}}), (std::vector<std::uint32_t>{0, 2}));
     EXPECT_EQ(found_by(index, {{5, 5}, {6, 6}}), std::vector<std::uint32_t>{0});
     EXPECT_EQ(found_by(index, everywhere), (std::vector<std::uint32_t>{0, 2}));
+}
+
+// A hundred times as many boxes in a hundred times the place: about as many tests each.
+TEST(BoxIndex, ASearchCostsTheSameHoweverManyBoxesLieElsewhere) {
+    const auto tests_among = [](int in_a_row) {
+        std::vector<Box> boxes;
+        for (int i = 0; i < in_a_row * in_a_row; ++i) {
+            const Vec2 corner{static_cast<double>(i % in_a_row), static_cast<double>(i / in_a_row)};
+            boxes.push_back({corner, corner + Vec2{0.5, 0.5}});
+        }
+        const auto side = static_cast<double>(in_a_row);
+        boxes.push_back({{0, 0}, {side, 0.1}});
+        const BoxIndex index({{0, 0}, {side, side}}, boxes);
+        std::vector<std::uint32_t> found;
+        return index.find({{5.2, 5.2}, {6.2, 6.2}}, found);
+    };
+    EXPECT_LE(tests_among(100), tests_among(10) + 2);
 }
 
 }  // namespace

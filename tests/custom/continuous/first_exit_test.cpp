@@ -74,13 +74,13 @@ TEST(FirstExit, Grazes) {
 /// x(t) = Σ series[k]·t^k, y = ½.
 Path polynomial(std::initializer_list<double> series) {
     Path path;
-    path.swings = true;
+    Swing& swing = path.swing.emplace_back();
     std::size_t k = 0;
     for (const double c : series) {
         if (k == 0)
             path.flight.position = {c, 0.5};
         else
-            path.taylor[k] = {c, 0};
+            swing.displacement[k] = {c, 0};
         ++k;
     }
     return path;

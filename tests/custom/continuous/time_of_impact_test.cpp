@@ -140,11 +140,11 @@ TEST(TimeOfImpact, WhatHoversComesDown) {
         for (const double down : {0.1 * end, 0.5 * end, 0.9 * end}) {
             Path path;
             path.flight.position = {0, radius + hair};
-            path.swings = true;
-            path.taylor[1] = {1, 0};
-            path.taylor[2] = {0, -hair / (down * down)};
-            path.top_speed = 1;
-            path.top_acceleration = 1000;
+            Swing& swing = path.swing.emplace_back();
+            swing.displacement[1] = {1, 0};
+            swing.displacement[2] = {0, -hair / (down * down)};
+            swing.top_speed = 1;
+            swing.top_acceleration = 1000;
             // Positions of half a decimetre are rounded to 1e-17.
             EXPECT_NEAR(time_of_impact(floor, {}, path, radius, 0, end), down, 1e-9 + 2e-17 / hair * down)
                 << hair << " " << down;
