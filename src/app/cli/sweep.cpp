@@ -24,6 +24,7 @@ struct SweepOptions {
     std::vector<std::string> scenes;
     int balls = 0;
     std::vector<std::string> contenders, engines;
+    std::vector<std::string> defined;  ///< contenders, as texts
     int finest = sweep::finest_steps;
     bool quick = false;
     std::string shard = "1/1";
@@ -102,6 +103,17 @@ int tune(const SweepOptions& options) {
     return run_tuning(request, sweep::variants_of(options.scenes, options.balls), folder);
 }
 
+/// Contenders with a step and settings of their own.
+void add_defined(sweep::Plan& plan, const std::vector<std::string>& texts) {
+    for (const lab::ContenderRequest& request : lab::parse_contenders(texts)) {
+        const sweep::Contender& contender = sweep::add_contender(request);
+        if (sweep::steps_of(contender, plan).empty())
+            throw InputError("contender '" + request.name + "': its step is shorter than the sweep's 1/" +
+                             std::to_string(plan.finest) + " s");
+        plan.contenders.push_back(&contender);
+    }
+}
+
 int run_sweep(const SweepOptions& options) {
     if (!options.tune.empty()) return tune(options);
     const sweep::Shard shard = parse_shard(options.shard);
@@ -113,6 +125,7 @@ int run_sweep(const SweepOptions& options) {
     if (!options.contenders.empty()) plan.contenders.clear();
     for (const std::string& name : options.contenders)
         plan.contenders.push_back(&sweep::contender_named(name));
+    add_defined(plan, options.defined);
     const std::filesystem::path folder = options.out;
     require_distinct(files_of(options));
     {
@@ -152,6 +165,10 @@ void add_sweep(CLI::App& program, Action& chosen) {
                     "Only these (default: all; plan.json describes them); libraries by their paths")
         ->delimiter(',')
         ->type_name("A,B");
+    command
+        .add_option("--contender", options->defined,
+                    "And this one, with settings and, if it says so, a step of its own; given once for each")
+        ->type_name("NAME=E[,dt=H][,K=V]...");
     add_libraries(command, options->engines);
     command.add_option("--finest", options->finest, "Steps per second at most (default 7680)")
         ->check(number_from(sweep::coarsest_steps, sweep::finest_steps))
@@ -166,6 +183,7 @@ void add_sweep(CLI::App& program, Action& chosen) {
         .add_option("--tune", options->tune,
                     "Instead of a sweep, search this engine's cheapest settings and step for each scene")
         ->excludes("--contenders")
+        ->excludes("--contender")
         ->excludes("--shard")
         ->type_name("ENGINE");
     command

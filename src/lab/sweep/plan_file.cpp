@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 const fs::path file_name = "plan.json";
-constexpr const char *plan_format = "flipside-sweep/4", *plan_origin = "plan";
+constexpr const char *plan_format = "flipside-sweep/5", *plan_origin = "plan";
 
 /// Numbers stay so small that nothing that is reckoned from them overflows.
 constexpr std::string_view plan_schema = R"({
@@ -27,7 +27,7 @@ constexpr std::string_view plan_schema = R"({
   "required": ["format", "commit", "seed", "blocks", "windows_per_block", "timed_per_block", "repetitions",
                "finest_steps_per_second", "most_work", "variants", "contenders"],
   "properties": {
-    "format": {"const": "flipside-sweep/4"},
+    "format": {"const": "flipside-sweep/5"},
     "commit": {"type": "string"},
     "seed": {"type": "integer", "minimum": 0, "maximum": 9007199254740991},
     "blocks": {"type": "integer", "minimum": 1, "maximum": 10000},
@@ -53,12 +53,15 @@ constexpr std::string_view plan_schema = R"({
     "contenders": {"type": "array", "minItems": 1, "maxItems": 100, "items": {
       "type": "object",
       "additionalProperties": false,
-      "required": ["name", "engine", "settings", "about"],
+      "required": ["name", "engine", "settings", "coarsest_steps_per_second", "finest_steps_per_second",
+                   "about"],
       "properties": {
-        "name": {"type": "string"},
-        "engine": {"type": "string"},
-        "settings": {"type": "string"},
-        "about": {"type": "string"},
+        "name": {"type": "string", "minLength": 1, "maxLength": 255},
+        "engine": {"type": "string", "maxLength": 255},
+        "settings": {"type": "string", "maxLength": 2000},
+        "coarsest_steps_per_second": {"type": "integer", "minimum": 30, "maximum": 7680},
+        "finest_steps_per_second": {"type": "integer", "minimum": 30, "maximum": 7680},
+        "about": {"type": "string", "maxLength": 5000},
         "file_xxh3": {"type": "string"}
       }}}
   }
@@ -98,12 +101,22 @@ std::string file_checksum(const Contender& contender) {
 const Contender* parse_contender(const Node& node) {
     // A name and not a path: reading a plan loads nothing.
     require_plain_name(node);
-    const Contender& contender = contender_named(node.text("name"));
-    if (node.text("engine") != contender.engine || node.text("settings") != contender.settings ||
-        node.text("file_xxh3") != file_checksum(contender))
-        node.fail("is another contender than " + std::string(contender.name) +
+    const int coarsest = static_cast<int>(node.integer("coarsest_steps_per_second"));
+    const int finest = static_cast<int>(node.integer("finest_steps_per_second"));
+    const Contender* contender = find_contender(node.text("name"));
+    try {
+        if (contender == nullptr)
+            contender = &add_contender(node.text("name"), node.text("engine"), node.text("settings"),
+                                       coarsest, finest, printable(node.text("about")));
+    } catch (const InputError& error) {
+        node.fail(error.what());
+    }
+    if (node.text("engine") != contender->engine || node.text("settings") != contender->settings ||
+        coarsest != contender->coarsest || finest != contender->finest ||
+        node.text("file_xxh3") != file_checksum(*contender))
+        node.fail("is another contender than " + std::string(contender->name) +
                   " of this version; allowed is the same one");
-    return &contender;
+    return contender;
 }
 
 void require_different_names(const Node& root, const Plan& plan) {
@@ -134,6 +147,8 @@ std::string to_json(const Plan& plan) {
         all.push_back({{"name", contender->name},
                        {"engine", contender->engine},
                        {"settings", contender->settings},
+                       {"coarsest_steps_per_second", contender->coarsest},
+                       {"finest_steps_per_second", contender->finest},
                        {"about", contender->about}});
         if (const std::string sum = file_checksum(*contender); !sum.empty()) all.back()["file_xxh3"] = sum;
     }

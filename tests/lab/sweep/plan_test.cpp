@@ -44,6 +44,48 @@ TEST(SweepPlan, ContendersHaveNamesOfTheirOwnAndSettingsThatTheirEnginesKnow) {
     EXPECT_THROW(static_cast<void>(contender_named("box3d")), InputError);
 }
 
+const Contender& defined(const std::string& text) {
+    return add_contender(parse_contenders({&text, 1}).front());
+}
+
+TEST(SweepPlan, AContenderOfOnesOwnIsSweptAtItsStepOrAtAll) {
+    const Contender& one = defined("mine=box2d,dt=1/240,bullets=off,substeps=2");
+    EXPECT_EQ(steps_of(one, Plan{}), std::vector<double>{1.0 / 240});
+    const auto scene = load(standard_variants().front());
+    EXPECT_EQ(settings_of(one, *scene).text("bullets"), "off");
+    EXPECT_EQ(settings_of(one, *scene).integer("substeps"), 2);
+    EXPECT_EQ(&contender_named("mine"), &one);
+    EXPECT_EQ(&defined("mine=box2d,dt=1/240,bullets=off,substeps=2"), &one);
+    EXPECT_EQ(steps_of(defined("at-all=custom"), Plan{}).size(), 9U);
+}
+
+TEST(SweepPlan, AContenderOfOnesOwnComesBackFromThePlan) {
+    Plan plan{.variants = standard_variants()};
+    plan.contenders = {&contender_named("box2d"), &defined("kept=box2d,dt=1/120,chord_error=1e-6")};
+    EXPECT_EQ(parse_plan(to_json(plan), "plan.json").contenders, plan.contenders);
+    std::string text = to_json(plan);
+    const auto swapped = [&](const std::string& from, const std::string& to) {
+        std::string other = text;
+        return other.replace(other.find(from), from.size(), to);
+    };
+    const auto read = parse_plan(swapped("\"kept\"", "\"unheard-of\""), "plan.json");
+    EXPECT_EQ(read.contenders[1]->name, "unheard-of");
+    EXPECT_EQ(read.contenders[1]->settings, "chord_error=1e-6");
+    for (const auto& [from, to] : {std::pair("chord_error=1e-6", "chord_error=-1"),
+                                   {"chord_error=1e-6", "chord=1e-6"},
+                                   {"chord_error=1e-6", ""},
+                                   {": 120", ": 130"}})
+        EXPECT_THROW(static_cast<void>(parse_plan(swapped(from, to), "plan.json")), InputError) << to;
+}
+
+TEST(SweepPlan, ANameHasOneMeaningAndWindowsHaveWholeSteps) {
+    EXPECT_THROW(defined("box2d=box2d,substeps=4"), InputError);
+    static_cast<void>(defined("taken=box2d,substeps=4"));
+    EXPECT_THROW(defined("taken=box2d,substeps=5"), InputError);
+    for (const char* step : {"1/37", "0.05", "1/15", "1/15360"})
+        EXPECT_THROW(defined(std::string("odd=custom,dt=") + step), InputError) << step;
+}
+
 TEST(SweepPlan, ThinsWhereManyBallsTakeManySteps) {
     const Plan plan{.most_work = 8'000};
     EXPECT_EQ(thinning(plan, 1, 0.5, 1.0 / 7680), 1U);
