@@ -71,6 +71,7 @@ int command_line(int argc, char** argv) {
     app::Action chosen;
     app::add_play(program, chosen);
     app::add_run(program, chosen);
+    app::add_bot(program, chosen);
     app::add_compare(program, chosen);
     app::add_certify(program, chosen);
     app::add_trace(program, chosen);
@@ -80,6 +81,7 @@ int command_line(int argc, char** argv) {
     app::add_sweep(program, chosen);
     app::add_hunt(program, chosen);
     app::add_report(program, chosen);
+    app::add_replay(program, chosen);
     app::add_render(program, chosen);
     app::add_scenes(program, chosen);
     app::add_engines(program, chosen);

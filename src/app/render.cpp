@@ -43,6 +43,7 @@ std::vector<std::string> named_settings(const RenderOptions& options) {
 int render(const RenderOptions& options) {
     Look look;
     look.shows = parse_shows(options.show);
+    look.artwork = options.artwork;
     Stage stage(options.scene, options.engine, options.view, named_settings(options), options.script, {},
                 options.dt);
     stage.run_until(options.at);

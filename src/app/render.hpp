@@ -20,6 +20,7 @@ struct RenderOptions {
     std::vector<std::string> show;      ///< overlays: boxes, cells, …
     std::vector<std::string> settings;  ///< "ENGINE.NAME=VALUE", or "NAME=VALUE" for `engine`
     std::optional<std::filesystem::path> script;
+    bool artwork = true;
     unsigned width = 1280, height = 800;  ///< px
 };
 

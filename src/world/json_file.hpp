@@ -56,6 +56,7 @@ class Node {
         : value_(&value), file_(&file), pointer_(std::move(pointer)) {}
 
     [[nodiscard]] const Json& json() const { return *value_; }
+    [[nodiscard]] const std::string& file() const { return *file_; }
     [[nodiscard]] const std::string& pointer() const { return pointer_; }
     [[nodiscard]] bool has(const char* key) const { return value_->contains(key); }
     [[nodiscard]] std::size_t size() const { return value_->size(); }

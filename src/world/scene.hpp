@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -127,6 +128,9 @@ struct Scene {
     std::optional<Box> camera;  ///< what the window should show; bounds otherwise
     /// Recommended settings: engine → setting → value as on the command line. "run" holds "dt".
     std::map<std::string, std::map<std::string, std::string>> recommend;
+    /// The scene file that it was read from, as JSON in one line; null for a scene that was made otherwise.
+    /// Whoever changes the scene does not change this.
+    std::shared_ptr<const std::string> document;
 };
 
 }  // namespace flipside

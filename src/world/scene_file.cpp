@@ -95,10 +95,10 @@ std::string setting_text(const Json& value) {
     return value.dump();
 }
 
-Scene read_scene(const Json& document, const std::string& file) {
-    check_form(document, scene_schema, file);
-    const Node root(document, file);
+Scene read_scene(const Node& root) {
+    check_form(root, scene_schema);
     Scene scene;
+    scene.document = std::make_shared<const std::string>(json_text(root.json()));
     SceneReader reader(scene);
     scene.name = root.text("name");
     scene.about = root.text("about");
@@ -134,7 +134,12 @@ Box read_box(const Node& node) {
 }
 
 Scene parse_scene(std::string_view text, const std::string& file) {
-    return read_scene(parse_json(text, file), file);
+    const Json document = parse_json(text, file);
+    return read_scene(Node(document, file));
+}
+
+Scene parse_scene(const Node& node) {
+    return read_scene(node);
 }
 
 Scene load_scene(const std::filesystem::path& file) {
@@ -151,7 +156,7 @@ Scene load_scene(const std::filesystem::path& file, int count) {
         throw InputError(name, "/generate", "no field is generated here whose balls could be counted anew");
     (*field)["balls"] = count;
     document["generate"] = generators;
-    return read_scene(document, name);
+    return read_scene(Node(document, name));
 }
 
 }  // namespace flipside

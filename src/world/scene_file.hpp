@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "world/json_file.hpp"
 #include "world/scene.hpp"
 
 namespace flipside {
@@ -13,6 +14,9 @@ namespace flipside {
 [[nodiscard]] Scene load_scene(const std::filesystem::path& file);
 /// The same from text; `file` is only named in errors.
 [[nodiscard]] Scene parse_scene(std::string_view text, const std::string& file);
+
+/// The same from a part of a document, whose form need not have been checked.
+[[nodiscard]] Scene parse_scene(const Node& node);
 
 /// The same scene with its generated field (see "generate" in the schema) made for `count` balls.
 /// Throws InputError where the scene generates no field.

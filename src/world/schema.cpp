@@ -121,8 +121,8 @@ class Form {
     explicit Form(std::string_view text) : root_(Json::parse(text)) {}
 
     /// Asks valijson, and finds the smallest wrong part.
-    void check(const Json& document, const std::string& file) {
-        if (!passes(root_, document)) refuse_smallest(root_, document, file, "");
+    void check(const Node& node) {
+        if (!passes(root_, node.json())) refuse_smallest(root_, node.json(), node.file(), node.pointer());
     }
 
   private:
@@ -161,12 +161,16 @@ class Form {
 }  // namespace
 
 void check_form(const Json& document, std::string_view schema, const std::string& file) {
+    check_form(Node(document, file), schema);
+}
+
+void check_form(const Node& node, std::string_view schema) {
     // To parse a schema takes longer than to check most files, so each is kept. A sweep checks thousands of
     // states.
     static std::mutex mutex;
     static std::map<std::string_view, Form> forms;
     const std::lock_guard lock(mutex);
-    forms.try_emplace(schema, schema).first->second.check(document, file);
+    forms.try_emplace(schema, schema).first->second.check(node);
 }
 
 }  // namespace flipside

@@ -1,9 +1,9 @@
 #include "world/state_file.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <map>
 
+#include "world/ball_json.hpp"
 #include "world/schema.hpp"
 #include "world/table.hpp"
 
@@ -14,25 +14,6 @@ namespace {
 constexpr const char* state_format = "flipside-state/1";
 constexpr const char* side_names[] = {"left", "right"};
 
-Json to_json(Vec2 v) {
-    return {v.x, v.y};
-}
-
-Json to_json(const Ball& ball, const Scene& scene) {
-    Json json = {{"number", ball.number},
-                 {"position", to_json(ball.position)},
-                 {"velocity", to_json(ball.velocity)},
-                 {"angle", ball.angle},
-                 {"spin", ball.spin},
-                 {"radius", ball.radius},
-                 {"mass", ball.mass},
-                 {"layer", ball.layer},
-                 {"collides_with", ball.collides_with},
-                 {"asleep", ball.asleep}};
-    if (ball.material != 0) json["material"] = scene.materials[ball.material].name;
-    return json;
-}
-
 Clock read_clock(const Node& root) {
     const Clock clock{root.real("time"), root.real("time_remainder", 0)};
     const double ulp = std::nextafter(clock.time, INFINITY) - clock.time;
@@ -40,34 +21,6 @@ Clock read_clock(const Node& root) {
         root.fail("time_remainder", "is more than the rounding of the time; allowed: from -" +
                                         Json(ulp).dump() + " to " + Json(ulp).dump());
     return clock;
-}
-
-std::uint32_t read_material(const Node& node, const Scene& scene) {
-    if (!node.has("material")) return 0;
-    const std::string name = node.text("material");
-    const auto found = std::find_if(scene.materials.begin() + 1, scene.materials.end(),
-                                    [&](const Material& material) { return material.name == name; });
-    if (found == scene.materials.end())
-        node.fail("material", in_quotes(name) + " is no material of this scene; allowed: " +
-                                  names_of(scene.materials, [](const Material& m) { return m.name; }));
-    return static_cast<std::uint32_t>(found - scene.materials.begin());
-}
-
-Ball read_ball(const Node& node, const Scene& scene) {
-    Ball ball;
-    ball.number = static_cast<BallNumber>(node.integer("number"));
-    ball.position = node.vector("position");
-    ball.velocity = node.vector("velocity");
-    ball.angle = node.real("angle", 0);
-    ball.spin = node.real("spin", 0);
-    ball.radius = node.real("radius");
-    ball.mass = node.real("mass");
-    ball.material = read_material(node, scene);
-    ball.layer = static_cast<std::uint32_t>(node.integer("layer", ball.layer));
-    ball.collides_with = static_cast<std::uint32_t>(node.integer("collides_with", ball.collides_with));
-    ball.asleep = node.toggle("asleep");
-    if (!std::has_single_bit(ball.layer)) node.fail("layer", "is not one bit; allowed: a power of two");
-    return ball;
 }
 
 std::vector<Ball> read_balls(const Node& root, const Scene& scene) {

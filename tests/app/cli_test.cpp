@@ -38,6 +38,9 @@ TEST_F(CommandLine, BadUsageIsExitTwoAndOneLine) {
     expect_refused("cases perpetuum-mobile", 2, "galperin");
     expect_refused("cases --engine newton", 2, "box2d");
     expect_refused("cases --dt 2", 2, "1e-6");
+    expect_refused("bot pinball", 2, "--engine");
+    expect_refused("bot toy --engine custom", 2, "rules");
+    expect_refused("bot pinball --engine custom --games 0", 2, "--games");
     expect_refused("somersault", 2, "compare");
 }
 
@@ -52,7 +55,7 @@ TEST_F(CommandLine, WhatCannotBeDoneIsExitOne) {
 
 TEST_F(CommandLine, HelpIsNoError) {
     for (const char* command : {"", "run ", "compare ", "play ", "render ", "check ", "scenes ", "engines ",
-                                "pairs ", "cases ", "report "}) {
+                                "pairs ", "cases ", "report ", "bot "}) {
         const Result result = flipside(command + std::string("--help"));
         EXPECT_EQ(result.code, 0) << command;
         EXPECT_NE(result.out.find("Usage"), std::string::npos) << command;

@@ -173,6 +173,7 @@ TEST(Kept, ComesBackAsItWas) {
     kept.contenders = {"a=custom,dt=0.016666666666666666,solver=simple", "b=reference"};
     kept.look.shows.set(3);
     kept.look.random_colours = true;
+    kept.look.artwork = false;
     kept.panel_open = false;
     kept.plots = PlotChoice::tests;
     kept.strip = 201.5;

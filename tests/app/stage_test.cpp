@@ -216,13 +216,13 @@ TEST(Stage, WaitsForTheReferenceWithAllItsRunsAndWithWhatIsPressed) {
             EXPECT_TRUE(stage.under_way());
             for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(time_of(i), before);
             if (portions == 0) stage.press(control::Nudge{{3, 0}});
-            for (const auto& run : stage.runs()) EXPECT_TRUE(run.session().recording().empty());
+            for (const auto& run : stage.runs()) EXPECT_TRUE(run.session().recording().controls().empty());
         }
     }
     EXPECT_FALSE(stage.under_way());
     for (const auto& run : stage.runs()) {
-        ASSERT_EQ(run.session().recording().size(), 1U);
-        EXPECT_EQ(run.session().recording()[0].time, stage.time());
+        ASSERT_EQ(run.session().recording().controls().size(), 1U);
+        EXPECT_EQ(run.session().recording().controls()[0].time, stage.time());
     }
 }
 
@@ -234,7 +234,7 @@ TEST(Stage, HidesTheReferenceInTheMiddleOfItsStep) {
     stage.show_reference(false);
     EXPECT_FALSE(stage.under_way());
     stage.step();
-    for (const auto& run : stage.runs()) EXPECT_EQ(run.session().recording().size(), 1U);
+    for (const auto& run : stage.runs()) EXPECT_EQ(run.session().recording().controls().size(), 1U);
 }
 
 TEST(Stage, TheNextBallPartsAnew) {

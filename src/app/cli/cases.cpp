@@ -164,7 +164,7 @@ void add_cases(CLI::App& program, Action& chosen) {
     CLI::App& command = *program.add_subcommand(
         "cases", "Run experiments with known answers: expected against measured (exit 1 where one failed)");
     command.add_option("names", options->names, "Names or numbers (default: all; --list shows them)")
-        ->type_name("NAME");
+        ->type_name("CASE");
     command.add_option("--engine", options->engine, "The engine (see `flipside engines`)")
         ->capture_default_str()
         ->type_name("E");

@@ -13,6 +13,7 @@ using Action = std::function<int()>;
 
 void add_play(CLI::App& program, Action& chosen);
 void add_run(CLI::App& program, Action& chosen);
+void add_bot(CLI::App& program, Action& chosen);
 void add_compare(CLI::App& program, Action& chosen);
 void add_certify(CLI::App& program, Action& chosen);
 void add_trace(CLI::App& program, Action& chosen);
@@ -22,6 +23,7 @@ void add_pairs(CLI::App& program, Action& chosen);
 void add_sweep(CLI::App& program, Action& chosen);
 void add_hunt(CLI::App& program, Action& chosen);
 void add_report(CLI::App& program, Action& chosen);
+void add_replay(CLI::App& program, Action& chosen);
 void add_render(CLI::App& program, Action& chosen);
 void add_scenes(CLI::App& program, Action& chosen);
 void add_engines(CLI::App& program, Action& chosen);

@@ -188,7 +188,7 @@ void add_compare(CLI::App& program, Action& chosen) {
             .add_option("--engines", options->engines, "The engines; the others are held against the first")
             ->delimiter(',')
             ->allow_extra_args(false)
-            ->type_name("A,B,...");
+            ->type_name("E,E,...");
     add_contenders(command, options->contenders)->excludes(engines);
     command.add_option("--json", options->json, "Everything found, as JSON")->type_name("FILE");
     command.callback([options, &chosen] { chosen = [options] { return compare(*options); }; });

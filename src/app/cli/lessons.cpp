@@ -67,7 +67,7 @@ void add_lessons(CLI::App& program, Action& chosen) {
     CLI::App& command = *program.add_subcommand(
         "lessons", "List the lessons, a line each; open one in the window; or verify what they claim");
     command.add_option("name", options->name, "A lesson's name or number, or the path of its file")
-        ->type_name("NAME");
+        ->type_name("LESSON");
     command.add_flag(
         "--check", options->check,
         "Make the runs behind every claim, and say whether it holds (exit 1 where one does not)");

@@ -6,6 +6,7 @@
 #include "app/cli/run_options.hpp"
 #include "lab/files/csv.hpp"
 #include "lab/files/whole_file.hpp"
+#include "lab/replay/replay.hpp"
 #include "lab/session/run_figures.hpp"
 #include "world/state_file.hpp"
 
@@ -15,12 +16,16 @@ namespace {
 
 struct SingleRunOptions : RunOptions {
     std::string engine;
-    std::string from, out, events, stats, save;  ///< files; "" where not asked for
+    std::string from, out, events, stats, save, replay;  ///< files; "" where not asked for
     std::uint64_t every = 1;
 
     [[nodiscard]] FilesOfCommand files() const {
         FilesOfCommand files{inputs(),
-                             {{"--out", out}, {"--events", events}, {"--stats", stats}, {"--save", save}}};
+                             {{"--out", out},
+                              {"--events", events},
+                              {"--stats", stats},
+                              {"--save", save},
+                              {"--replay", replay}}};
         files.inputs.push_back({"--from", from});
         return files;
     }
@@ -79,8 +84,12 @@ int run_scene(const SingleRunOptions& options) {
     const std::string stats = to_json(lab::figures_of(session, options.seconds, energy_first));
     if (!options.stats.empty()) lab::write_whole_file(options.stats, stats);
     if (!options.save.empty()) lab::write_whole_file(options.save, to_json(session.world().save(), *scene));
-    const bool silent =
-        options.out.empty() && options.events.empty() && options.stats.empty() && options.save.empty();
+    if (!options.replay.empty()) {
+        const lab::RecordedRun recorded{std::string(session.engine().name), &session, timeline.dt()};
+        lab::write_whole_file(options.replay, to_json(lab::replay_of({&recorded, 1})));
+    }
+    const bool silent = options.out.empty() && options.events.empty() && options.stats.empty() &&
+                        options.save.empty() && options.replay.empty();
     if (silent) print_text(stats);
     return 0;
 }
@@ -108,6 +117,8 @@ void add_run(CLI::App& program, Action& chosen) {
         ->type_name("JSON");
     command.add_option("--save", options->save, "State at the end, to go on from with --from")
         ->type_name("STATE");
+    command.add_option("--replay", options->replay, "All of the run, for `flipside replay`")
+        ->type_name("FILE");
     command.callback([options, &chosen] { chosen = [options] { return run_scene(*options); }; });
 }
 

@@ -77,7 +77,7 @@ void add_play(CLI::App& program, Action& chosen) {
         .add_option_function<std::string>(
             "--lesson", [options](const std::string& name) { options->lesson = lab::lesson_file(name); },
             "Open a lesson (see `flipside lessons`) instead of the scene")
-        ->type_name("NAME");
+        ->type_name("LESSON");
     command.add_option("--report", options->report, "Write the window's state there, a JSON line a frame")
         ->type_name("FILE");
     command
@@ -120,6 +120,7 @@ void add_render(CLI::App& program, Action& chosen) {
         ->delimiter(',')
         ->allow_extra_args(false)
         ->type_name("A,B,...");
+    command.add_flag("!--no-artwork", options.artwork, "Parts and balls alone, on a plain ground");
     command.add_option("--set", options.settings, "A setting; may be given several times")
         ->allow_extra_args(false)
         ->type_name("E.K=V");

@@ -175,7 +175,7 @@ void App::keep() {
         kept_.scene = known ? name : absolute(lab::scene_file(name)).string();
         kept_.view = stage_.view();
         kept_.plots = controls_.plots;
-        kept_.look = {look.shows, look.random_colours};
+        kept_.look = {look.shows, look.random_colours, look.artwork};
         kept_.contenders.clear();
         for (const lab::Contender& contender : stage_.contenders())
             kept_.contenders.push_back(text_of(contender, stage_.scene()));
@@ -275,11 +275,13 @@ void App::draw() {
                       controls_.plots,
                       {double(sf::Mouse::getPosition(window_).x), double(sf::Mouse::getPosition(window_).y)}};
     for (const double score : scores_) readings.scores.push_back(std::lround(std::floor(score)));
-    screen_->draw(window_, stage_, layout_, camera_, controls_.look, readings,
-                  inside ? &microscope_ : nullptr);
+    Look look = controls_.look;
+    look.artwork = look.artwork && !controls_.artwork_left_out;
+    screen_->draw(window_, stage_, layout_, camera_, look, readings, inside ? &microscope_ : nullptr);
     imgui_.end_frame();
     if (screenshot_wanted_) save_screenshot();
     if (export_wanted_) export_plots();
+    if (controls_.save_wanted && !stage_.under_way()) save_game();
 }
 
 /// "flipside-1.png", or the next number for which there is none of these files.
@@ -347,6 +349,20 @@ void App::export_plots() {
     }
 }
 
+/// As a replay, beside the pictures.
+void App::save_game() {
+    controls_.save_wanted = false;
+    constexpr std::string_view ending = ".flipside-replay";
+    const std::filesystem::path file = free_name("game-", {ending}).replace_extension(ending);
+    try {
+        lab::write_whole_file(file, to_json(stage_.game()));
+        state_.last_game = std::filesystem::absolute(file).string();
+        controls_.notice = "Saved " + state_.last_game;
+    } catch (const std::runtime_error& error) {
+        controls_.notice = error.what();
+    }
+}
+
 void App::measure(double frame, double busy) {
     measured_.seconds += frame;
     measured_.busy += busy;
@@ -356,6 +372,8 @@ void App::measure(double frame, double busy) {
              measured_.physics / measured_.seconds, measured_.asked / measured_.seconds,
              measured_.simulated / measured_.seconds};
     for (Run& run : stage_.runs()) run.refresh(measured_.seconds);
+    if (controls_.look.artwork) budget_.observe(measured_.seconds, load_.frames_per_second, load_.physics);
+    controls_.artwork_left_out = !budget_.affords_artwork();
     measured_ = {};
 }
 

@@ -20,6 +20,7 @@
 #include "app/window/lesson_tab.hpp"
 #include "app/window/microscope.hpp"
 #include "app/window/mouse.hpp"
+#include "app/window/playfield/frame_budget.hpp"
 #include "app/window/screen.hpp"
 #include "app/window/window_report.hpp"
 
@@ -58,6 +59,7 @@ class App {
     void count_up(double seconds);
     void save_screenshot();
     void export_plots();
+    void save_game();
     [[nodiscard]] sf::Image picture() const;
     [[nodiscard]] std::filesystem::path free_name(const std::string& stem,
                                                   std::initializer_list<std::string_view> endings) const;
@@ -95,6 +97,7 @@ class App {
     bool export_wanted_ = false;
 
     Load load_;
+    FrameBudget budget_;
     struct {
         double seconds = 0, busy = 0, physics = 0, simulated = 0, asked = 0;
         int frames = 0;

@@ -164,6 +164,9 @@ void App::act_on_window(Action action) {
         case Action::screenshot:
             screenshot_wanted_ = true;
             break;
+        case Action::save_game:
+            controls_.save_wanted = true;
+            break;
         case Action::export_plots:
             export_wanted_ = true;
             break;

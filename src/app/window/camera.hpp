@@ -23,6 +23,8 @@ struct Camera {
     void zoom(Vec2 pixel, double factor);
     /// Moves the table by so many pixels.
     void pan(Vec2 pixels);
+
+    friend bool operator==(const Camera&, const Camera&) = default;
 };
 
 }  // namespace flipside::app

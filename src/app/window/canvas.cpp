@@ -70,6 +70,24 @@ void Canvas::stroke(std::span<const Vec2> points, bool closed, double width, sf:
     disc(last, 0.5 * width, color);
 }
 
+void Canvas::trail(std::span<const Vec2> points, double width, sf::Color color) {
+    if (points.size() < 2) return;
+    mitres(points, false, offsets_);
+    const auto left = [&](std::size_t i) {
+        return 1 - static_cast<double>(i) / static_cast<double>(points.size() - 1);
+    };
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        const Vec2 p = points[i], q = points[i + 1];
+        const Vec2 a = 0.5 * width * left(i) * offsets_[i], b = 0.5 * width * left(i + 1) * offsets_[i + 1];
+        const sf::Color near = with_alpha(color, left(i)), far = with_alpha(color, left(i + 1));
+        const sf::Color none = with_alpha(color, 0);
+        for (const double side : {1.0, -1.0}) {  // dense in the middle, nothing at the rim
+            triangle(p, near, q, far, p + side * a, none);
+            triangle(p + side * a, none, q, far, q + side * b, none);
+        }
+    }
+}
+
 void Canvas::line(Vec2 a, Vec2 b, double width, sf::Color color) {
     const Vec2 ends[] = {a, b};
     stroke(ends, false, width, color);

@@ -25,6 +25,8 @@ class Canvas {
     void line(Vec2 a, Vec2 b, double width, sf::Color color);
     /// A line with a head at b.
     void arrow(Vec2 a, Vec2 b, double width, sf::Color color);
+    /// A line that narrows and fades away from its first point to its last.
+    void trail(std::span<const Vec2> points, double width, sf::Color color);
     /// Angles in radians, anticlockwise as seen on the screen.
     void arc(Vec2 center, double radius, double from, double to, double width, sf::Color color);
     void ring(Vec2 center, double radius, double width, sf::Color color);

@@ -34,6 +34,7 @@ std::string text_of(const Kept& kept) {
     for (std::size_t i = 0; i < show_count; ++i)
         if (kept.look.shows[i]) j["show"].push_back(show_specs[i].name);
     j["random_colours"] = kept.look.random_colours;
+    j["artwork"] = kept.look.artwork;
     j["panel_open"] = kept.panel_open;
     j["plots"] = spec_of(kept.plots).name;
     j["strip"] = kept.strip;
@@ -79,6 +80,7 @@ Kept load_kept(const fs::path& file) {
         for (std::size_t i = 0; i < show_count; ++i)
             if (shown.json() == show_specs[i].name) kept.look.shows.set(i);
     kept.look.random_colours = node.toggle("random_colours");
+    if (node.has("artwork")) kept.look.artwork = node.toggle("artwork");
     kept.panel_open = node.toggle("panel_open");
     if (node.has("plots")) kept.plots = plots_named(node.text("plots"));
     kept.strip = node.real("strip", kept.strip);

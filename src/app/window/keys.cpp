@@ -67,6 +67,7 @@ constexpr KeyUse uses[] = {
     {Action::larger, {K::Equal, K::Add, no}, Held::ctrl, "Ctrl +", "Everything larger"},
     {Action::smaller, {K::Hyphen, K::Subtract, no}, Held::ctrl, "Ctrl −", "Everything smaller"},
     {Action::usual_size, {K::Num0, K::Numpad0, no}, Held::ctrl, "Ctrl 0", "The size that suits the window"},
+    {Action::save_game, {K::F5, no, no}, none, "F5", "Save this game as a replay"},
     {Action::screenshot, {K::F12, no, no}, none, "F12", "Save a picture of the window"},
     {Action::export_plots,
      {K::F11, no, no},

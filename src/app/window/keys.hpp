@@ -47,6 +47,7 @@ enum class Action {
     usual_size,
     drop_slowest,
     screenshot,
+    save_game,
     export_plots,
     help,
     quit

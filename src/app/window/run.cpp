@@ -162,20 +162,21 @@ void Run::record_change() {
 }
 
 void Run::clear() {
-    State state = session_.world().save();
-    state.balls.clear();
-    state.launches.clear();
     halt_.reset();
     recorded_halt_.reset();
-    go_on_from(state);
+    session_.clear();
+    measure_energy(true);
+    record_change();
 }
 
-std::optional<State> Run::edited(const lab::BallEdit& edit) const {
-    return halt_ ? std::nullopt : lab::edited(session_.scene(), session_.world().save(), edit);
+bool Run::permits(const lab::BallEdit& edit) const {
+    return !halt_ && lab::edited(session_.scene(), session_.world().save(), edit);
 }
 
-void Run::go_on_from(const State& state) {
-    session_.restore(state);
+void Run::edit(const lab::BallEdit& edit) {
+    const auto state = halt_ ? std::nullopt : lab::edited(session_.scene(), session_.world().save(), edit);
+    if (!state) return;
+    session_.edit(edit, *state);
     measure_energy(true);
     record_change();
 }

@@ -50,11 +50,10 @@ class Run {
     void change(std::shared_ptr<const Scene> scene, const lab::Contender& contender);
     /// Takes every ball off the table, and those that wait to be launched.
     void clear();
-    /// Its state after a hand has done that to its balls; nothing where that cannot be, or the run has
-    /// halted.
-    [[nodiscard]] std::optional<State> edited(const lab::BallEdit& edit) const;
-    /// From another state at the same time.
-    void go_on_from(const State& state);
+    /// Whether a hand can do that to its balls (ball_edit.hpp).
+    [[nodiscard]] bool permits(const lab::BallEdit& edit) const;
+    /// Does it where it can be done.
+    void edit(const lab::BallEdit& edit);
     /// Its last half minute, and where in it the run stands.
     [[nodiscard]] const lab::Recorder& recorder() const { return recorder_; }
     /// Shows the last recorded moment at or before `time` as it was, or the first one. What came after it

@@ -9,6 +9,7 @@
 #include "app/window/header.hpp"
 #include "app/window/overlays.hpp"
 #include "app/window/pick_view.hpp"
+#include "app/window/playfield/effects.hpp"
 #include "app/window/stage_view.hpp"
 #include "app/window/strip.hpp"
 #include "app/window/words.hpp"
@@ -69,6 +70,7 @@ void Screen::draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect&
     target.setView(view_of(target, place));
     const bool alone = runs.size() == 1;
     const Run& front = alone ? runs.front() : stage.lead();
+    draw_ground(target, camera, front, look, inside != nullptr);
     draw_table(canvas_, camera, front, look);
     // On one table, what has stopped at another time is not seen together with what goes on.
     const auto seen = [&](const Run& run) { return alone || !run.halt(); };
@@ -84,6 +86,8 @@ void Screen::draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect&
     for (const Run& run : runs)
         if (seen(run) && !(looked_into && &run == &stage.runs()[inside->run()]))
             draw_overlays(canvas_, camera, run, look);
+    for (const Run& run : runs)
+        if (look.artwork && !inside && seen(run)) draw_trails(canvas_, camera, run, balls_of(run));
     for (const Run& run : runs) {
         if (!seen(run)) continue;
         if (!alone && is_reference(run.engine()))
@@ -91,6 +95,8 @@ void Screen::draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect&
         else
             draw_balls(canvas_, camera, run, balls_of(run), look);
     }
+    for (const Run& run : runs)
+        if (look.artwork && !inside && seen(run)) draw_sparks(canvas_, camera, run);
     for (const Run& run : runs)
         if (seen(run)) draw_picked(canvas_, camera, balls_of(run), look);
     if (!inside) draw_links_of(runs, camera);
@@ -103,6 +109,15 @@ void Screen::draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect&
     for (const Run& run : runs)
         if (run.halt()) draw_halt(stage, place, run, alone);
     canvas_.flush(target);
+}
+
+void Screen::draw_ground(sf::RenderTarget& target, const Camera& camera, const Run& run, const Look& look,
+                         bool dimmed) {
+    if (look.artwork &&
+        ground_.draw(target, canvas_, run.session().shared_scene(), camera, dimmed || has_overlays(look)))
+        draw_inserts(canvas_, camera, ground_.inserts(), run);
+    else
+        draw_bare_ground(canvas_, camera, run.session().scene());
 }
 
 /// In the middle of the lower half, on a ground of its own: no wall goes through the words.

@@ -9,6 +9,7 @@
 
 #include "app/window/layout.hpp"
 #include "app/window/microscope.hpp"
+#include "app/window/playfield/ground.hpp"
 #include "app/window/plots.hpp"
 #include "app/window/stage.hpp"
 #include "app/window/table_view.hpp"
@@ -50,6 +51,8 @@ class Screen {
   private:
     void draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect& place, std::span<const Run> runs,
                    const Camera& camera, const Look& look, const Microscope* inside);
+    void draw_ground(sf::RenderTarget& target, const Camera& camera, const Run& run, const Look& look,
+                     bool dimmed);
     void draw_links_of(std::span<const Run> runs, const Camera& camera);
     void draw_advice(const Rect& place, const std::string& words);
     void draw_pace(const Rect& place, const Readings& readings);
@@ -57,6 +60,7 @@ class Screen {
 
     Lettering lettering_;
     Canvas canvas_;
+    Ground ground_;
     std::vector<std::optional<Rect>> steps_;
 };
 

@@ -11,6 +11,7 @@
 #include "app/window/divergence.hpp"
 #include "lab/contenders/engines.hpp"
 #include "lab/lessons/lesson.hpp"
+#include "lab/replay/replay.hpp"
 
 namespace flipside::app {
 
@@ -109,6 +110,9 @@ class Stage {
     [[nodiscard]] const Run* exact() const;
     [[nodiscard]] bool gravity() const { return gravity_; }
     [[nodiscard]] bool has_gravity() const { return !(original_->gravity == Vec2{}); }
+    /// What was played on all runs on show, to be played again. Not in the middle of a step. Throws
+    /// lab::Failure that says why where that cannot be.
+    [[nodiscard]] lab::Replay game() const;
     /// Of every two runs, since they last began in one state.
     [[nodiscard]] const std::vector<Divergence>& divergences() const { return divergences_; }
 

@@ -11,14 +11,13 @@ bool Stage::edit(const lab::BallEdit& edit) {
     if (auto* add = std::get_if<lab::edit::Add>(&everywhere))
         for (const Run& run : runs_)
             add->ball.number = std::max(add->ball.number, run.session().world().save().next_number);
-    std::vector<std::optional<State>> states;
-    for (const Run& run : runs_) states.push_back(run.edited(everywhere));
     // What is thrown or taken away may be gone from one table; what is new is to come to all.
     const bool new_ball = std::holds_alternative<lab::edit::Add>(edit);
     bool some = false;
-    for (std::size_t i = 0; i < runs_.size(); ++i) {
-        if (new_ball && !states[i] && !runs_[i].halt()) return false;
-        some |= states[i].has_value();
+    for (const Run& run : runs_) {
+        const bool possible = run.permits(everywhere);
+        if (new_ball && !possible && !run.halt()) return false;
+        some |= possible;
     }
     if (!some) return false;
     if (under_way()) {
@@ -26,8 +25,7 @@ bool Stage::edit(const lab::BallEdit& edit) {
         return true;
     }
     go_on_from_here();
-    for (std::size_t i = 0; i < runs_.size(); ++i)
-        if (states[i]) runs_[i].go_on_from(*states[i]);
+    for (Run& run : runs_) run.edit(everywhere);
     return true;
 }
 

@@ -7,6 +7,7 @@
 #include "app/window/claim.hpp"
 #include "app/window/contender_colour.hpp"
 #include "app/window/draw_shapes.hpp"
+#include "app/window/playfield/kickers.hpp"
 
 namespace flipside::app {
 
@@ -33,6 +34,9 @@ ShapeStyle style_of(const Canvas& canvas, const Run& run, PartIndex index, const
     if (part.target) return {line, blend(colour::part, colour::lit, 0.3), thin};
     if (std::holds_alternative<shape::Gate>(part.shape.is))
         return {session.world().parts()[index].open ? with_alpha(colour::part, 0.45) : line, {}, thick};
+    if (look.artwork && std::holds_alternative<shape::Flipper>(part.shape.is))
+        return {blend(colour::kicker, colour::lit, light), blend(colour::part, sf::Color::White, 0.45),
+                canvas.scaled(3)};
     if (Table::moves(part))
         return {blend(line, sf::Color::White, 0.35), blend(colour::solid, colour::part, 0.4), thick};
     return {line, colour::solid, thick};
@@ -51,15 +55,66 @@ void draw_spinner(Canvas& canvas, const Camera& camera, const Shape& shape, doub
     canvas.stroke(plate, true, canvas.scaled(1), colour::kicker);
 }
 
+int points_of(const Scene& scene, PartIndex part) {
+    if (!scene.rules) return 0;
+    const auto entry = std::ranges::find(scene.rules->scores, part, &Rules::Score::part);
+    return entry == scene.rules->scores.end() ? 0 : entry->points;
+}
+
+/// Bumpers and slingshots with their own look; false for what has none.
+bool draw_kicker(Canvas& canvas, const Camera& camera, const Run& run, PartIndex index, const Look& look) {
+    const Scene& scene = run.session().scene();
+    const Part& part = scene.parts[index];
+    if (scene.materials[part.material].kick <= 0 || part.target || Table::moves(part)) return false;
+    const double light =
+        has(look.shows, Show::lights) ? run.traces().light(index, run.session().world().time()) : 0;
+    if (const auto* bumper = std::get_if<shape::Circle>(&part.shape.is)) {
+        const int points = points_of(scene, index);
+        draw_bumper(canvas, camera, *bumper, light, points > 0 ? std::to_string(points) : "");
+        return true;
+    }
+    const auto* band = std::get_if<shape::Segment>(&part.shape.is);
+    if (band != nullptr) draw_band(canvas, camera, *band, light);
+    return band != nullptr;
+}
+
+/// Thin walls as rods: dark, with the light along the middle.
+bool is_rod(const Part& part) {
+    return !part.sensor && (std::holds_alternative<shape::Segment>(part.shape.is) ||
+                            std::holds_alternative<shape::Arc>(part.shape.is) ||
+                            std::holds_alternative<shape::Polyline>(part.shape.is) ||
+                            std::holds_alternative<shape::Compound>(part.shape.is));
+}
+
+/// Of what moves or goes down; what always stands has its shadow on the ground.
+void draw_shadow(Canvas& canvas, const Camera& camera, const Part& part, const Pose& pose) {
+    Camera moved = camera;
+    moved.pan(canvas.scaled(4) * Vec2{0.8, 1});
+    const sf::Color black = with_alpha(sf::Color::Black, 0.35);
+    draw_shape(canvas, moved, part.shape, pose, {black, black, canvas.scaled(3)});
+}
+
 void draw_parts(Canvas& canvas, const Camera& camera, const Run& run, const Look& look) {
     const lab::Session& session = run.session();
     const Scene& scene = session.scene();
     for (PartIndex i = 0; i < scene.parts.size(); ++i) {
         const Pose pose = pose_of(scene.parts[i], session.world().parts()[i]);
         ShapeStyle style = style_of(canvas, run, i, look);
+        const bool down = session.world().parts()[i].down;
+        if (look.artwork && !down && (Table::moves(scene.parts[i]) || scene.parts[i].target))
+            draw_shadow(canvas, camera, scene.parts[i], pose);
         if (look.picked == Other::part(i)) {
             style.line = colour::lit;
             style.width = canvas.scaled(3);
+        } else if (look.artwork && draw_kicker(canvas, camera, run, i, look)) {
+            continue;
+        } else if (look.artwork && is_rod(scene.parts[i])) {
+            ShapeStyle casing = style;
+            casing.width = canvas.scaled(4);
+            casing.line = blend(colour::solid, style.line, 0.45);
+            draw_shape(canvas, camera, scene.parts[i].shape, pose, casing);
+            style.width = canvas.scaled(1.4);
+            style.line = blend(style.line, sf::Color::White, 0.3);
         }
         draw_shape(canvas, camera, scene.parts[i].shape, pose, style);
     }
@@ -109,16 +164,45 @@ double opacity(const World& world, std::span<const Ball> balls, std::size_t ball
     return faint + (1 - faint) * claim(uncertainty_in_radii(world, ball));
 }
 
+/// Where friction makes a ball spin, two engraved arcs show how far it has turned, and a spot which is which.
+void draw_spin(Canvas& canvas, Vec2 at, double radius, double angle, double alpha) {
+    constexpr double half = 0.65;  // rad
+    const sf::Color engraved = with_alpha(colour::around, 0.75 * alpha);
+    for (const double side : {0.0, std::numbers::pi})
+        canvas.arc(at, 0.62 * radius, angle + side - half, angle + side + half, 0.1 * radius, engraved);
+    const Vec2 way = from_angle(angle);
+    canvas.disc(at + 0.62 * radius * Vec2{way.x, -way.y}, 0.13 * radius, engraved);
+}
+
 bool out_of_sight(const Camera& camera, Vec2 at, double radius) {
     return at.x < -radius || at.y < -radius || at.x > camera.size.x + radius || at.y > camera.size.y + radius;
 }
 
+/// Below the balls, the light from the upper left.
+void draw_shadows(Canvas& canvas, const Camera& camera, std::span<const Ball> balls) {
+    for (const Ball& ball : balls) {
+        const Vec2 at = camera.to_pixels(ball.position);
+        const double radius = camera.scale * ball.radius;
+        if (!out_of_sight(camera, at, 2 * radius))
+            canvas.disc(at + radius * Vec2{0.28, 0.36}, 1.05 * radius, with_alpha(sf::Color::Black, 0.35));
+    }
+}
+constexpr std::size_t most_shadows = 200;  ///< more are a carpet, and cost as much as the balls
+
 }  // namespace
 
-void draw_table(Canvas& canvas, const Camera& camera, const Run& run, const Look& look) {
-    const Box& bounds = run.session().scene().bounds;
-    const Vec2 a = camera.to_pixels(bounds.min), b = camera.to_pixels(bounds.max);
+bool has_overlays(const Look& look) {
+    Shows others = look.shows;
+    others.reset(static_cast<std::size_t>(Show::lights));
+    return others.any();
+}
+
+void draw_bare_ground(Canvas& canvas, const Camera& camera, const Scene& scene) {
+    const Vec2 a = camera.to_pixels(scene.bounds.min), b = camera.to_pixels(scene.bounds.max);
     canvas.rectangle({a.x, b.y}, {b.x, a.y}, colour::table);
+}
+
+void draw_table(Canvas& canvas, const Camera& camera, const Run& run, const Look& look) {
     draw_parts(canvas, camera, run, look);
     draw_launcher(canvas, camera, run, look);
 }
@@ -126,6 +210,7 @@ void draw_table(Canvas& canvas, const Camera& camera, const Run& run, const Look
 void draw_balls(Canvas& canvas, const Camera& camera, const Run& run, std::span<const Ball> balls,
                 const Look& look) {
     const sf::Color rim = colour_of(run);
+    if (look.artwork && balls.size() <= most_shadows) draw_shadows(canvas, camera, balls);
     for (std::size_t i = 0; i < balls.size(); ++i) {
         const Ball& ball = balls[i];
         const Vec2 at = camera.to_pixels(ball.position);
@@ -141,10 +226,7 @@ void draw_balls(Canvas& canvas, const Camera& camera, const Run& run, std::span<
             canvas.steel(at, radius, tint, alpha);
         const double width = std::clamp(0.16 * radius, 1.0, canvas.scaled(3));
         canvas.ring(at, std::max(0.5, radius - 0.5 * width), width, with_alpha(rim, alpha));
-        // Where friction makes a ball spin, a spot shows it.
-        if (std::abs(ball.angle) > 1e-3 && radius > 5)
-            canvas.disc(camera.to_pixels(ball.position + 0.6 * ball.radius * from_angle(ball.angle)),
-                        0.13 * radius, with_alpha(colour::around, alpha));
+        if (std::abs(ball.angle) > 1e-3 && radius > 5) draw_spin(canvas, at, radius, ball.angle, alpha);
     }
 }
 

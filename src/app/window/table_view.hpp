@@ -24,6 +24,7 @@ struct Sling {
 struct Look {
     Shows shows{1U << static_cast<unsigned>(Show::lights)};
     bool random_colours = false;    ///< each ball tinted by its number
+    bool artwork = true;            ///< chart, lamps, caps, shadows, trails and sparks
     double charge = 0;              ///< 0…1, of the launch that is being held
     std::optional<Other> picked{};  ///< stands out
     std::optional<Sling> sling{};
@@ -31,7 +32,11 @@ struct Look {
     friend bool operator==(const Look&, const Look&) = default;
 };
 
-/// Ground, parts, launcher.
+/// Whether something is drawn over the table that the artwork has to step back for.
+[[nodiscard]] bool has_overlays(const Look& look);
+/// The ground without artwork.
+void draw_bare_ground(Canvas& canvas, const Camera& camera, const Scene& scene);
+/// Parts and launcher.
 void draw_table(Canvas& canvas, const Camera& camera, const Run& run, const Look& look);
 /// Balls of a run, as they are or were. They fade as the engine's own certainty of where they are ends.
 void draw_balls(Canvas& canvas, const Camera& camera, const Run& run, std::span<const Ball> balls,

@@ -17,8 +17,8 @@ void Traces::observe(std::span<const Event> events, std::span<const Ball> balls,
 }
 
 void Traces::follow(std::span<const Ball> balls, double time) {
-    const double interval = followed_ < 0 ? track_interval : time - followed_;
-    const auto most = static_cast<std::size_t>(std::max(2.0, track_seconds / interval));
+    spacing_ = followed_ < 0 ? track_interval : time - followed_;
+    const auto most = static_cast<std::size_t>(std::max(2.0, track_seconds / spacing_));
     followed_ = time;
     std::erase_if(tracks_, [&](const auto& entry) {
         return !std::ranges::binary_search(balls, entry.first, {}, &Ball::number);

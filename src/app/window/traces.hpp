@@ -32,6 +32,8 @@ class Traces {
     [[nodiscard]] const std::deque<Hit>& hits() const { return hits_; }
     /// Where each ball was, oldest first.
     [[nodiscard]] const std::map<BallNumber, std::deque<Vec2>>& tracks() const { return tracks_; }
+    /// Between the last two points of a track, s.
+    [[nodiscard]] double track_spacing() const { return spacing_; }
     /// 1 right after a hit of the part, 0 a tenth of a second later.
     [[nodiscard]] double light(PartIndex part, double time) const;
 
@@ -45,6 +47,7 @@ class Traces {
     std::deque<Hit> hits_;
     std::map<BallNumber, std::deque<Vec2>> tracks_;
     double followed_ = -1;  ///< time of the last point of the tracks
+    double spacing_ = track_interval;
 };
 
 }  // namespace flipside::app

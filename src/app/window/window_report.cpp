@@ -52,10 +52,12 @@ Json still(const Stage& stage, const WindowState& window, const WindowControls& 
     j["focus"] = places.focus;
     j["notice"] = controls.notice;
     j["letters"] = controls.scale;
+    j["artwork"] = controls.look.artwork;
     j["slow"] = window.slow;
     j["last_key"] = window.last_key;
     j["last_screenshot"] = window.last_screenshot;
     j["last_export"] = window.last_export;
+    j["last_game"] = window.last_game;
     for (std::size_t i = 0; i < show_count; ++i)
         j["show"][std::string(show_specs[i].name)] = bool(controls.look.shows[i]);
     j["layout"] = {{"window", {window.width, window.height}}, {"headers", json_of(layout.headers)},

@@ -21,6 +21,7 @@ struct WindowState {
     std::string last_key;          ///< name of the last action a key asked for, with "+" down or "-" up
     std::string last_screenshot;
     std::string last_export;  ///< the CSV
+    std::string last_game;    ///< the replay
     double charge = 0;
     std::string slow;          ///< as in Readings
     std::optional<Card> card;  ///< while one is open

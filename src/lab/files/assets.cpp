@@ -23,8 +23,7 @@ fs::path assets_folder() {
     if (const char* chosen = std::getenv("FLIPSIDE_ASSETS")) return chosen;
     std::error_code none;
     const fs::path program = fs::read_symlink("/proc/self/exe", none);
-    const fs::path installed = program.parent_path().parent_path() / "share" / "flipside";
-    return fs::is_directory(installed / "scenes", none) ? installed : fs::path(FLIPSIDE_SOURCE_ASSETS);
+    return program.parent_path().parent_path() / "share" / "flipside";
 }
 
 std::vector<std::string> scene_names() {

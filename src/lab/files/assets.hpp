@@ -8,7 +8,8 @@
 
 namespace flipside::lab {
 
-/// $FLIPSIDE_ASSETS, else the assets folder of an installation or of the source tree.
+/// $FLIPSIDE_ASSETS, else ../share/flipside as seen from the program's folder. An installation has it there,
+/// and the build folder a link to the source tree's: so no program holds a path of the machine that built it.
 [[nodiscard]] std::filesystem::path assets_folder();
 /// The file of a scene given by its name in assets/scenes or by a path. Throws InputError that lists the
 /// known names.

@@ -19,7 +19,7 @@ std::size_t bytes_of(const State& state) {
 std::size_t bytes_of(const Session::Snapshot& snapshot) {
     const State& state = snapshot.state;
     return sizeof snapshot + bytes_of(state) + (state.origin ? bytes_of(*state.origin) : 0) +
-           snapshot.recording.size() * sizeof(TimedControl) + snapshot.events.size() * sizeof(Event);
+           snapshot.events.size() * sizeof(Event);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "lab/process/allocations.hpp"
 #include "lab/process/cpu_clock.hpp"
+#include "lab/session/checksum.hpp"
 #include "lab/session/refusing_world.hpp"
 #include "world/refusal.hpp"
 
@@ -24,7 +25,8 @@ Session::Session(std::shared_ptr<const Scene> scene, const Engine& engine, Setti
       settings_(std::move(settings)),
       otherwise_(otherwise),
       world_(make(scene_, engine, settings_)),
-      game_(scene_) {}
+      game_(scene_),
+      recording_(engine, settings_, scene_->gravity) {}
 
 std::unique_ptr<World> Session::make(const std::shared_ptr<const Scene>& scene, const Engine& engine,
                                      const Settings& settings) const {
@@ -33,7 +35,8 @@ std::unique_ptr<World> Session::make(const std::shared_ptr<const Scene>& scene, 
 }
 
 void Session::apply(const Control& control) {
-    record(world_->time(), control);
+    recording_.add(move::Press{world_->time(), control});
+    hand_over(control);
 }
 
 bool Session::press(const Control& control) {
@@ -42,13 +45,34 @@ bool Session::press(const Control& control) {
     return true;
 }
 
-/// Records the time that was asked for rather than the world's, so that a replay splits its steps at the
-/// very same times and gives the same bits.
-void Session::record(double time, const Control& control) {
-    if (!recording_.empty()) time = std::max(time, recording_.back().time);
-    recording_.push_back({time, control});
+void Session::hand_over(const Control& control) {
     world_->apply(control);
     game_.applied(control, world_->time());
+}
+
+void Session::edit(const BallEdit& edit, const State& edited) {
+    go_on_from(edited);
+    recording_.add(move::Edit{edit});
+}
+
+void Session::clear() {
+    State state = world_->save();
+    state.balls.clear();
+    state.launches.clear();
+    go_on_from(state);
+    recording_.add(move::Clear{});
+}
+
+void Session::resume() {
+    abandon_step();
+    world_->restore(world_->save());
+    recording_.add(move::Resume{});
+}
+
+void Session::abandon_step() {
+    if (under_way_ && under_way_->done > 0)
+        recording_.spoil("something was changed in the middle of a step of " + std::string(engine_->name));
+    under_way_.reset();
 }
 
 void Session::step(double dt) {
@@ -65,6 +89,7 @@ bool Session::step_within(double dt, const Script& script, std::size_t& next, do
     if (!under_way_) {
         events_.clear();
         under_way_ = Progress{world_->time(), 0};
+        recording_.begin_step(dt);
     }
     auto& [start, done] = *under_way_;
     for (; next < script.size(); ++next) {
@@ -74,11 +99,16 @@ bool Session::step_within(double dt, const Script& script, std::size_t& next, do
             if (!advance(ahead - done, seconds)) return false;
             done = ahead;
         }
-        record(script[next].time, script[next].control);
+        // The time that was asked for, not the world's: so a replay splits its steps at the very same times.
+        recording_.add(move::Scripted{script[next]});
+        hand_over(script[next].control);
     }
     if (!advance(dt - done, seconds)) return false;
     ++totals_.steps;
     under_way_.reset();
+    recording_.end_step();
+    if (recording_.steps() % steps_between_checks == 0)
+        recording_.add(move::Check{checksum_of(*world_, game_)});
     return true;
 }
 
@@ -92,6 +122,7 @@ bool Session::advance(double dt, double seconds) {
         if (done) static_cast<void>(world_->events()), static_cast<void>(world_->contacts());
     } catch (const Refusal&) {
         under_way_.reset();
+        recording_.add(move::Refused{});
         throw;
     }
     const std::optional<double> elsewhere = world_->statistics().cpu_seconds;
@@ -133,15 +164,21 @@ void Session::change(std::shared_ptr<const Scene> scene, const Engine& engine, S
     std::unique_ptr<World> next = make(scene, engine, settings);
     next->restore(state);
     world_ = std::move(next);
-    under_way_.reset();
+    abandon_step();
     scene_ = std::move(scene);
     engine_ = &engine;
     settings_ = std::move(settings);
+    recording_.add(move::Change{engine_, settings_, scene_->gravity});
 }
 
 void Session::restore(const State& state) {
+    go_on_from(state);
+    recording_.spoil("it goes on from a state that does not come from the scene");
+}
+
+void Session::go_on_from(const State& state) {
     world_->restore(state);
-    under_way_.reset();
+    abandon_step();
     game_.resume(state.balls.size(), state.clock.time);
 }
 
@@ -156,6 +193,7 @@ void Session::restore(const Snapshot& snapshot) {
     under_way_.reset();
     game_ = snapshot.game;
     recording_ = snapshot.recording;
+    if (!engine_->restores_exactly) recording_.add(move::Resume{});
     totals_ = snapshot.totals;
     events_ = snapshot.events;
 }

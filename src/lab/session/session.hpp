@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lab/session/game.hpp"
+#include "lab/session/recording.hpp"
 #include "world/engine.hpp"
 
 namespace flipside::lab {
@@ -28,6 +29,8 @@ struct Totals {
     std::uint64_t allocations = 0;
 };
 inline constexpr std::uint64_t warm_up_steps = 60;
+/// Steps between two move::Check of a recording.
+inline constexpr std::uint64_t steps_between_checks = 600;
 
 /// Where an engine cannot run a scene: throw what it throws, or go on with a world that refuses its first
 /// step (refusing_world.hpp), for those who show several engines at once.
@@ -50,10 +53,17 @@ class Session {
     void step(double dt, const Script& script, std::size_t& next);
     /// The same in portions, as World::step_within has it. Until it is true, controls must wait.
     [[nodiscard]] bool step_within(double dt, const Script& script, std::size_t& next, double seconds);
-    /// Continues on another engine, with other settings, or on a changed scene (same parts) from the
-    /// state as it is. The game goes on.
+    /// Continues from the state that edited() (ball_edit.hpp) gives for what a hand does to the balls.
+    void edit(const BallEdit& edit, const State& edited);
+    /// Takes every ball off the table, and those that wait to be launched.
+    void clear();
+    /// Saves the state and restores it, as move::Resume has it.
+    void resume();
+    /// Continues on another engine, with other settings, or on the same scene with another gravity from
+    /// the state as it is. The game goes on.
     void change(std::shared_ptr<const Scene> scene, const Engine& engine, Settings settings);
-    /// Continues from a state of the same scene. The game goes on with the balls that it has.
+    /// Continues from a state of the same scene. The game goes on with the balls that it has. The recording
+    /// knows nothing of that state: it is spoiled.
     void restore(const State& state);
     /// All of a session at a moment between steps.
     struct Snapshot {
@@ -62,7 +72,7 @@ class Session {
         Settings settings;
         State state;
         Game game;
-        Script recording;
+        Recording recording;
         Totals totals;
         std::vector<Event> events;  ///< to be read as those of the last step
     };
@@ -79,6 +89,7 @@ class Session {
         copy.restore(world_->save());
         copy.game_ = game_;
         copy.recording_ = recording_;
+        copy.recording_.add(move::Resume{});
         return copy;
     }
 
@@ -89,8 +100,8 @@ class Session {
     [[nodiscard]] const Engine& engine() const { return *engine_; }
     [[nodiscard]] const Settings& settings() const { return settings_; }
     [[nodiscard]] const Game& game() const { return game_; }
-    /// What was applied from outside (not by the rules) since the start.
-    [[nodiscard]] const Script& recording() const { return recording_; }
+    /// What came from outside (not by the rules) since the start.
+    [[nodiscard]] const Recording& recording() const { return recording_; }
     /// Everything that happened during the last step(dt), over all its parts.
     [[nodiscard]] std::span<const Event> events() const { return events_; }
     [[nodiscard]] const Totals& totals() const { return totals_; }
@@ -101,7 +112,10 @@ class Session {
     /// One World::step_within and, once that is done, the rules' answer, appended to events_ and totals_.
     bool advance(double dt, double seconds);
     void count(const Event& event);
-    void record(double time, const Control& control);
+    void hand_over(const Control& control);
+    /// The step that is under way is given up.
+    void abandon_step();
+    void go_on_from(const State& state);
 
     [[nodiscard]] std::unique_ptr<World> make(const std::shared_ptr<const Scene>& scene, const Engine& engine,
                                               const Settings& settings) const;
@@ -112,7 +126,7 @@ class Session {
     WithoutWorld otherwise_;
     std::unique_ptr<World> world_;
     Game game_;
-    Script recording_;
+    Recording recording_;
     std::vector<Event> events_;
     Totals totals_;
     struct Progress {

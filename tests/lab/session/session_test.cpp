@@ -119,11 +119,12 @@ TEST(Session, ARecordingReplaysBitForBit) {
             if (k == 150) played.apply(control::Flip{Side::right, true});
             played.step(1.0 / 60, script, next);
         }
-        ASSERT_EQ(played.recording().size(), 5U);
+        ASSERT_EQ(played.recording().controls().size(), 5U);
 
         Session replayed = pinball_on(engine);
         next = 0;
-        for (int k = 0; k < 240; ++k) replayed.step(1.0 / 60, played.recording(), next);
+        const Script recorded = played.recording().controls();
+        for (int k = 0; k < 240; ++k) replayed.step(1.0 / 60, recorded, next);
         EXPECT_EQ(to_json(replayed.world().save(), replayed.scene()),
                   to_json(played.world().save(), played.scene()));
         EXPECT_GT(played.totals().impacts, 5U);

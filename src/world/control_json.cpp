@@ -1,0 +1,60 @@
+#include "world/control_json.hpp"
+
+#include <algorithm>
+
+namespace flipside {
+
+namespace {
+
+PartIndex read_target(const Node& node, const Scene& scene) {
+    const auto name = node.json().get<std::string>();
+    const auto found = std::ranges::find(scene.parts, name, &Part::name);
+    if (found == scene.parts.end() || !found->target)
+        node.fail(in_quotes(name) + " is no drop target of this scene; allowed: " +
+                  names_of(scene.parts, [](const Part& part) { return part.target ? part.name : ""; }));
+    return static_cast<PartIndex>(found - scene.parts.begin());
+}
+
+}  // namespace
+
+Json to_json(const Control& control, const Scene& scene, const char* key) {
+    struct Write {
+        const Scene& scene;
+        const char* key;
+        Json operator()(const control::Launch& c) const {
+            return {{key, "launch"}, {"strength", c.strength}, {"count", c.count}, {"size", c.size}};
+        }
+        Json operator()(const control::Flip& c) const {
+            return {{key, "flip"}, {"side", c.side == Side::left ? "left" : "right"}, {"up", c.up}};
+        }
+        Json operator()(const control::Nudge& c) const {
+            return {{key, "nudge"}, {"velocity", {c.velocity.x, c.velocity.y}}};
+        }
+        Json operator()(const control::Rotate& c) const { return {{key, "rotate"}, {"on", c.on}}; }
+        Json operator()(const control::RaiseTargets& c) const {
+            Json json = {{key, "raise_targets"}};
+            for (const PartIndex part : c.parts) json["parts"].push_back(scene.parts[part].name);
+            return json;
+        }
+    };
+    return std::visit(Write{scene, key}, control);
+}
+
+Control read_control(const Node& node, const Scene& scene, const char* key) {
+    const std::string kind = node.text(key);
+    if (kind == "launch") {
+        if (!scene.launcher)
+            node.fail(key, "this scene has no launcher; allowed: flip, nudge, rotate, raise_targets");
+        return control::Launch{node.real("strength", 1), static_cast<int>(node.integer("count", 1)),
+                               node.real("size", 1)};
+    }
+    if (kind == "flip")
+        return control::Flip{node.text("side") == "left" ? Side::left : Side::right, node.toggle("up")};
+    if (kind == "nudge") return control::Nudge{node.vector("velocity")};
+    if (kind == "rotate") return control::Rotate{node.toggle("on")};
+    control::RaiseTargets raise;
+    for (const Node& name : node.each("parts")) raise.parts.push_back(read_target(name, scene));
+    return raise;
+}
+
+}  // namespace flipside
