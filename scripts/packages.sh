@@ -21,6 +21,11 @@ build_packages=(
 test_packages=(                                        # only ./test.sh
     chromium                                           # the report's page in a browser
     libchipmunk-dev                                    # a third engine, as a plug-in
+    parallel                                           # sweeps and hunts in shards
+)
+package_packages=(                                     # only scripts/package.sh
+    dpkg-dev fakeroot lintian                          # the package's dependencies, and Debian's rules for it
+    desktop-file-utils appstream                       # what a desktop shows of it
 )
 gate_packages=(                                        # only ./test.sh --all
     clang-format clang-tidy clang libclang-rt-dev llvm valgrind

@@ -87,6 +87,8 @@ int command_line(int argc, char** argv) {
     app::add_engines(program, chosen);
     app::add_check(program, chosen);
     app::add_conformance(program, chosen);
+    app::add_manual(program, FLIPSIDE_RELEASED, chosen);
+    app::add_completion(program, chosen);
     parse(program, chosen, {argv + 1, argv + argc});
     return chosen();
 }

@@ -29,5 +29,8 @@ void add_scenes(CLI::App& program, Action& chosen);
 void add_engines(CLI::App& program, Action& chosen);
 void add_check(CLI::App& program, Action& chosen);
 void add_conformance(CLI::App& program, Action& chosen);
+/// `released` is the date that the page bears, as 2026-11-24.
+void add_manual(CLI::App& program, const std::string& released, Action& chosen);
+void add_completion(CLI::App& program, Action& chosen);
 
 }  // namespace flipside::app

@@ -4,6 +4,7 @@
 #include "app/cli/distinct_files.hpp"
 #include "app/cli/output.hpp"
 #include "app/cli/progress.hpp"
+#include "app/cli/run_options.hpp"
 #include "lab/files/whole_file.hpp"
 #include "lab/pairs/pair_tests.hpp"
 
@@ -83,11 +84,11 @@ void add_pairs(CLI::App& program, Action& chosen) {
         "pairs", "Count box tests of every broad phase, from 2 balls to 100,000: the toy's experiment");
     command.add_option("--seconds", options->seconds, "Simulated time for each number of balls")
         ->capture_default_str()
-        ->check(CLI::Range(0.1, 3600.0))
+        ->check(number_from(0.1, 3600))
         ->type_name("T");
     command.add_option("--most", options->most_balls, "Largest number of balls in the table of growth")
         ->capture_default_str()
-        ->check(CLI::Range(32, 100'000))
+        ->check(number_from(32, 1e5))
         ->type_name("N");
     command.add_option("--json", options->json, "Everything found, as JSON")->type_name("FILE");
     command.callback([options, &chosen] { chosen = [options] { return pairs(*options); }; });
