@@ -17,9 +17,9 @@
 /// ticks, which lie on a grid of the world's time, one solve finds how all members move until the next
 /// (contact_solver.hpp), and each then flies a hop that ends where the solve puts it. A slow touch of a
 /// member makes a ball a member until nothing has pressed on it for some ticks; a blow tears one out, so it
-/// runs through a heap by exact impacts. Members that hardly move creep: they are solved at every fourth tick,
-/// and in between are obstacles to the others, unless one of these pushes them. In islands the result is not exact, but it depends on no step
-/// either. Statistics count members as handed_over.
+/// runs through a heap by exact impacts. Members that hardly move creep: they are solved at every fourth
+/// tick, and in between are obstacles to the others, unless one of these pushes them. In islands the result
+/// is not exact, but it depends on no step either. Statistics count members as handed_over.
 
 #include "custom/continuous/candidates.hpp"
 #include "custom/continuous/cells.hpp"
