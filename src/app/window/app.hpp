@@ -10,6 +10,7 @@
 #include <SFML/Graphics/RenderWindow.hpp>
 #include <SFML/System/Clock.hpp>
 
+#include "app/sound/live.hpp"
 #include "app/window/accumulator.hpp"
 #include "app/window/card_place.hpp"
 #include "app/window/file_watch.hpp"
@@ -86,6 +87,7 @@ class App {
     Layout layout_;
     ControlPlaces places_;
 
+    sound::Live sound_;
     sf::Clock clock_;
     Accumulator accumulator_;
     std::set<sf::Keyboard::Key> held_;

@@ -131,6 +131,9 @@ void App::act_on_time(Action action) {
             controls_.bar_open = !controls_.bar_open;
             microscope_.close();
             break;
+        case Action::mute:
+            controls_.muted = !controls_.muted;
+            break;
         case Action::slow_motion:
             controls_.speed = controls_.speed < 1 ? 1 : slow_motion;
             break;
