@@ -1,10 +1,12 @@
 #include "app/film/film.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "app/sound/hearing.hpp"
-#include "world/input_error.hpp"
+#include "lab/process/failure.hpp"
 
 namespace flipside::app::film {
 
@@ -50,6 +52,12 @@ class Soundtrack {
 };
 
 }  // namespace
+
+Film::Film(double seconds, unsigned frames_per_second) : seconds_(seconds), rate_(frames_per_second) {
+    if (!(seconds <= longest))
+        throw lab::Failure("the game lasts " + std::to_string(std::llround(seconds / 3600)) +
+                           " hours; a film may last " + std::to_string(std::llround(longest / 3600)));
+}
 
 std::uint64_t Film::frames() const {
     return static_cast<std::uint64_t>(std::floor(seconds_ * rate_ + same_time)) + 1;

@@ -21,7 +21,10 @@ struct Audience {
 /// From the beginning of the replay to its end.
 class Film {
   public:
-    Film(double seconds, unsigned frames_per_second) : seconds_(seconds), rate_(frames_per_second) {}
+    static constexpr double longest = 6 * 3600;  ///< s: what a WAV file has room for, and a little less
+
+    /// Throws lab::Failure where it would be longer than that.
+    Film(double seconds, unsigned frames_per_second);
 
     [[nodiscard]] std::uint64_t frames() const;
     /// Of sound, on each side: as long as all frames together.

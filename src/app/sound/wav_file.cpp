@@ -4,7 +4,6 @@
 #include <string>
 
 #include "app/sound/voice.hpp"
-#include "lab/process/failure.hpp"
 
 namespace flipside::app::sound {
 
@@ -28,18 +27,10 @@ std::string header(std::uint64_t data_bytes) {
            little_endian(data_bytes, 4);
 }
 
-void require_room(const std::filesystem::path& file, std::uint64_t length) {
-    constexpr std::uint64_t most = (0xffffffffU - header_bytes) / frame_bytes;
-    if (length > most)
-        throw lab::Failure(file.string() + ": cannot hold " + std::to_string(length / sample_rate / 3600) +
-                           " hours of sound; a WAV file has room for " +
-                           std::to_string(most / sample_rate / 3600));
-}
-
 }  // namespace
 
 WavFile::WavFile(const std::filesystem::path& file, std::uint64_t length)
-    : file_((require_room(file, length), file)), left_(channels * length) {
+    : file_(file), left_(channels * length) {
     file_.out() << header(left_ * sample_bytes);
 }
 

@@ -12,8 +12,8 @@ namespace flipside::app::sound {
 
 class WavFile {
   public:
-    /// Of so many samples a side. The form has 32 bits for its size: throws lab::Failure where that is too
-    /// little, and where the file cannot be written.
+    /// Of so many samples a side, at most 2^30 − 10: the form has 32 bits for its size. Throws lab::Failure
+    /// where the file cannot be written.
     WavFile(const std::filesystem::path& file, std::uint64_t length);
 
     /// Left and right in turn. What is beyond the length is left out.

@@ -118,6 +118,7 @@ void App::run() {
         imgui_.want_keys(controls_.by_keys);
         for (const sf::Event& event : imgui_.begin_frame(seconds)) process(event);
         if (!window_.isOpen()) break;
+        read_pad();
         advance(seconds);
         count_up(seconds);
         arrange();
