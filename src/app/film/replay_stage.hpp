@@ -11,8 +11,6 @@ class ReplayStage {
     /// All of its runs, or in the single view the first; where `other` is an engine, that one in place of the
     /// first alone. The replay must outlive this. Throws InputError where the other engine cannot run it.
     ReplayStage(const lab::Replay& replay, View view, const Engine* other);
-    ReplayStage(const ReplayStage&) = delete;
-    ReplayStage& operator=(const ReplayStage&) = delete;
 
     /// All runs go on by the longest of their steps; false where none can.
     bool step();
