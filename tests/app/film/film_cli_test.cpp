@@ -3,6 +3,7 @@
 #include <regex>
 
 #include <SFML/Graphics/Image.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/command_line.hpp"
 #include "app/real_window.hpp"
@@ -59,6 +60,20 @@ TEST_F(FilmCommand, WritesEveryFrameAndTheSameOnesTwice) {
     EXPECT_EQ(first.getSize(), sf::Vector2u(400, 600));
     EXPECT_NE(text_of(file("one/frame-000000.png")), text_of(file("one/frame-000010.png")));
     expect_refused(how + file("one"), 2, "holds frames already");
+}
+
+TEST_F(FilmCommand, AFilmOfAnotherCourseThanTheGamesIsMadeAndEndsWithOne) {
+    nlohmann::json replay = nlohmann::json::parse(text_of(game));
+    replay["runs"][0]["end"]["checksum"] = "0123456789abcdef";
+    std::ofstream(file("parted")) << replay;
+    const Result result = flipside("replay " + file("parted") + " --sound " + file("x.wav"));
+    EXPECT_EQ(result.code, 1);
+    EXPECT_EQ(result.out, "61 frames, 1 s\n");
+    EXPECT_NE(result.err.find("is not the game that was saved"), std::string::npos) << result.err;
+    EXPECT_TRUE(fs::exists(file("x.wav")));
+    replay["runs"][0]["dt"] = 1000;
+    std::ofstream(file("long")) << replay;
+    expect_refused("replay " + file("long") + " --sound " + file("y.wav"), 1, "a film may last 6");
 }
 
 TEST_F(FilmCommand, RefusesWhatCannotBe) {
