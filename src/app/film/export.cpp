@@ -96,6 +96,7 @@ Exported export_film(const lab::Replay& replay, const Engine* other, const Expor
     if (!options.video.empty()) sounds.push_back(sound_of_video.emplace().path());
     share.begin_pass(pictures ? 0.05 : 1);
     write_sound(film, heard, sounds, share);
+    while (heard.step()) continue;  // what is left after the last frame
     const std::string* parted = heard.parted();
     Exported exported{film.frames(), heard.end(), parted != nullptr ? *parted : ""};
     if (!pictures) return exported;

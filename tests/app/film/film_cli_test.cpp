@@ -1,5 +1,6 @@
 /// `flipside replay` that makes films, as a shell runs it.
 
+#include <csignal>
 #include <regex>
 
 #include <SFML/Graphics/Image.hpp>
@@ -29,6 +30,19 @@ class FilmCommand : public CommandLine {
     }
     static bool has(const std::string& program) {
         return std::system((program + " -version > /dev/null 2>&1").c_str()) == 0;
+    }
+    /// A program of that name that does as the line says.
+    void use_ffmpeg(const std::string& line) {
+        fs::create_directory(file("bin"));
+        std::ofstream(file("bin/ffmpeg")) << "#!/bin/sh\n[ \"$1\" = -version ] && exit 0\n" << line << "\n";
+        fs::permissions(file("bin/ffmpeg"), fs::perms::owner_all);
+        environment = "PATH=" + file("bin") + ":$PATH";
+    }
+    void expect_nothing_left() const {
+        for (const auto& entry : fs::directory_iterator(folder)) {
+            EXPECT_NE(entry.path().extension(), ".mp4") << entry.path();
+            EXPECT_NE(entry.path().extension(), ".part") << entry.path();
+        }
     }
     static inline std::unique_ptr<VirtualDisplay> display;
     std::string game = file("-a game.flipside-replay");
@@ -71,7 +85,9 @@ TEST_F(FilmCommand, AFilmOfAnotherCourseThanTheGamesIsMadeAndEndsWithOne) {
     EXPECT_EQ(result.out, "61 frames, 1 s\n");
     EXPECT_NE(result.err.find("is not the game that was saved"), std::string::npos) << result.err;
     EXPECT_TRUE(fs::exists(file("x.wav")));
-    replay["runs"][0]["dt"] = 1000;
+    replay["runs"][0]["dt"] = 1;
+    replay["runs"][0]["steps"] = 24'000;
+    replay["runs"][0]["checks"] = std::vector<std::string>(40, "0123456789abcdef");
     std::ofstream(file("long")) << replay;
     expect_refused("replay " + file("long") + " --sound " + file("y.wav"), 1, "a film may last 6");
 }
@@ -92,18 +108,22 @@ TEST_F(FilmCommand, WithoutFfmpegItSaysWhatToInstall) {
     EXPECT_FALSE(fs::exists(file("x.mp4")));
 }
 
-/// A program of that name that does as the lines say.
 TEST_F(FilmCommand, WhatFfmpegSaysOfAFailureIsSaidAndNothingIsLeft) {
-    fs::create_directory(file("bin"));
-    std::ofstream(file("bin/ffmpeg"))
-        << "#!/bin/sh\n[ \"$1\" = -version ] && exit 0\n"
-        << "head -c 1000 > /dev/null; echo 'no such \033[31mcodec' >&2; exit 3\n";
-    fs::permissions(file("bin/ffmpeg"), fs::perms::owner_all);
-    environment = "PATH=" + file("bin") + ":$PATH";
+    use_ffmpeg("head -c 1000 > /dev/null; echo 'no such \033[31mcodec' >&2; exit 3");
     expect_refused("replay '" + game + "' --video " + file("x.mp4") + " --width 400 --height 600", 1,
                    "codec");
-    for (const auto& entry : fs::directory_iterator(fs::path(file("bin")).parent_path()))
-        EXPECT_EQ(entry.path().string().find("mp4"), std::string::npos) << entry.path();
+    expect_nothing_left();
+}
+
+TEST_F(FilmCommand, InterruptedItEndsFfmpegTooAndLeavesNothing) {
+    use_ffmpeg("echo $$ > " + file("number") + "; exec sleep 600");
+    environment += " timeout --preserve-status -s TERM 3";
+    const Result result = flipside("replay '" + game + "' --video " + file("x.mp4"));
+    EXPECT_EQ(result.code, 1);
+    EXPECT_EQ(result.err, "flipside: interrupted\n");
+    const int number = std::stoi(text_of(file("number")));
+    EXPECT_NE(kill(number, 0), 0) << "ffmpeg goes on";
+    expect_nothing_left();
 }
 
 TEST_F(FilmCommand, WritesAVideoWithSound) {
