@@ -10,7 +10,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # The fonts that the window writes with; what draws a report, and pictures without a display.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "fonts-inter | fonts-dejavu-core")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "xvfb, xauth")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "xvfb, xauth, ffmpeg")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "pinball table on two physics engines, side by side")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
 "The left half of the window runs a bespoke 2D collision engine that is

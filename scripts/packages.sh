@@ -22,6 +22,7 @@ test_packages=(                                        # only ./test.sh
     chromium                                           # the report's page in a browser
     libchipmunk-dev                                    # a third engine, as a plug-in
     parallel                                           # sweeps and hunts in shards
+    ffmpeg                                             # videos of replays
 )
 package_packages=(                                     # only scripts/package.sh
     dpkg-dev fakeroot lintian                          # the package's dependencies, and Debian's rules for it

@@ -1,18 +1,14 @@
 #include "app/render.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
-#include <SFML/Graphics/RenderTexture.hpp>
-
+#include "app/painter.hpp"
 #include "app/window/png_file.hpp"
-#include "app/window/screen.hpp"
+#include "app/window/stage.hpp"
 #include "world/input_error.hpp"
 #include "world/refusal.hpp"
 
 namespace flipside::app {
-
-namespace {
 
 Shows parse_shows(const std::vector<std::string>& names) {
     Shows shows = Look{}.shows;
@@ -28,6 +24,8 @@ Shows parse_shows(const std::vector<std::string>& names) {
     }
     return shows;
 }
+
+namespace {
 
 /// "NAME=VALUE" means the chosen engine.
 std::vector<std::string> named_settings(const RenderOptions& options) {
@@ -51,20 +49,7 @@ int render(const RenderOptions& options) {
         if (run.halt() && &run.engine() == &lab::engine_named(options.engine))
             throw Refusal(run.halt()->reason);
 
-    sf::RenderTexture picture;
-    if (!picture.create(options.width, options.height))
-        throw std::runtime_error("cannot make a picture of " + std::to_string(options.width) + " x " +
-                                 std::to_string(options.height) + " pixels");
-    Screen screen(1);
-    const Layout layout = layout_of(stage, options.width, options.height, screen.scale(), Column::none);
-    Camera camera;
-    camera.size = {layout.panes.front().width, layout.panes.front().height};
-    camera.fit(sight_of(stage.scene()), screen.scale() * pane_margin);
-    Readings readings;
-    for (const Run& run : stage.runs()) readings.scores.push_back(run.session().game().score());
-    screen.draw(picture, stage, layout, camera, look, readings);
-    picture.display();
-    write_png(picture.getTexture().copyToImage(), options.out);
+    write_png(Painter(options.width, options.height, 1).paint(stage, look), options.out);
     return 0;
 }
 

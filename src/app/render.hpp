@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/play.hpp"
+#include "app/window/show.hpp"
 
 namespace flipside::app {
 
@@ -23,6 +24,10 @@ struct RenderOptions {
     bool artwork = true;
     unsigned width = 1280, height = 800;  ///< px
 };
+
+/// Those that are shown unless something else is asked for, and these: names of show_specs. Throws InputError
+/// for any other.
+[[nodiscard]] Shows parse_shows(const std::vector<std::string>& names);
 
 int render(const RenderOptions& options);
 

@@ -1,8 +1,7 @@
-#include <map>
-
 #include "app/cli/commands.hpp"
 #include "app/cli/display.hpp"
 #include "app/cli/run_options.hpp"
+#include "app/cli/view_options.hpp"
 #include "app/play.hpp"
 #include "app/render.hpp"
 #include "app/window/layout.hpp"
@@ -13,22 +12,6 @@
 namespace flipside::app {
 
 namespace {
-
-const std::map<std::string, View> views{
-    {"single", View::single}, {"split", View::split}, {"overlay", View::overlay}};
-
-void add_view(CLI::App& command, auto& view, const std::string& which) {
-    const auto set = [&view](const std::string& name) { view = views.at(name); };
-    command
-        .add_option_function<std::string>("--view", set, "single, split or overlay (default " + which + ")")
-        ->check(CLI::IsMember(std::vector<std::string>{"single", "split", "overlay"}))
-        ->type_name("V");
-}
-
-void add_size(CLI::App& command, auto& width, auto& height) {
-    command.add_option("--width", width, "px (default 1280)")->check(number_from(200, 8192))->type_name("W");
-    command.add_option("--height", height, "px (default 800)")->check(number_from(200, 8192))->type_name("H");
-}
 
 struct RenderArguments {
     RenderOptions options;

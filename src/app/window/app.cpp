@@ -84,6 +84,8 @@ App::App(const PlayOptions& options)
     controls_.panel_open = kept_.panel_open;
     controls_.plots = kept_.plots;
     controls_.strip = kept_.strip;
+    controls_.muted = kept_.muted;
+    controls_.has_sound = sound_.has_device();
     if (keeper_ && !keeper_->trouble().empty()) controls_.notice = keeper_->trouble();
     if (options.report) report_.emplace(*options.report);
     if (options.lesson) lessons_.open(*options.lesson, stage_, controls_);
@@ -116,6 +118,7 @@ void App::run() {
         imgui_.want_keys(controls_.by_keys);
         for (const sf::Event& event : imgui_.begin_frame(seconds)) process(event);
         if (!window_.isOpen()) break;
+        read_pad();
         advance(seconds);
         count_up(seconds);
         arrange();
@@ -166,6 +169,7 @@ void App::keep() {
     kept_.scale = controls_.scale;
     kept_.panel_open = controls_.panel_open;
     kept_.strip = controls_.strip;
+    kept_.muted = controls_.muted;
     kept_.lesson = lessons_.lesson() ? lessons_.lesson()->name : "";
     // A lesson's own view, overlays and contenders end with it.
     if (!stage_.is_lesson()) {
@@ -207,6 +211,7 @@ void App::advance(double seconds) {
     const double simulated = controls_.paused || hand_.slings() ? 0 : seconds * controls_.speed;
     if (held(Action::launch)) state_.charge = std::min(1.0, state_.charge + simulated / charge_seconds);
     if (!controls_.paused) controls_.single_steps = 0;
+    sound_.begin_frame(stage_, controls_.muted, controls_.speed);
     const sf::Clock stepping;
     // All engines in step: where one is too slow the table runs slower for all, and the window goes on.
     bool under_way = stage_.under_way();
@@ -216,9 +221,12 @@ void App::advance(double seconds) {
         if (left < 0) break;
         if (controls_.paused && !under_way) --controls_.single_steps;
         under_way = false;
+        const double from = stage_.time();
         if (!stage_.step_within(left)) break;
+        sound_.step(stage_, from);
         measured_.simulated += stage_.dt();
     }
+    sound_.end_frame(stage_, simulated > 0);
     measured_.asked += due * stage_.dt();
     measured_.physics += stepping.getElapsedTime().asSeconds();
 }

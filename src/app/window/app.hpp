@@ -10,9 +10,11 @@
 #include <SFML/Graphics/RenderWindow.hpp>
 #include <SFML/System/Clock.hpp>
 
+#include "app/sound/live.hpp"
 #include "app/window/accumulator.hpp"
 #include "app/window/card_place.hpp"
 #include "app/window/file_watch.hpp"
+#include "app/window/gamepad.hpp"
 #include "app/window/hand.hpp"
 #include "app/window/imgui_sfml.hpp"
 #include "app/window/kept.hpp"
@@ -37,6 +39,8 @@ class App {
     void begin_where_it_ended();
     void process(const sf::Event& event);
     void press(Action action, sf::Keyboard::Key key, bool down);
+    void read_pad();
+    void perform(Action action, bool down);
     void act(Action action);
     void act_on_time(Action action);
     void act_inside(Action action);
@@ -86,9 +90,11 @@ class App {
     Layout layout_;
     ControlPlaces places_;
 
+    sound::Live sound_;
     sf::Clock clock_;
     Accumulator accumulator_;
     std::set<sf::Keyboard::Key> held_;
+    Gamepad pad_;
     std::vector<double> scores_;  ///< as shown: they count up to the true ones
     std::string shown_scene_;     ///< the one the camera was set for
     FileWatch scene_file_;        ///< of the scene on show

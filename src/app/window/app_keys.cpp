@@ -15,7 +15,8 @@ constexpr double nudge_speed = 0.25;  ///< m/s
 }  // namespace
 
 bool App::held(Action action) const {
-    return std::ranges::any_of(held_, [action](sf::Keyboard::Key key) { return action_of(key) == action; });
+    return pad_.held(action) ||
+           std::ranges::any_of(held_, [action](sf::Keyboard::Key key) { return action_of(key) == action; });
 }
 
 void App::press(Action action, sf::Keyboard::Key key, bool down) {
@@ -30,6 +31,11 @@ void App::press(Action action, sf::Keyboard::Key key, bool down) {
     for (const KeyUse& use : key_uses())
         if (use.action == action) state_.last_key = std::string(use.names) + (down ? " down" : " up");
 
+    perform(action, down);
+}
+
+/// By a key or a gamepad, which has noted that it is held or not.
+void App::perform(Action action, bool down) {
     if (action == Action::flip_left) return flip(Side::left, action);
     if (action == Action::flip_right) return flip(Side::right, action);
     if (action == Action::launch && !down) {
@@ -130,6 +136,9 @@ void App::act_on_time(Action action) {
         case Action::look_inside:
             controls_.bar_open = !controls_.bar_open;
             microscope_.close();
+            break;
+        case Action::mute:
+            controls_.muted = !controls_.muted;
             break;
         case Action::slow_motion:
             controls_.speed = controls_.speed < 1 ? 1 : slow_motion;

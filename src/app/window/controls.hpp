@@ -18,9 +18,11 @@ struct WindowControls {
     double speed = 1;      ///< simulated seconds per second
     bool panel_open = true;
     bool help_open = false;
-    bool impact_open = false;       ///< the card of the last impact, while nothing is picked
-    bool bar_open = false;          ///< the step bar
-    bool by_keys = false;           ///< keys work the controls instead of the table
+    bool impact_open = false;  ///< the card of the last impact, while nothing is picked
+    bool bar_open = false;     ///< the step bar
+    bool by_keys = false;      ///< keys work the controls instead of the table
+    bool muted = false;
+    bool has_sound = false;         ///< there is a device to play sound
     double scale = 0;               ///< of letters and controls; 0: as suits the window
     bool newcomer = false;          ///< has an offer of where to begin
     bool lesson_wanted = false;     ///< the lessons come to the front of the panel

@@ -47,7 +47,7 @@ std::vector<std::string> facts(const Canvas& canvas, const Run& run, std::option
     std::vector<std::string> parts{balls_in_words(world.balls().size(), asleep)};
     if (pace) parts.push_back("slow: " + with_unit(*pace, 2, "×"));
     if (!run.uncertainty_history().empty()) parts.push_back(claim_in_words(run));
-    parts.push_back(engineering(run.step_cost(), "s") + " per step");
+    if (run.step_cost() > 0) parts.push_back(engineering(run.step_cost(), "s") + " per step");
     parts.push_back(energy_in_words(run.energy_drift()));
     std::vector<std::string> lines(1);
     const auto fits = [&](const std::string& words) {

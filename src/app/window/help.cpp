@@ -17,6 +17,8 @@ using Line = std::pair<std::string, std::string>;
 std::vector<Line> all_lines() {
     std::vector<Line> lines;
     for (const KeyUse& use : key_uses()) lines.emplace_back(use.names, use.meaning);
+    lines.emplace_back("Gamepad", "Shoulders or triggers: flippers; Start: pause");
+    lines.emplace_back("", "A, or right stick down: launch; left stick or cross: nudge");
     lines.emplace_back("Wheel, drag", "Zoom, move the table");
     lines.emplace_back("Double click", "Fit the table to its pane");
     lines.emplace_back("Click", "Pick a ball or part: its card says all about it");

@@ -38,6 +38,7 @@ std::string text_of(const Kept& kept) {
     j["panel_open"] = kept.panel_open;
     j["plots"] = spec_of(kept.plots).name;
     j["strip"] = kept.strip;
+    j["muted"] = kept.muted;
     return json_text(j, 2) + '\n';
 }
 
@@ -84,6 +85,7 @@ Kept load_kept(const fs::path& file) {
     kept.panel_open = node.toggle("panel_open");
     if (node.has("plots")) kept.plots = plots_named(node.text("plots"));
     kept.strip = node.real("strip", kept.strip);
+    if (node.has("muted")) kept.muted = node.toggle("muted");
     return kept;
 }
 

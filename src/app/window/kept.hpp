@@ -24,6 +24,7 @@ struct Kept {
     bool panel_open = true;
     PlotChoice plots = PlotChoice::distance_and_energy;
     double strip = 0;  ///< height of the plots, as in LayoutNeeds
+    bool muted = false;
 
     friend bool operator==(const Kept&, const Kept&) = default;
 };

@@ -44,6 +44,7 @@ constexpr KeyUse uses[] = {
     {Action::item_next, {K::RBracket, no, no}, none, "]", "Inside a step: the next item"},
     {Action::look_at_next, {K::C, no, no}, none, "C", "Inside a step: look at the next engine's"},
     {Action::slow_motion, {K::S, no, no}, none, "S", "Slow motion, ten times slower"},
+    {Action::mute, {K::Q, no, no}, none, "Q", "Quiet: sound off, or on again"},
     {Action::restart, {K::R, no, no}, none, "R", "Start the scene again"},
     {Action::switch_engine, {K::Tab, no, no}, none, "Tab", "Switch the engine under the running ball"},
     {Action::reference, {K::E, no, no}, none, "E", "Show the exact reference, or hide it"},

@@ -27,6 +27,7 @@ enum class Action {
     look_inside,
     look_at_next,
     slow_motion,
+    mute,
     restart,
     switch_engine,
     reference,

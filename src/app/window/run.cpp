@@ -54,6 +54,23 @@ bool Run::step_within(double span, const Script& script, double seconds) {
     return true;
 }
 
+bool Run::follow(lab::ReplaySteps& replay, double time) {
+    constexpr double same_time = 1e-9;  // s
+    events_.clear();
+    try {
+        while (session_.world().time() < time - same_time && replay.step(session_)) observe_step();
+        if (const auto& reason = replay.refusal())
+            halt_ = Halt{session_.world().time(), *reason};
+        else
+            halt_.reset();
+    } catch (const Refusal& refusal) {
+        halt_ = Halt{session_.world().time(), refusal.what()};
+    }
+    dt_ = replay.dt();
+    step_cost_ = 0;  // what it costs to show a game again is none of the game's
+    return session_.world().time() >= time - same_time;
+}
+
 bool Run::press(const Control& control) {
     if (halt_ || !session_.press(control)) return false;
     pressed_.push_back(control);

@@ -12,6 +12,7 @@
 #include "app/window/traces.hpp"
 #include "lab/comparison/impact_log.hpp"
 #include "lab/contenders/contender.hpp"
+#include "lab/replay/play.hpp"
 #include "lab/session/ball_edit.hpp"
 #include "lab/session/recorder.hpp"
 #include "lab/session/session.hpp"
@@ -40,6 +41,9 @@ class Run {
     /// On by `span` s in steps of its own, in portions, as World::step_within has it: true once that is done.
     /// Does nothing, and is done, once the run has halted.
     [[nodiscard]] bool step_within(double span, const Script& script, double seconds);
+    /// On to the first moment at `time` s or after it by the steps of a replay, in whose first session the
+    /// run began. False where it has ended, or has halted, before that.
+    bool follow(lab::ReplaySteps& replay, double time);
     /// Whatever its world does in a step is written there from now on; null: nowhere.
     void trace(Trace* trace) { session_.world().trace(trace); }
     /// A span has begun and not ended.

@@ -105,7 +105,7 @@ void Screen::draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect&
     if (looked_into)
         draw_stage_items(canvas_, camera, inside->stage(), inside->item(), inside->balls(inside->run()),
                          colour_of(stage.runs()[inside->run()]));
-    if (look.charge == 0 && !inside) draw_advice(place, advice(runs, stage));
+    if (look.advice && look.charge == 0 && !inside) draw_advice(place, advice(runs, stage));
     for (const Run& run : runs)
         if (run.halt()) draw_halt(stage, place, run, alone);
     canvas_.flush(target);

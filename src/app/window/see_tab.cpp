@@ -96,6 +96,11 @@ void plots(const Panel& panel) {
     note(panel.places, "Plots");
 }
 
+void mute(const Panel& panel) {
+    panel.toggle("Mute", panel.controls.muted, "No sound (Q)");
+    if (!panel.controls.has_sound) ImGui::TextWrapped("No device to play sound was found at the start");
+}
+
 }  // namespace
 
 void draw_see_tab(const Panel& panel) {
@@ -114,6 +119,7 @@ void draw_see_tab(const Panel& panel) {
     if (!region("Window")) return;
     plots(panel);
     letters(panel);
+    mute(panel);
 }
 
 }  // namespace flipside::app

@@ -298,8 +298,7 @@ bool Stage::step_within(double span, double seconds) {
     for (Run& run : runs_)
         if (!is_reference(run.engine()))
             static_cast<void>(run.step_within(span, script_, std::numeric_limits<double>::infinity()));
-    for (Divergence& divergence : divergences_)
-        divergence.observe(run_named(divergence.first()), run_named(divergence.second()));
+    compare_runs();
     for (const Control& control : std::exchange(pressed_, {})) press(control);
     for (const lab::BallEdit& edit : std::exchange(edits_, {})) this->edit(edit);
     return true;

@@ -3,6 +3,7 @@
 /// how far these are apart. Knows no screen.
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,9 @@ class Stage {
     Stage(const std::string& scene, const std::string& engine, View view,
           const std::vector<std::string>& settings, const std::optional<std::filesystem::path>& script,
           const std::vector<std::string>& contenders = {}, std::optional<double> dt = {});
+
+    /// Of contenders that are there already.
+    Stage(std::shared_ptr<const Scene> scene, std::vector<lab::Contender> contenders, View view);
 
     /// Another scene from its start, with the contenders of before any lesson. The script belongs to the
     /// first scene and is dropped.
@@ -113,6 +117,8 @@ class Stage {
     /// What was played on all runs on show, to be played again. Not in the middle of a step. Throws
     /// lab::Failure that says why where that cannot be.
     [[nodiscard]] lab::Replay game() const;
+    /// All runs have come to one moment by other means than the above.
+    void compare_runs();
     /// Of every two runs, since they last began in one state.
     [[nodiscard]] const std::vector<Divergence>& divergences() const { return divergences_; }
 

@@ -43,6 +43,8 @@ Json still(const Stage& stage, const WindowState& window, const WindowControls& 
     j["reference"] = stage.reference();
     j["paused"] = controls.paused;
     j["speed"] = controls.speed;
+    j["muted"] = controls.muted;
+    j["has_sound"] = controls.has_sound;
     j["gravity"] = stage.gravity();
     j["panel"] = controls.panel_open;
     j["help"] = controls.help_open;

@@ -41,6 +41,8 @@ class WholeFile {
 
     /// Output to it throws Failure as soon as something cannot be written.
     [[nodiscard]] std::ostream& out() { return out_; }
+    /// The open file, for another program to write what `out` does not.
+    [[nodiscard]] int descriptor() const { return descriptor_; }
     /// Puts the file into its place. Throws Failure when it could not be written, synced or renamed; then
     /// what was in its place is still there, unless it is only the folder that could not be synced.
     void finish();

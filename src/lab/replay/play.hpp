@@ -2,6 +2,7 @@
 /// Plays a replay again.
 
 #include <optional>
+#include <string>
 
 #include "lab/replay/replay.hpp"
 
@@ -33,36 +34,62 @@ struct ReplayParting {
     double after = 0, before = 0;
 };
 
-class ReplayPlayer {
+/// What a replay does to a session, step by step.
+class ReplaySteps {
   public:
-    /// As it was. The replay must outlive the player.
-    ReplayPlayer(const Replay& replay, std::size_t run);
+    /// As it was. The replay must outlive this.
+    ReplaySteps(const Replay& replay, std::size_t run);
     /// On another engine, as the scene recommends it: the same hands on it, as far as the rules let them.
-    /// What was done to engines and settings is left out. Throws InputError where the engine cannot run the
-    /// scene.
-    ReplayPlayer(const Replay& replay, std::size_t run, const Engine& other);
+    /// What was done to engines and settings is left out.
+    ReplaySteps(const Replay& replay, std::size_t run, const Engine& other);
 
+    /// The session in which it begins. Throws InputError where another engine cannot run the scene.
+    [[nodiscard]] Session begin() const;
     /// The next step with what was done before it; false, and only that, after the last one. Throws Refusal
-    /// where the engine refuses a step that it did not refuse in the game.
-    bool step();
-    [[nodiscard]] const Session& session() const { return session_; }
+    /// where the engine refuses a step that it did not refuse in the game. The session is that of begin(),
+    /// and is changed by nobody else.
+    bool step(Session& session);
+    /// The length of the steps at present, s.
+    [[nodiscard]] double dt() const { return dt_; }
+    /// Why the engine refused the step after the last one, as it did in the game.
+    [[nodiscard]] const std::optional<std::string>& refusal() const { return refusal_; }
     /// Whether the end was reached by another way. Says nothing of another engine.
     [[nodiscard]] const std::optional<ReplayParting>& parting() const { return parting_; }
 
   private:
     struct Hands;
 
-    void compare(std::uint64_t checksum);
+    void compare(const Session& session, std::uint64_t checksum);
 
     const Replay* replay_;
     const ReplayRun* run_;
-    bool other_;
-    Session session_;
+    const Engine* other_ = nullptr;
     double dt_;
     std::size_t next_move_ = 0, next_control_ = 0;
     bool ended_ = false;
     double agreed_ = 0;  ///< the last time at which a checksum was the same, s
+    std::optional<std::string> refusal_;
     std::optional<ReplayParting> parting_;
 };
+
+/// Both together.
+class ReplayPlayer {
+  public:
+    /// As ReplaySteps has it.
+    ReplayPlayer(const Replay& replay, std::size_t run) : steps_(replay, run), session_(steps_.begin()) {}
+    ReplayPlayer(const Replay& replay, std::size_t run, const Engine& other)
+        : steps_(replay, run, other), session_(steps_.begin()) {}
+
+    bool step() { return steps_.step(session_); }
+    [[nodiscard]] const Session& session() const { return session_; }
+    [[nodiscard]] const std::optional<ReplayParting>& parting() const { return steps_.parting(); }
+
+  private:
+    ReplaySteps steps_;
+    Session session_;
+};
+
+/// How long a run lasts in the replay, s: its steps, each of the length that was set then.
+[[nodiscard]] double duration_of(const ReplayRun& run);
 
 }  // namespace flipside::lab
