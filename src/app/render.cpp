@@ -62,6 +62,8 @@ int render(const RenderOptions& options) {
     camera.fit(sight_of(stage.scene()), screen.scale() * pane_margin);
     Readings readings;
     for (const Run& run : stage.runs()) readings.scores.push_back(run.session().game().score());
+    const GameEnd end = end_of(stage);
+    if (is_over(stage)) readings.end = &end;
     screen.draw(picture, stage, layout, camera, look, readings);
     picture.display();
     write_png(picture.getTexture().copyToImage(), options.out);
