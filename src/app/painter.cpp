@@ -19,6 +19,8 @@ sf::Image Painter::paint(const Stage& stage, const Look& look) {
     camera.fit(sight_of(stage.scene()), screen_.scale() * pane_margin);
     Readings readings;
     for (const Run& run : stage.runs()) readings.scores.push_back(run.session().game().score());
+    const GameEnd end = end_of(stage);
+    if (is_over(stage)) readings.end = &end;
     screen_.draw(picture_, stage, layout, camera, look, readings);
     picture_.display();
     return picture_.getTexture().copyToImage();

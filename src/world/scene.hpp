@@ -83,7 +83,7 @@ struct Launcher {
     Ball ball;                        ///< radius, mass, material, layers; the rest is unused
 };
 
-/// The game played on the table, see lab/session/game.hpp.
+/// The game played on the table, see lab/game/game.hpp.
 struct Rules {
     struct Score {
         PartIndex part;
@@ -92,6 +92,20 @@ struct Rules {
     struct Group {  ///< drop targets, or rollover lanes: when every one is hit, a bonus, and all reset
         std::vector<PartIndex> parts;
         int bonus;
+        bool shift = false;  ///< of lanes: a raised flipper moves the lights towards its side
+    };
+    struct SkillShot {                 ///< the rollover that a new ball must pass first
+        std::vector<PartIndex> parts;  ///< sensors, from left to right; one of them at a time is the one
+        int bonus;
+    };
+    struct Multiball {
+        int balls;        ///< in play, once every group of targets has been down
+        double strength;  ///< 0…1, of the launches that bring them
+        int jackpot;      ///< for each group of targets meanwhile
+    };
+    struct EndBonus {
+        std::vector<Score> scores;  ///< what each hit adds to it
+        int most_times;             ///< it is paid once, and once more for each group of lanes, up to this
     };
     struct Spinner {
         PartIndex part;  ///< a sensor; a ball that passes at v m/s spins it v·turns_per_speed half turns
@@ -99,13 +113,17 @@ struct Rules {
         double turns_per_speed;
     };
     int balls = 3;
-    double ball_save = 0;  ///< s after a launch during which a drained ball is given back
-    int tilt_nudges = 3;   ///< this many nudges within tilt_seconds tilt the table
+    double ball_save = 0;    ///< s after a new ball's launch during which it is given back if it drains
+    double ball_search = 0;  ///< s that a ball may meet nothing before the table shakes it loose; 0: for ever
+    int tilt_nudges = 3;     ///< this many nudges within tilt_seconds tilt the table
     double tilt_seconds = 3;
     std::vector<Score> scores;
     std::vector<Group> targets;
     std::vector<Group> lanes;
     std::vector<Spinner> spinners;
+    std::optional<SkillShot> skill_shot;
+    std::optional<Multiball> multiball;
+    std::optional<EndBonus> end_bonus;
 };
 
 /// The most balls, and the most parts, of a scene.

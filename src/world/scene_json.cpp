@@ -154,28 +154,44 @@ class SceneWriter {
                 {"plunger", launcher.plunger},
                 {"ball", kind(launcher.ball)}};
     }
+    [[nodiscard]] Json part_names(const std::vector<PartIndex>& parts) const {
+        Json names = Json::array();
+        for (const PartIndex part : parts) names.push_back(scene_.parts[part].name);
+        return names;
+    }
     [[nodiscard]] Json groups(const std::vector<Rules::Group>& all) const {
         Json json = Json::array();
         for (const Rules::Group& group : all) {
-            Json parts = Json::array();
-            for (const PartIndex part : group.parts) parts.push_back(scene_.parts[part].name);
-            json.push_back({{"parts", parts}, {"bonus", group.bonus}});
+            json.push_back({{"parts", part_names(group.parts)}, {"bonus", group.bonus}});
+            if (group.shift) json.back()["shift"] = true;
         }
+        return json;
+    }
+    [[nodiscard]] Json scores(const std::vector<Rules::Score>& all) const {
+        Json json = Json::object();
+        for (const Rules::Score& score : all) json[scene_.parts[score.part].name] = score.points;
         return json;
     }
     [[nodiscard]] Json rules(const Rules& rules) const {
         Json json{{"balls", rules.balls},
                   {"ball_save", rules.ball_save},
+                  {"ball_search", rules.ball_search},
                   {"tilt", {{"nudges", rules.tilt_nudges}, {"seconds", rules.tilt_seconds}}},
+                  {"score", scores(rules.scores)},
                   {"targets", groups(rules.targets)},
                   {"lanes", groups(rules.lanes)},
                   {"spinners", Json::array()}};
-        for (const Rules::Score& score : rules.scores)
-            json["score"][scene_.parts[score.part].name] = score.points;
         for (const Rules::Spinner& spinner : rules.spinners)
             json["spinners"].push_back({{"part", scene_.parts[spinner.part].name},
                                         {"points", spinner.points},
                                         {"turns_per_speed", spinner.turns_per_speed}});
+        if (const auto& shot = rules.skill_shot)
+            json["skill_shot"] = {{"parts", part_names(shot->parts)}, {"bonus", shot->bonus}};
+        if (const auto& multi = rules.multiball)
+            json["multiball"] = {
+                {"balls", multi->balls}, {"strength", multi->strength}, {"jackpot", multi->jackpot}};
+        if (const auto& bonus = rules.end_bonus)
+            json["end_bonus"] = {{"points", scores(bonus->scores)}, {"most_times", bonus->most_times}};
         return json;
     }
 

@@ -15,6 +15,7 @@ extern const std::string_view state_schema;
 extern const std::string_view trace_schema;
 extern const std::string_view lesson_schema;
 extern const std::string_view window_schema;
+extern const std::string_view scores_schema;
 extern const std::string_view certificate_schema;
 extern const std::string_view hard_schema;
 extern const std::string_view replay_schema;

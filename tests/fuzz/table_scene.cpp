@@ -15,7 +15,10 @@ constexpr const char* text = R"({
   "launcher": {"position": [0.8, -0.7], "direction_deg": 95, "speed": [1, 4], "plunger": true,
                "ball": {"radius": 0.05, "mass": 0.1, "material": "rubber"}},
   "rules": {"balls": 2, "ball_save": 1, "tilt": {"nudges": 2, "seconds": 1}, "score": {"bumper": 10},
-            "targets": [{"parts": ["drop-1", "drop-2"], "bonus": 50}], "lanes": [{"parts": ["lane"], "bonus": 5}],
+            "targets": [{"parts": ["drop-1", "drop-2"], "bonus": 50}], "lanes": [{"parts": ["lane"], "bonus": 5, "shift": true}],
+            "ball_search": 0.5, "skill_shot": {"parts": ["lane"], "bonus": 7},
+            "multiball": {"balls": 3, "strength": 1, "jackpot": 30},
+            "end_bonus": {"points": {"bumper": 2, "drop-1": 3}, "most_times": 4},
             "spinners": [{"part": "lane", "points": 1, "turns_per_speed": 3}]},
   "parts": [
     {"name": "wall", "material": "rubber", "shape": {"type": "polyline", "points": [[-0.9, -0.9], [-0.9, 0.9], [0.9, 0.9], [0.9, -0.9]]}},

@@ -156,7 +156,11 @@ TEST(SceneFile, LauncherRulesAndRecommendationsAreRead) {
         "launcher": {"position": [0.5, -0.5], "direction_deg": 90, "speed": [1, 3], "plunger": true,
                      "ball": {"radius": 0.0135, "mass": 0.08}},
         "rules": {"balls": 5, "ball_save": 8, "tilt": {"nudges": 2, "seconds": 4}, "score": {"bumper": 100},
-                  "targets": [{"parts": ["drop"], "bonus": 500}], "lanes": [{"parts": ["lane"], "bonus": 50}],
+                  "targets": [{"parts": ["drop"], "bonus": 500}],
+                  "lanes": [{"parts": ["lane"], "bonus": 50, "shift": true}],
+                  "ball_search": 7, "skill_shot": {"parts": ["lane"], "bonus": 25},
+                  "multiball": {"balls": 3, "strength": 0.5, "jackpot": 900},
+                  "end_bonus": {"points": {"drop": 20}, "most_times": 4},
                   "spinners": [{"part": "lane", "points": 10, "turns_per_speed": 4}]},
         "recommend": {"custom": {"motion_iterations": 8, "solver": "simple"}, "box2d": {"bullets": true},
                       "run": {"dt": 0.001}}})",
@@ -178,6 +182,18 @@ TEST(SceneFile, LauncherRulesAndRecommendationsAreRead) {
     EXPECT_EQ(scene.rules->scores[0].points, 100);
     EXPECT_EQ(scene.rules->targets.at(0).parts, std::vector<PartIndex>{2});
     EXPECT_EQ(scene.rules->lanes.at(0).bonus, 50);
+    EXPECT_TRUE(scene.rules->lanes.at(0).shift);
+    EXPECT_FALSE(scene.rules->targets.at(0).shift);
+    EXPECT_EQ(scene.rules->ball_search, 7);
+    ASSERT_TRUE(scene.rules->skill_shot && scene.rules->multiball && scene.rules->end_bonus);
+    EXPECT_EQ(scene.rules->skill_shot->parts, std::vector<PartIndex>{1});
+    EXPECT_EQ(scene.rules->skill_shot->bonus, 25);
+    EXPECT_EQ(scene.rules->multiball->balls, 3);
+    EXPECT_EQ(scene.rules->multiball->strength, 0.5);
+    EXPECT_EQ(scene.rules->multiball->jackpot, 900);
+    EXPECT_EQ(scene.rules->end_bonus->scores.at(0).part, 2U);
+    EXPECT_EQ(scene.rules->end_bonus->scores.at(0).points, 20);
+    EXPECT_EQ(scene.rules->end_bonus->most_times, 4);
     EXPECT_EQ(scene.rules->spinners.at(0).turns_per_speed, 4);
     EXPECT_EQ(scene.recommend.at("custom").at("motion_iterations"), "8");
     EXPECT_EQ(scene.recommend.at("custom").at("solver"), "simple");

@@ -42,8 +42,8 @@ void print_figures(const bots::Figures& figures, std::size_t games) {
     print("%-10s %zu of %zu\n", "unfinished", figures.unfinished, games);
     print("%-10s %ld drained, %llu lost otherwise\n", "balls", figures.lost,
           static_cast<unsigned long long>(figures.strays));
-    print("%-10s %d still for 10 s; the longest time was %.1f s\n", "stuck", figures.stuck,
-          figures.longest_still);
+    print("%-10s %d still for 10 s; the longest time was %.1f s; the table sought a ball %d times\n", "stuck",
+          figures.stuck, figures.longest_still, figures.searches);
     print("%-10s", "drained");
     const char* separator = " ";
     for (const auto& [name, count] : figures.drained_after) {

@@ -102,7 +102,9 @@ The folder of scenes and lessons, instead of the one that was installed with the
 .TP
 .BR XDG_STATE_HOME ", " HOME
 Where the window keeps what was on show, in
-.IR flipside/window.json ;
+.IR flipside/window.json ,
+and the high scores, in
+.IR flipside/scores.json ;
 without XDG_STATE_HOME in
 .IR ~/.local/state .
 .TP

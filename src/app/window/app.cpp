@@ -77,7 +77,8 @@ App::App(const PlayOptions& options)
               "Flipside"),
       scale_(options.scale.value_or(kept_.scale)),
       imgui_(window_, scale_ > 0 ? scale_ : scale_for(window_.getSize())),
-      accumulator_(stage_.dt(), most_catch_up) {
+      accumulator_(stage_.dt(), most_catch_up),
+      high_scores_(options.keep ? high_scores_file() : std::nullopt) {
     if (!window_.isOpen()) throw std::runtime_error("cannot open a window: is there a display?");
     controls_.scale = scale_;
     controls_.look = kept_.look;
@@ -121,6 +122,7 @@ void App::run() {
         read_pad();
         advance(seconds);
         count_up(seconds);
+        look_after_game();
         arrange();
         draw();
         if (report_)
@@ -173,10 +175,7 @@ void App::keep() {
     kept_.lesson = lessons_.lesson() ? lessons_.lesson()->name : "";
     // A lesson's own view, overlays and contenders end with it.
     if (!stage_.is_lesson()) {
-        const std::string& name = stage_.scene_name();
-        const auto names = lab::scene_names();
-        const bool known = std::ranges::find(names, name) != names.end();
-        kept_.scene = known ? name : absolute(lab::scene_file(name)).string();
+        kept_.scene = kept_name(stage_.scene_name());
         kept_.view = stage_.view();
         kept_.plots = controls_.plots;
         kept_.look = {look.shows, look.random_colours, look.artwork};
@@ -212,6 +211,7 @@ void App::advance(double seconds) {
     if (held(Action::launch)) state_.charge = std::min(1.0, state_.charge + simulated / charge_seconds);
     if (!controls_.paused) controls_.single_steps = 0;
     sound_.begin_frame(stage_, controls_.muted, controls_.speed);
+    if (controls_.speed < 1 || controls_.single_steps > 0) helped_game_ = stage_.games();
     const sf::Clock stepping;
     // All engines in step: where one is too slow the table runs slower for all, and the window goes on.
     bool under_way = stage_.under_way();
@@ -283,6 +283,7 @@ void App::draw() {
                       controls_.plots,
                       {double(sf::Mouse::getPosition(window_).x), double(sf::Mouse::getPosition(window_).y)}};
     for (const double score : scores_) readings.scores.push_back(std::lround(std::floor(score)));
+    if (state_.end) readings.end = &*state_.end;
     Look look = controls_.look;
     look.artwork = look.artwork && !controls_.artwork_left_out;
     screen_->draw(window_, stage_, layout_, camera_, look, readings, inside ? &microscope_ : nullptr);

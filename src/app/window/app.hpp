@@ -15,6 +15,7 @@
 #include "app/window/card_place.hpp"
 #include "app/window/file_watch.hpp"
 #include "app/window/gamepad.hpp"
+#include "app/window/game_end.hpp"
 #include "app/window/hand.hpp"
 #include "app/window/imgui_sfml.hpp"
 #include "app/window/kept.hpp"
@@ -64,6 +65,8 @@ class App {
     void save_screenshot();
     void export_plots();
     void save_game();
+    void look_after_game();
+    bool play_again();
     [[nodiscard]] sf::Image picture() const;
     [[nodiscard]] std::filesystem::path free_name(const std::string& stem,
                                                   std::initializer_list<std::string_view> endings) const;
@@ -95,6 +98,9 @@ class App {
     Accumulator accumulator_;
     std::set<sf::Keyboard::Key> held_;
     Gamepad pad_;
+    HighScores high_scores_;
+    int entered_game_ = 0;        ///< Stage::games() of the last one that was entered
+    int helped_game_ = 0;         ///< of the last one that slow motion or single steps helped
     std::vector<double> scores_;  ///< as shown: they count up to the true ones
     std::string shown_scene_;     ///< the one the camera was set for
     FileWatch scene_file_;        ///< of the scene on show

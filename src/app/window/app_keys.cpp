@@ -24,6 +24,7 @@ void App::press(Action action, sf::Keyboard::Key key, bool down) {
     const bool shift = key == sf::Keyboard::LShift || key == sf::Keyboard::RShift;
     if (controls_.bar_open && controls_.paused && shift && down) return;
     if (action == Action::none || down == held_.contains(key)) return;
+    if (action == Action::launch && down && play_again()) return;
     if (down)
         held_.insert(key);
     else

@@ -179,7 +179,7 @@ void Canvas::text(Vec2 at, std::string_view utf8, Type type, sf::Color color, Al
 void Canvas::flush(sf::RenderTarget& target) {
     target.draw(shapes_);
     shapes_.clear();
-    for (const Type type : {Type::small, Type::large}) {
+    for (const Type type : types) {
         sf::VertexArray& letters = letters_[static_cast<int>(type)];
         target.draw(letters, &lettering_.texture(type));
         letters.clear();

@@ -52,7 +52,8 @@ class Canvas {
 
     const Lettering& lettering_;
     sf::VertexArray shapes_{sf::Triangles};
-    sf::VertexArray letters_[2]{sf::VertexArray(sf::Triangles), sf::VertexArray(sf::Triangles)};
+    sf::VertexArray letters_[std::size(types)]{sf::VertexArray(sf::Triangles), sf::VertexArray(sf::Triangles),
+                                               sf::VertexArray(sf::Triangles)};
     std::vector<Vec2> points_;   ///< scratch: a curve as a polygon
     std::vector<Vec2> offsets_;  ///< scratch: outward unit mitres
 };

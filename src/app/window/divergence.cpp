@@ -17,6 +17,7 @@ void Divergence::observe(const Run& first, const Run& second) {
     was_empty_ = empty;
     // Engines that only know contacts per step give the step's end: one step is what impacts may differ by.
     match_.observe(first.events(), second.events(), std::max(first.dt(), second.dt()) * (1 + 1e-9), time);
+    if (!first_parting_) first_parting_ = parting();
     const lab::Spread spread = lab::spread(a.world().balls(), b.world().balls());
     if (spread.common > 0) remember(history_, {time, spread.radii});
 }
@@ -24,11 +25,15 @@ void Divergence::observe(const Run& first, const Run& second) {
 void Divergence::forget_after(double time) {
     flipside::app::forget_after(history_, time);
     if (!parting() || parting()->time > time) match_ = {};
+    if (first_parting_ && first_parting_->time > time) first_parting_.reset();
 }
 
 std::string Divergence::parted_on(const Scene& scene) const {
-    if (!parting()) return "";
-    const auto& [time, ball, index, first, second] = *parting();
+    return parting() ? name_of_parting(*parting(), scene) : "";
+}
+
+std::string name_of_parting(const lab::Parting& parting, const Scene& scene) {
+    const auto& [time, ball, index, first, second] = parting;
     return lab::name_of_other(first && first->time == time ? *first : *second, scene);
 }
 

@@ -33,14 +33,21 @@ class Divergence {
     /// last empty.
     [[nodiscard]] const std::optional<lab::Parting>& parting() const { return match_.parting(); }
 
+    /// The first since the runs began in one state.
+    [[nodiscard]] const std::optional<lab::Parting>& first_parting() const { return first_parting_; }
+
     /// What the ball hit then; "" before that.
     [[nodiscard]] std::string parted_on(const Scene& scene) const;
 
   private:
     std::string first_, second_;
     lab::LiveMatch match_;
+    std::optional<lab::Parting> first_parting_;
     bool was_empty_ = false;
     std::deque<Sample> history_;
 };
+
+/// What the ball hit as two runs parted.
+[[nodiscard]] std::string name_of_parting(const lab::Parting& parting, const Scene& scene);
 
 }  // namespace flipside::app

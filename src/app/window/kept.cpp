@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "lab/files/assets.hpp"
 #include "lab/files/whole_file.hpp"
 #include "lab/process/failure.hpp"
 #include "world/input_error.hpp"
@@ -87,6 +88,11 @@ Kept load_kept(const fs::path& file) {
     kept.strip = node.real("strip", kept.strip);
     if (node.has("muted")) kept.muted = node.toggle("muted");
     return kept;
+}
+
+std::string kept_name(const std::string& scene) {
+    const auto names = lab::scene_names();
+    return std::ranges::find(names, scene) != names.end() ? scene : absolute(lab::scene_file(scene)).string();
 }
 
 Keeper::Keeper(fs::path file) : file_(std::move(file)) {

@@ -35,6 +35,9 @@ struct Kept {
 /// Throws InputError where it cannot be read or is of another form.
 [[nodiscard]] Kept load_kept(const std::filesystem::path& file);
 
+/// A scene by what finds it again at another start: its name, or the absolute path of its file.
+[[nodiscard]] std::string kept_name(const std::string& scene);
+
 /// Writes what is kept when it has changed, but not what somebody else put there.
 class Keeper {
   public:

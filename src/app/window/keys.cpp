@@ -11,7 +11,11 @@ constexpr K::Key no = K::Unknown;
 constexpr Held none = Held::nothing;
 
 constexpr KeyUse uses[] = {
-    {Action::launch, {K::Space, no, no}, none, "Space", "Launch; hold it to charge"},
+    {Action::launch,
+     {K::Space, no, no},
+     none,
+     "Space",
+     "Launch; hold it to charge. After a game: play again"},
     {Action::flip_left,
      {K::LShift, K::Left, no},
      none,

@@ -30,7 +30,7 @@ Lettering::Lettering(double scale) : scale_(scale) {
     const FontFiles files = find_fonts();
     if (!fonts_[0].loadFromFile(files.regular.string()) || !fonts_[1].loadFromFile(files.strong.string()))
         throw std::runtime_error("cannot read the font " + files.regular.string());
-    for (const Type type : {Type::small, Type::large})
+    for (const Type type : types)
         for (sf::Uint32 digit = '0'; digit <= '9'; ++digit) {
             double& widest = digit_width_[static_cast<int>(type)];
             widest = std::max<double>(widest, font(type).getGlyph(digit, pixels(type), false).advance);
@@ -38,7 +38,8 @@ Lettering::Lettering(double scale) : scale_(scale) {
 }
 
 unsigned Lettering::pixels(Type type) const {
-    return static_cast<unsigned>(std::lround(scale_ * (type == Type::small ? small_type : large_type)));
+    constexpr double sizes[] = {small_type, large_type, title_type};
+    return static_cast<unsigned>(std::lround(scale_ * sizes[static_cast<int>(type)]));
 }
 
 double Lettering::advance(sf::Uint32 letter, Type type) const {

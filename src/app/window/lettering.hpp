@@ -1,6 +1,8 @@
 #pragma once
-/// Text on the canvas, in two sizes, with figures of equal width so that changing numbers stand still.
+/// Text on the canvas, in two sizes and one for titles on the table, with figures of equal width so that
+/// changing numbers stand still.
 
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,7 +15,8 @@
 
 namespace flipside::app {
 
-enum class Type { small, large };
+enum class Type { small, large, title };
+inline constexpr Type types[] = {Type::small, Type::large, Type::title};
 
 class Lettering {
   public:
@@ -35,12 +38,12 @@ class Lettering {
 
   private:
     [[nodiscard]] unsigned pixels(Type type) const;
-    [[nodiscard]] const sf::Font& font(Type type) const { return fonts_[static_cast<int>(type)]; }
+    [[nodiscard]] const sf::Font& font(Type type) const { return fonts_[type == Type::small ? 0 : 1]; }
     [[nodiscard]] double advance(sf::Uint32 letter, Type type) const;
 
     double scale_;
-    sf::Font fonts_[2];        ///< regular for the small type, strong for the large
-    double digit_width_[2]{};  ///< of the widest figure, px
+    sf::Font fonts_[2];                       ///< regular for the small type, strong for the others
+    double digit_width_[std::size(types)]{};  ///< of the widest figure, px
 };
 
 }  // namespace flipside::app

@@ -92,7 +92,21 @@ void Run::go_to(double time, const Script& script) {
     count_from_here();
 }
 
+bool Run::played_by_hand() const {
+    const auto is_a_key = [](const lab::Recording::Entry& entry) {
+        if (const auto* press = std::get_if<lab::move::Press>(&entry.move)) {
+            const auto* launch = std::get_if<control::Launch>(&press->control);
+            return launch == nullptr || (launch->count == 1 && launch->size == 1);
+        }
+        return std::holds_alternative<lab::move::StepLength>(entry.move) ||
+               std::holds_alternative<lab::move::Check>(entry.move);
+    };
+    return !went_back_ && !session_.recording().spoiled() &&
+           std::ranges::all_of(session_.recording().entries(), is_a_key);
+}
+
 void Run::go_on_from_here() {
+    went_back_ = true;
     const double now = session_.world().time();
     recorder_.forget_after(recorder_.at(now));
     recorded_halt_ = halt_;

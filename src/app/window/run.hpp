@@ -65,6 +65,9 @@ class Run {
     void go_to(double time, const Script& script);
     /// What was recorded after the moment on show is forgotten: the run goes on from here.
     void go_on_from_here();
+    /// Whether all that was done to it is what a player's keys do: no hand on the balls, no other engine,
+    /// settings or launch than the game's own, no script, and nothing taken back.
+    [[nodiscard]] bool played_by_hand() const;
     /// Once per wall second: `seconds` since the last call.
     void refresh(double seconds);
 
@@ -113,6 +116,7 @@ class Run {
     std::vector<Event> events_;
     lab::Recorder recorder_;
     std::vector<Control> pressed_;       ///< since the last span
+    bool went_back_ = false;             ///< and on from there
     std::optional<Halt> recorded_halt_;  ///< at the end of what is recorded
     Traces traces_;
     lab::ImpactLog impacts_;

@@ -9,6 +9,7 @@
 #include "app/window/header.hpp"
 #include "app/window/overlays.hpp"
 #include "app/window/pick_view.hpp"
+#include "app/window/playfield/captions.hpp"
 #include "app/window/playfield/effects.hpp"
 #include "app/window/stage_view.hpp"
 #include "app/window/strip.hpp"
@@ -62,6 +63,8 @@ void Screen::draw(sf::RenderTarget& target, const Stage& stage, const Layout& la
                         slow && &runs[i] == &costliest ? std::optional(readings.reached) : std::nullopt));
     draw_strip(canvas_, layout.strip, stage, readings.plots, readings.mouse);
     canvas_.flush(target);
+    if (readings.end != nullptr) draw_game_end(canvas_, layout, *readings.end);
+    canvas_.flush(target);
 }
 
 void Screen::draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect& place,
@@ -72,6 +75,8 @@ void Screen::draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect&
     const Run& front = alone ? runs.front() : stage.lead();
     draw_ground(target, camera, front, look, inside != nullptr);
     draw_table(canvas_, camera, front, look);
+    if (!inside) draw_words(stage, place, runs, look);
+    canvas_.flush(target);  // balls roll over letters
     // On one table, what has stopped at another time is not seen together with what goes on.
     const auto seen = [&](const Run& run) { return alone || !run.halt(); };
     const auto balls_of = [&](const Run& run) {
@@ -105,7 +110,6 @@ void Screen::draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect&
     if (looked_into)
         draw_stage_items(canvas_, camera, inside->stage(), inside->item(), inside->balls(inside->run()),
                          colour_of(stage.runs()[inside->run()]));
-    if (look.advice && look.charge == 0 && !inside) draw_advice(place, advice(runs, stage));
     for (const Run& run : runs)
         if (run.halt()) draw_halt(stage, place, run, alone);
     canvas_.flush(target);
@@ -120,23 +124,19 @@ void Screen::draw_ground(sf::RenderTarget& target, const Camera& camera, const R
         draw_bare_ground(canvas_, camera, run.session().scene());
 }
 
-/// In the middle of the lower half, on a ground of its own: no wall goes through the words.
-void Screen::draw_advice(const Rect& place, const std::string& words) {
-    if (words.empty()) return;
-    const double pad = canvas_.scaled(8), room = 0.8 * place.width - 2 * pad;
-    const Type type = lettering_.width(words, Type::large) > room ? Type::small : Type::large;
-    const std::vector<std::string> lines = lettering_.lines(words, type, room);
-    double width = 0;
-    for (const std::string& line : lines) width = std::max(width, lettering_.width(line, type));
-    const double height = lettering_.line_height(type) * static_cast<double>(lines.size());
-    const double middle = std::round(0.5 * place.width);
-    double y = std::round(std::min(0.57 * place.height, place.height - height - 2 * pad));
-    canvas_.rectangle({middle - 0.5 * width - pad, y - 0.6 * pad},
-                      {middle + 0.5 * width + pad, y + height + 0.6 * pad}, with_alpha(colour::raised, 0.94));
-    for (const std::string& line : lines) {
-        canvas_.text({middle, y}, line, type, colour::text, Align::center);
-        y += lettering_.line_height(type);
+/// What the rules have to tell, or else what the player can do. Where several runs are on one table each
+/// tells in its colour.
+void Screen::draw_words(const Stage& stage, const Rect& place, std::span<const Run> runs, const Look& look) {
+    CaptionWriter writer(canvas_, place);
+    bool told = false;
+    for (const Run& run : runs) {
+        const auto words = caption_of(run.session().game(), run.session().world().time());
+        if (!words) continue;
+        writer.write(*words, runs.size() == 1 ? colour::lit : colour_of(run));
+        told = true;
     }
+    const auto words = told || look.charge > 0 || !look.advice ? std::nullopt : advice(runs, stage);
+    if (words) writer.write(*words, colour::text);
 }
 
 /// In the corner: why nothing moves, or moves slowly.

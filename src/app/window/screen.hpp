@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/window/game_end.hpp"
 #include "app/window/layout.hpp"
 #include "app/window/microscope.hpp"
 #include "app/window/playfield/ground.hpp"
@@ -34,7 +35,8 @@ struct Readings {
     double past = 0;        ///< how far the moment on show lies back, s
     std::string slow = {};  ///< what makes all wait, and what can be done; "" where nothing does
     PlotChoice plots = PlotChoice::distance_and_energy;
-    Vec2 mouse{-1, -1};  ///< px
+    Vec2 mouse{-1, -1};            ///< px
+    const GameEnd* end = nullptr;  ///< of the game, once it is over on all runs
 };
 
 class Screen {
@@ -54,7 +56,7 @@ class Screen {
     void draw_ground(sf::RenderTarget& target, const Camera& camera, const Run& run, const Look& look,
                      bool dimmed);
     void draw_links_of(std::span<const Run> runs, const Camera& camera);
-    void draw_advice(const Rect& place, const std::string& words);
+    void draw_words(const Stage& stage, const Rect& place, std::span<const Run> runs, const Look& look);
     void draw_pace(const Rect& place, const Readings& readings);
     void draw_halt(const Stage& stage, const Rect& place, const Run& run, bool alone);
 

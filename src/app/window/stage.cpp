@@ -124,6 +124,7 @@ void Stage::restart() {
 
 void Stage::start() {
     in_past_ = false;
+    ++games_;
     runs_.clear();
     for (const lab::Contender* contender : on_show())
         runs_.emplace_back(

@@ -114,6 +114,8 @@ class Stage {
     [[nodiscard]] const Run* exact() const;
     [[nodiscard]] bool gravity() const { return gravity_; }
     [[nodiscard]] bool has_gravity() const { return !(original_->gravity == Vec2{}); }
+    /// How often a scene was begun: another number, another game.
+    [[nodiscard]] int games() const { return games_; }
     /// What was played on all runs on show, to be played again. Not in the middle of a step. Throws
     /// lab::Failure that says why where that cannot be.
     [[nodiscard]] lab::Replay game() const;
@@ -169,6 +171,7 @@ class Stage {
     double dt_ = lab::default_step;
     bool gravity_ = true;
     bool in_past_ = false;
+    int games_ = 0;
     std::vector<Divergence> divergences_;
     std::vector<Control> pressed_;      ///< during the step that is under way
     std::vector<lab::BallEdit> edits_;  ///< likewise

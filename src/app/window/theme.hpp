@@ -42,7 +42,7 @@ struct FontFiles {
 /// install.
 [[nodiscard]] FontFiles find_fonts();
 
-/// Heights of the two sizes of type on an ordinary display, px.
-inline constexpr double small_type = 14, large_type = 19;
+/// Heights of the two sizes of type on an ordinary display, and of titles on the table, px.
+inline constexpr double small_type = 14, large_type = 19, title_type = 30;
 
 }  // namespace flipside::app

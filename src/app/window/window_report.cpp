@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/window/claim.hpp"
+#include "app/window/playfield/captions.hpp"
 #include "app/window/step_bar.hpp"
 #include "lab/files/path_error.hpp"
 #include "lab/process/failure.hpp"
@@ -76,6 +77,11 @@ Json still(const Stage& stage, const WindowState& window, const WindowControls& 
     return j;
 }
 
+Json caption_words(const lab::Session& session) {
+    const auto words = caption_of(session.game(), session.world().time());
+    return words ? Json{words->title, words->detail} : Json();
+}
+
 Json json_of(const Run& run, const Rect& pane, const Camera& camera) {
     const lab::Session& session = run.session();
     const Scene& scene = session.scene();
@@ -104,10 +110,22 @@ Json json_of(const Run& run, const Rect& pane, const Camera& camera) {
         {"launched", session.totals().launched},
         {"score", session.game().score()},
         {"balls_left", session.game().balls_left()},
+        {"ball", session.game().turns().number()},
+        {"over", session.game().over()},
+        {"caption", caption_words(session)},
         {"balls", balls},
         {"flippers", flippers},
         {"horizon", run.passed_horizon() ? Json(*run.passed_horizon()) : Json()},
         {"halted", run.halt() ? Json{{"time", run.halt()->time}, {"reason", run.halt()->reason}} : Json()}};
+}
+
+Json json_of(const GameEnd& end) {
+    Json j{{"scores", Json::array()}, {"parted", end.parted}, {"high", Json::array()}};
+    for (const GameEnd::Score& score : end.scores)
+        j["scores"].push_back(
+            {{"name", score.name}, {"points", score.points}, {"best", score.best}, {"enters", score.enters}});
+    for (const HighScore& high : end.high) j["high"].push_back({high.engine, high.score});
+    return j;
 }
 
 /// The open lesson.
@@ -174,6 +192,7 @@ void WindowReport::write(double now, const Stage& stage, const Microscope& micro
     j["record"] = {stage.record_begin(), stage.record_end()};
     j["in_past"] = stage.in_past();
     j["charge"] = window.charge;
+    j["game_end"] = window.end ? json_of(*window.end) : Json();
     j["card"] = window.card ? json_of(*window.card) : Json();
     const std::optional<Sling>& sling = controls.look.sling;
     j["sling"] = sling ? Json{sling->velocity.x, sling->velocity.y} : Json();

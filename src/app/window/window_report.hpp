@@ -8,6 +8,7 @@
 
 #include "app/window/card.hpp"
 #include "app/window/controls.hpp"
+#include "app/window/game_end.hpp"
 #include "app/window/lesson_tab.hpp"
 #include "app/window/microscope.hpp"
 #include "app/window/stage.hpp"
@@ -23,8 +24,9 @@ struct WindowState {
     std::string last_export;  ///< the CSV
     std::string last_game;    ///< the replay
     double charge = 0;
-    std::string slow;          ///< as in Readings
-    std::optional<Card> card;  ///< while one is open
+    std::string slow;            ///< as in Readings
+    std::optional<Card> card;    ///< while one is open
+    std::optional<GameEnd> end;  ///< of the game on show, once it is over
 };
 
 class WindowReport {

@@ -32,6 +32,7 @@ Figures figures_of(std::span<const Played> games) {
         figures.lost += game.lost;
         figures.strays += game.strays;
         figures.stuck += game.stuck;
+        figures.searches += game.searches;
         figures.longest_still = std::max(figures.longest_still, game.longest_still);
         for (const auto& [name, count] : game.drained_after) figures.drained_after[name] += count;
     }
@@ -48,6 +49,7 @@ void write_games(std::ostream& out, std::span<const Played> games) {
         row.add(game.seconds).add(std::string_view(game.finished ? "yes" : "no"));
         row.add(static_cast<std::uint64_t>(game.launched)).add(static_cast<std::uint64_t>(game.lost));
         row.add(game.strays).add(static_cast<std::uint64_t>(game.stuck)).add(game.longest_still);
+        row.add(static_cast<std::uint64_t>(game.searches));
         row.add(static_cast<std::uint64_t>(game.nudges)).write(out);
     }
 }

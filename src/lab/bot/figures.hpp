@@ -22,6 +22,7 @@ struct Figures {
     long lost = 0;  ///< balls drained
     std::uint64_t strays = 0;
     int stuck = 0;
+    int searches = 0;
     double longest_still = 0;
     std::map<std::string, int> drained_after;
 };
@@ -30,7 +31,7 @@ struct Figures {
 
 /// A row per game; the columns are those of `games_header`.
 inline constexpr std::string_view games_header =
-    "game,seed,score,seconds,finished,launched,drained,strays,stuck,longest_still,nudges\n";
+    "game,seed,score,seconds,finished,launched,drained,strays,stuck,longest_still,searches,nudges\n";
 void write_games(std::ostream& out, std::span<const Played> games);
 
 }  // namespace flipside::lab::bot

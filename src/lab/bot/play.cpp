@@ -75,6 +75,7 @@ Played play(const Request& request, std::uint64_t seed) {
     played.strays = session.totals().strays;
     played.stuck = watch.stuck();
     played.longest_still = watch.longest();
+    played.searches = session.game().searches();
     played.script = session.recording().controls();
     return played;
 }

@@ -33,6 +33,7 @@ struct Played {
     int stuck = 0;             ///< how often a ball was still for 10 s (still_watch.hpp)
     double longest_still = 0;  ///< s
     int nudges = 0;
+    int searches = 0;  ///< how often the table sought a ball (Rules::ball_search)
     /// Of the drained balls, what each one met last of flippers and sensors, by name; "" for none of them.
     std::map<std::string, int> drained_after;
     Script script;  ///< of the player's controls: plays the same game again

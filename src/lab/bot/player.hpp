@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "lab/scenes/dice.hpp"
-#include "lab/session/game.hpp"
+#include "lab/game/game.hpp"
 #include "world/table.hpp"
 
 namespace flipside::lab::bot {

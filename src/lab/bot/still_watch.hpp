@@ -4,7 +4,7 @@
 #include <map>
 #include <span>
 
-#include "lab/session/game.hpp"
+#include "lab/game/game.hpp"
 
 namespace flipside::lab::bot {
 

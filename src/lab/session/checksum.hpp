@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "lab/session/game.hpp"
+#include "lab/game/game.hpp"
 #include "world/world.hpp"
 
 namespace flipside::lab {

@@ -140,7 +140,7 @@ bool Session::advance(double dt, double seconds) {
     events_.insert(events_.end(), world_->events().begin(), world_->events().end());
 
     const long launched = game_.launched();
-    const auto answer = game_.observe(world_->events(), world_->time(), world_->balls().size());
+    const auto answer = game_.observe(world_->events(), world_->time(), world_->balls());
     totals_.launched += static_cast<std::uint64_t>(game_.launched() - launched);
     for (const Control& control : answer) world_->apply(control);
     return true;
@@ -179,7 +179,7 @@ void Session::restore(const State& state) {
 void Session::go_on_from(const State& state) {
     world_->restore(state);
     abandon_step();
-    game_.resume(state.balls.size(), state.clock.time);
+    game_.resume(state);
 }
 
 void Session::restore(const Snapshot& snapshot) {

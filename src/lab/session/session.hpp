@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "lab/session/game.hpp"
+#include "lab/game/game.hpp"
 #include "lab/session/recording.hpp"
 #include "world/engine.hpp"
 

@@ -74,18 +74,18 @@ TEST(Chart, OfNothingHasNoLines) {
     EXPECT_TRUE(chart_of(scene).strokes.empty());
 }
 
-TEST(Inserts, ThereIsOneForEachRolloverAndTarget) {
+TEST(Inserts, ThereIsOneForAllThatTheRulesName) {
     const Scene scene = scene_named("pinball");
     const Chart chart = chart_of(scene);
-    std::size_t things = 0;
+    std::size_t things = 5;  // the bonus twice to five times, and ball save
     for (const Rules::Group& group : scene.rules->lanes) things += group.parts.size();
-    for (const Rules::Group& group : scene.rules->targets) things += group.parts.size();
+    for (const Rules::Group& group : scene.rules->targets) things += group.parts.size() + 1;
     const std::vector<Insert> inserts = inserts_of(scene, chart);
     EXPECT_EQ(inserts.size(), things);
     for (const Insert& insert : inserts) {
-        if (insert.way == Vec2{}) continue;
-        EXPECT_GT(depth_by_all(scene, insert.at), insert.radius) << "an arrow lies under a part";
-        EXPECT_TRUE(scene.parts[insert.part].target);
+        if (insert.kind == Insert::Kind::rollover) continue;
+        EXPECT_GT(depth_by_all(scene, insert.at), insert.radius) << "a lamp lies under a part";
+        EXPECT_TRUE(insert.kind != Insert::Kind::target || scene.parts[insert.of].target);
     }
     EXPECT_TRUE(inserts_of(scene_named("toy"), chart).empty());
 }

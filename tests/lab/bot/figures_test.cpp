@@ -34,6 +34,7 @@ TEST(BotFigures, CountsAddUpOverAllGames) {
     second.lost = 2;
     second.strays = 1;
     second.stuck = 2;
+    second.searches = 3;
     second.drained_after = {{"outlane", 2}};
     const Played games[] = {first, second};
     const Figures figures = figures_of(games);
@@ -43,15 +44,17 @@ TEST(BotFigures, CountsAddUpOverAllGames) {
     EXPECT_EQ(figures.lost, 5);
     EXPECT_EQ(figures.strays, 1U);
     EXPECT_EQ(figures.stuck, 2);
+    EXPECT_EQ(figures.searches, 3);
     EXPECT_EQ(figures.longest_still, 4);
     EXPECT_EQ(figures.drained_after, (std::map<std::string, int>{{"", 1}, {"outlane", 4}}));
 }
 
 TEST(BotFigures, EveryGameIsARow) {
-    const Played games[] = {game(100, 60.5), game(300, 120)};
+    Played games[] = {game(100, 60.5), game(300, 120)};
+    games[0].searches = 1;
     std::ostringstream out;
     write_games(out, games);
-    EXPECT_EQ(out.str(), "0,7,100,60.5,yes,0,0,0,0,0,0\n1,7,300,120,yes,0,0,0,0,0,0\n");
+    EXPECT_EQ(out.str(), "0,7,100,60.5,yes,0,0,0,0,0,1,0\n1,7,300,120,yes,0,0,0,0,0,0,0\n");
 }
 
 }  // namespace

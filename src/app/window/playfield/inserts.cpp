@@ -1,6 +1,9 @@
 #include "app/window/playfield/inserts.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
 
 #include "app/window/theme.hpp"
 
@@ -31,7 +34,7 @@ Extent extent_of(const Shape& shape) {
 void add_rollover(std::vector<Insert>& inserts, const Scene& scene, PartIndex part) {
     const Extent extent = extent_of(scene.parts[part].shape);
     if (extent.longest == Vec2{}) return;
-    inserts.push_back({part, extent.middle, {}, 0.32 * length(extent.longest)});
+    inserts.push_back({Insert::Kind::rollover, part, extent.middle, {}, 0.32 * length(extent.longest)});
 }
 
 void add_target(std::vector<Insert>& inserts, const Scene& scene, const Chart& chart, PartIndex part) {
@@ -41,10 +44,63 @@ void add_target(std::vector<Insert>& inserts, const Scene& scene, const Chart& c
     const Vec2 across = unit(perp(extent.longest));
     const Vec2 one = extent.middle + apart * across, other = extent.middle - apart * across;
     if (chart.near(one) >= chart.near(other))
-        inserts.push_back({part, one, -across, size});
+        inserts.push_back({Insert::Kind::target, part, one, -across, size});
     else
-        inserts.push_back({part, other, across, size});
+        inserts.push_back({Insert::Kind::target, part, other, across, size});
 }
+
+/// In the middle before the lamps of its targets, which are the last `count`.
+void add_bank(std::vector<Insert>& inserts, std::size_t bank, std::size_t count) {
+    if (count == 0) return;
+    Insert lamp{Insert::Kind::bank, bank, {}, {}, 0};
+    for (const Insert& target : std::span(inserts).last(count)) {
+        lamp.at = lamp.at + target.at / double(count);
+        lamp.way = lamp.way + target.way;
+        lamp.radius = std::max(lamp.radius, 0.9 * target.radius);
+    }
+    lamp.way = unit(lamp.way, {0, 0});
+    lamp.at = lamp.at - 3.2 * lamp.radius * lamp.way;
+    inserts.push_back(lamp);
+}
+
+/// Between the pivots of the lowest left and right flipper, and how long these are.
+struct BetweenFlippers {
+    Vec2 at;
+    double length = 0;
+};
+std::optional<BetweenFlippers> between_flippers(const Scene& scene) {
+    const shape::Flipper* lowest[2] = {nullptr, nullptr};
+    for (const Part& part : scene.parts) {
+        const auto* flip = std::get_if<motion::Flip>(&part.motion);
+        if (flip == nullptr) continue;
+        const auto& flipper = std::get<shape::Flipper>(part.shape.is);
+        const shape::Flipper*& low = lowest[static_cast<int>(flip->side)];
+        if (low == nullptr || flipper.pivot.y < low->pivot.y) low = &flipper;
+    }
+    if (lowest[0] == nullptr || lowest[1] == nullptr) return std::nullopt;
+    return BetweenFlippers{0.5 * (lowest[0]->pivot + lowest[1]->pivot), lowest[0]->length};
+}
+
+/// Where there is room for them.
+void add_about_flippers(std::vector<Insert>& inserts, const Scene& scene, const Chart& chart) {
+    const auto middle = between_flippers(scene);
+    if (!middle || !scene.launcher) return;
+    const double radius = 1.15 * scene.launcher->ball.radius;
+    const auto add = [&](Insert::Kind kind, int of, Vec2 at) {
+        if (chart.near(at) > radius) inserts.push_back({kind, static_cast<std::size_t>(of), at, {}, radius});
+    };
+    constexpr int most = 6;
+    const int times = scene.rules->end_bonus ? std::min(scene.rules->end_bonus->most_times, most) : 1;
+    for (int i = 2; i <= times; ++i) {
+        const double aside = 2.9 * radius * (i - 0.5 * (times + 2)), along = aside / middle->length;
+        const Vec2 up{0, (1.75 - 0.12 * along * along) * middle->length};
+        add(Insert::Kind::times, i, middle->at + Vec2{aside, 0} + up);
+    }
+    if (scene.rules->ball_save > 0) add(Insert::Kind::save, 0, middle->at - Vec2{0, 1.2 * middle->length});
+}
+
+const sf::Color glass = blend(colour::around, colour::lit, 0.3);  ///< of a lamp that is off
+const sf::Color hot(0xff, 0xf6, 0xdc);                            ///< the middle of one that is on
 
 /// A lens in a dark bezel, with light that spills over it.
 void draw_round(Canvas& canvas, Vec2 at, double radius, bool lit) {
@@ -52,8 +108,17 @@ void draw_round(Canvas& canvas, Vec2 at, double radius, bool lit) {
     canvas.disc(at, radius, colour::around);
     const double lens = radius - canvas.scaled(1.5);
     if (lens < 1) return;
-    canvas.disc(at, lens, lit ? colour::lit : blend(colour::around, colour::lit, 0.16));
-    canvas.disc(at, 0.55 * lens, lit ? sf::Color(0xff, 0xf6, 0xdc) : blend(colour::around, colour::lit, 0.1));
+    canvas.disc(at, lens, lit ? colour::lit : glass);
+    canvas.disc(at, 0.55 * lens, lit ? hot : blend(colour::around, glass, 0.7));
+}
+
+/// The lamp of the skill shot comes and goes, and a ring runs out from it: here the ball shall pass.
+void draw_called(Canvas& canvas, Vec2 at, double radius, double time) {
+    constexpr double period = 0.8;  // s
+    const double phase = time / period - std::floor(time / period);
+    draw_round(canvas, at, radius, phase < 0.5);
+    canvas.ring(at, radius * (1 + 0.9 * phase), canvas.scaled(1.5),
+                with_alpha(colour::lit, 0.7 * (1 - phase)));
 }
 
 void draw_arrow(Canvas& canvas, Vec2 at, Vec2 way, double radius, bool lit) {
@@ -65,7 +130,44 @@ void draw_arrow(Canvas& canvas, Vec2 at, Vec2 way, double radius, bool lit) {
     };
     if (lit) triangle(1.6 * radius, with_alpha(colour::lit, 0.12));
     triangle(radius, colour::around);
-    triangle(0.72 * radius, lit ? colour::lit : blend(colour::around, colour::lit, 0.16));
+    triangle(0.72 * radius, lit ? colour::lit : glass);
+}
+
+/// With a number, where that fits.
+void draw_number(Canvas& canvas, Vec2 at, double radius, bool lit, std::size_t number) {
+    draw_round(canvas, at, radius, lit);
+    const Lettering& lettering = canvas.lettering();
+    const std::string words = std::to_string(number);
+    const double height = lettering.line_height(Type::small);
+    if (height > 2.2 * radius) return;
+    canvas.text(at - Vec2{0, 0.5 * height}, words, Type::small, lit ? colour::around : colour::quiet,
+                Align::center);
+}
+
+/// An arrow that turns back.
+void draw_again(Canvas& canvas, Vec2 at, double radius, bool lit) {
+    constexpr double from = -0.6, to = 4.2;  // rad
+    if (lit) canvas.disc(at, 1.7 * radius, with_alpha(colour::lit, 0.14));
+    canvas.disc(at, radius, colour::around);
+    const sf::Color color = lit ? colour::lit : glass;
+    canvas.arc(at, 0.6 * radius, from, to, 0.2 * radius, color);
+    const Vec2 out = from_angle(from), end = at + 0.6 * radius * Vec2{out.x, -out.y};
+    const Vec2 way{out.y, out.x};  // clockwise, as seen
+    const Vec2 head[] = {end + 0.45 * radius * way, end + 0.4 * radius * perp(way),
+                         end - 0.4 * radius * perp(way)};
+    canvas.fill(head, color);
+}
+
+/// A star of four points.
+void draw_star(Canvas& canvas, Vec2 at, double radius, bool lit) {
+    if (lit) canvas.disc(at, 1.8 * radius, with_alpha(colour::lit, 0.14));
+    canvas.disc(at, radius, colour::around);
+    canvas.ring(at, radius - canvas.scaled(0.75), canvas.scaled(1.5), lit ? colour::lit : glass);
+    for (const Vec2 way : {Vec2{1, 0}, Vec2{0, 1}}) {
+        const Vec2 aside = 0.24 * radius * perp(way), tip = 0.74 * radius * way;
+        const Vec2 points[] = {at + tip, at + aside, at - tip, at - aside};
+        canvas.fill(points, lit ? hot : glass);
+    }
 }
 
 }  // namespace
@@ -75,20 +177,41 @@ std::vector<Insert> inserts_of(const Scene& scene, const Chart& chart) {
     if (!scene.rules) return inserts;
     for (const Rules::Group& group : scene.rules->lanes)
         for (const PartIndex part : group.parts) add_rollover(inserts, scene, part);
-    for (const Rules::Group& group : scene.rules->targets)
-        for (const PartIndex part : group.parts) add_target(inserts, scene, chart, part);
+    for (std::size_t bank = 0; bank < scene.rules->targets.size(); ++bank) {
+        const std::size_t before = inserts.size();
+        for (const PartIndex part : scene.rules->targets[bank].parts) add_target(inserts, scene, chart, part);
+        if (scene.rules->multiball) add_bank(inserts, bank, inserts.size() - before);
+    }
+    add_about_flippers(inserts, scene, chart);
     return inserts;
 }
 
 void draw_inserts(Canvas& canvas, const Camera& camera, std::span<const Insert> inserts, const Run& run) {
+    const lab::Game& game = run.session().game();
+    const double time = run.session().world().time();
     for (const Insert& insert : inserts) {
         const Vec2 at = camera.to_pixels(insert.at);
         const double radius = camera.scale * insert.radius;
-        const bool lit = run.session().game().lit(insert.part);
-        if (insert.way == Vec2{})
-            draw_round(canvas, at, radius, lit);
-        else
-            draw_arrow(canvas, at, {insert.way.x, -insert.way.y}, radius, lit);
+        const auto part = static_cast<PartIndex>(insert.of);
+        switch (insert.kind) {
+            case Insert::Kind::bank:
+                draw_star(canvas, at, radius, game.bank_done(insert.of) || game.turns().multiball());
+                break;
+            case Insert::Kind::times:
+                draw_number(canvas, at, radius, game.times() >= static_cast<int>(insert.of), insert.of);
+                break;
+            case Insert::Kind::save:
+                draw_again(canvas, at, radius, game.turns().saves(time));
+                break;
+            case Insert::Kind::target:
+                draw_arrow(canvas, at, {insert.way.x, -insert.way.y}, radius, game.lit(part));
+                break;
+            case Insert::Kind::rollover:
+                if (game.skill_shot() == part && !game.lit(part))
+                    draw_called(canvas, at, radius, time);
+                else
+                    draw_round(canvas, at, radius, game.lit(part));
+        }
     }
 }
 
