@@ -1,5 +1,7 @@
 #include "lab/report/report.hpp"
 
+#include <thread>
+
 #include <nlohmann/json.hpp>
 
 #include "lab/contenders/engines.hpp"
@@ -8,6 +10,7 @@
 #include "lab/process/build_commit.hpp"
 #include "lab/report/facts.hpp"
 #include "lab/report/gnuplot.hpp"
+#include "lab/report/scene_pictures.hpp"
 #include "world/input_error.hpp"
 #include "world/json_file.hpp"
 
@@ -60,24 +63,46 @@ PageChapter drawn(const Chapter& chapter, const Data& data, const fs::path& pict
 }
 
 Page empty_page(const ReportInput& input, const std::string& gnuplot) {
-    Page page{
-        "Flipside: speed and error of physics engines",
-        "What each engine makes of scenes whose right answer is known, and what it costs. Point at a point "
-        "of a figure, or tap it, and it says which setting it is.",
-        {},
-        build_facts()};
+    Page page;
+    page.title = "Flipside: which physics engine, which step, and how sure?";
+    page.intro =
+        "Scenes whose right answer is known: errors in radii of a ball, costs in CPU time per simulated "
+        "second.";
+    page.warning = input.effort.warning;
+    page.pick_rule =
+        "Taken is the cheapest setting with a step of at most 1/60 s that is good enough: with 95 % "
+        "confidence off by less than a tenth of a radius in the median window, or, where only overlap can "
+        "tell, overlapping by less than that.";
+    page.facts = build_facts();
     std::string from;
     for (const fs::path& folder : input.from) from += (from.empty() ? "" : ", ") + folder.string();
     page.facts.emplace_back("Drawn with", gnuplot);
     page.facts.emplace_back("Effort", input.effort.name + (from.empty() ? "" : "; sweep from " + from));
     page.facts.emplace_back("Date", today());
+    page.cite =
+        "Flipside report (" + input.effort.name + "), commit " + build_commit() + ", " + today() + ".";
+    page.scenes = scene_pictures(input.effort.variants);
     return page;
+}
+
+/// What was run and how long, as the data say.
+std::string work_done(const Data& data, const Effort& effort) {
+    const Spent spent = data.spent();
+    return "Effort " + effort.name + ": " + effort.runs + " It took " + time_text(spent.cpu_seconds) +
+           " of CPU time on one thread" +
+           (spent.most_load > 0
+                ? ", with at most " + short_number(spent.most_load) +
+                      " programs running at once on the machine's " +
+                      std::to_string(std::thread::hardware_concurrency()) + " hardware threads"
+                : std::string()) +
+           ".";
 }
 
 }  // namespace
 
 std::vector<Chapter> chapters(const Effort& effort, const std::vector<fs::path>& from) {
     return {work_precision_chapter(effort, from),
+            regime_chapter(effort),
             hard_case_chapter(effort),
             case_work_chapter(effort),
             stability_chapter(effort),
@@ -101,6 +126,7 @@ void make_report(const ReportInput& input, const Watch& watch, const Notice& not
         const double left = 1 - static_cast<double>(page.chapters.size()) / static_cast<double>(all.size());
         page.chapters.push_back(drawn(chapter, data, pictures, [&] { watch(1 - share_of_drawing * left); }));
     }
+    page.was_run = work_done(data, input.effort);
     write_whole_file(input.out / "index.html", html_of(page));
 }
 
