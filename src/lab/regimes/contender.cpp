@@ -10,8 +10,8 @@ namespace flipside::lab::regimes {
 std::vector<Kind> kinds() {
     std::vector<Kind> all{
         {"bare-loop", "", {}, false, false},
-        {"custom-continuous-unread", "custom", {"solver=continuous"}, false, false},
         {"custom-continuous", "custom", {"solver=continuous"}},
+        {"custom-continuous-unread", "custom", {"solver=continuous"}, false, false},
         {"custom-simple", "custom", {"solver=simple"}, true, false},
         {"box2d", "box2d", {}},
         {"box2d-no-bullets", "box2d", {"bullets=off"}},

@@ -77,11 +77,11 @@ Pick pick_of(const std::vector<sweep::Figures>& all, const Best& best) {
     const sweep::Figures& f = *best.take;
     const std::string none = "none comes within " + radii(good_enough) + " radii";
     return {kind_of(best.variant),
-            f.contender + " at " + step_text(f.dt) + (ignores_step(all, f) ? ", or any other step" : ""),
+            f.contender + " at " + step_text(f.dt) + (ignores_step(all, f) ? " or any other step" : ""),
             colour_of(f.engine),
-            (f.median_high <= sweep::exact_radii ? "exact: " : "") + radii(f.median) + " radii (" +
+            (f.median_high <= sweep::exact_radii ? "exact: " : "") + radii(f.median) + " (" +
                 radii(f.median_low) + " to " + radii(f.median_high) + ")",
-            time_text(f.cpu_min) + " a second",
+            time_text(f.cpu_min),
             best.instead == nullptr ? none
                                     : setting_of(*best.instead) + ": " + radii(best.instead->median) +
                                           " radii, " + ratio_of(best) + " the cost"};

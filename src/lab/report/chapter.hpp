@@ -27,8 +27,8 @@ struct Chapter {
 [[nodiscard]] Chapter hard_case_chapter(const Effort& effort);
 /// Speed against error in some of them.
 [[nodiscard]] Chapter case_work_chapter(const Effort& effort);
-/// Where engines break: mass ratio, speed and step.
-[[nodiscard]] Chapter stability_chapter(const Effort& effort);
+/// Where engines break: mass ratio, stack, speed and step.
+[[nodiscard]] Chapter border_chapter();
 /// Energy where it must stay as it is.
 [[nodiscard]] Chapter energy_chapter(const Effort& effort);
 /// How fast the engines part on the pinball table.

@@ -40,7 +40,7 @@ std::vector<Duel> duels() {
 }
 
 std::string file_of(const Duel& duel) {
-    return "divergence-" + duel.first.file + "-" + duel.second.file + ".csv";
+    return "divergence-" + duel.first.name + "-" + duel.second.name + ".csv";
 }
 
 double claimed_radii(const World& world) {

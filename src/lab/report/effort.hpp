@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "lab/cases/stability_map.hpp"
 #include "lab/sweep/variants.hpp"
 
 namespace flipside::lab::report {
@@ -20,7 +19,6 @@ struct Effort {
     bool quick_cases;                ///< as `flipside cases --quick`
     double case_seconds;             ///< CPU time they take on one engine, about
     std::vector<double> case_steps;  ///< s, at which some cases are repeated
-    std::vector<double> map_steps;   ///< s, of the map of stability
     int most_regime_balls;           ///< courses (lab/regimes) of more balls are left out
     int regime_repeats;
     double energy_seconds;
@@ -48,7 +46,6 @@ struct Effort {
             .quick_cases = false,
             .case_seconds = 30,
             .case_steps = {1. / 30, 1. / 60, 1. / 120, 1. / 240, 1. / 480, 1. / 960, 1. / 1920},
-            .map_steps = {std::begin(lab::map_steps), std::end(lab::map_steps)},
             .most_regime_balls = 1000,
             .regime_repeats = 6,
             .energy_seconds = 6,
@@ -76,7 +73,6 @@ struct Effort {
             .quick_cases = true,
             .case_seconds = 2,
             .case_steps = {1. / 30, 1. / 120, 1. / 480},
-            .map_steps = {1. / 30, 1. / 120, 1. / 480},
             .most_regime_balls = 500,
             .regime_repeats = 3,
             .energy_seconds = 3,

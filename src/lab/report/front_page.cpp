@@ -18,13 +18,13 @@ std::string picks_html(const Page& page) {
         for (const Pick& pick : chapter.content.picks)
             rows += "<tr>" + element("th", pick.scene, "scope=\"row\"") +
                     "<td class=\"take\" style=\"--of:" + escape(pick.colour) + "\">" + escape(pick.take) +
-                    "</td>" + pick_cell("Off by", pick.error) + pick_cell("Costs", pick.cost) +
-                    pick_cell("Else", pick.instead) + "</tr>\n";
+                    "</td>" + pick_cell("Off by (radii)", pick.error) +
+                    pick_cell("Costs a second", pick.cost) + pick_cell("Else", pick.instead) + "</tr>\n";
     if (rows.empty()) return "";
     return "<section id=\"picks\">\n" + element("h2", "Pick this setting") +
            "\n<table class=\"picks\"><thead><tr><th scope=\"col\">Kind of scene</th><th "
-           "scope=\"col\">Take</th><th scope=\"col\">Off by (95 % sure)</th><th "
-           "scope=\"col\">Costs</th><th scope=\"col\">The best of another "
+           "scope=\"col\">Take</th><th scope=\"col\">Off by, radii (95 % sure)</th><th "
+           "scope=\"col\">Costs a second</th><th scope=\"col\">The best of another "
            "engine</th></tr></thead>\n<tbody>\n" +
            rows + "</tbody></table>\n" + element("p", page.pick_rule, "class=\"reading\"") + "</section>\n";
 }

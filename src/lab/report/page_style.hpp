@@ -36,7 +36,8 @@ table { border-collapse: collapse; font-size: .88rem; } caption { text-align: le
 th, td { padding: .25rem .7rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
 .wide th, .wide td { min-width: 7rem; overflow-wrap: normal; } .wide td.number { min-width: 0; }
 thead th { background: var(--panel); } td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
-.picks { width: 100%; font-size: .95rem; } .picks th { overflow-wrap: normal; }
+.picks { width: 100%; font-size: .95rem; } .picks th, .picks td { overflow-wrap: normal; }
+@media (min-width: 62rem) { .picks .take { min-width: 16rem; } .picks tbody th { min-width: 11rem; } }
 .take { font-weight: 600; border-left: 5px solid var(--of); }
 .scenes { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 14rem), 1fr)); gap: 1rem 2rem; }
 .scene g { fill: none; stroke: currentColor; stroke-width: 1.3px; }

@@ -165,8 +165,8 @@ std::string with_interval(const Median& median) {
 
 /// "0.0088 radii deep" and, where it is known, how far off.
 std::string faults_of(const Result& result) {
-    return (result.error ? "off by " + digits(*result.error) + " radii, " : "") + "overlap " +
-           digits(result.deepest) + " radii";
+    return (result.error ? digits(*result.error) + ", " : "") + "overlap " + digits(result.deepest) +
+           " radii";
 }
 
 Pick pick_of(const Row& row) {
@@ -185,43 +185,53 @@ Pick pick_of(const Row& row) {
     const std::string none = other == nullptr ? "none is good enough; cheapest is " : "";
     if (other == nullptr) other = cheapest(row, is_other);
     const Median cost = median_of(take->nanoseconds);
+    const double within = 100 * std::max(cost.high / cost.value - 1, 1 - cost.low / cost.value);
     const double per_second = 1e-9 * row.balls / regimes::dt;
     return {kind,
             take->kind.name + " at 1/60 s",
             colour_of(take->kind.engine),
             faults_of(*take),
-            time_text(cost.value * per_second) + " a second (" + time_text(cost.low * per_second) + " to " +
-                time_text(cost.high * per_second) + ")",
+            time_text(cost.value * per_second) + " ± " + digits(within) + " %",
             other == nullptr ? "no other ran it"
                              : none + other->kind.name + " at 1/60 s: " + faults_of(*other) + ", " +
                                    with_interval(ratio_of(*other, *take)) + " the cost"};
 }
 
-/// Who is cheapest in most of the regimes, and by name each regime in which another engine is.
-std::vector<std::string> findings_of(const std::vector<Row>& rows) {
-    std::map<std::string, std::size_t> wins;
-    const auto all = [](const Result&) { return true; };
-    for (const Row& row : rows)
-        if (const Result* best = cheapest(row, all)) ++wins[best->kind.engine];
-    if (wins.empty()) return {};
-    const auto usual =
-        std::ranges::max_element(wins, {}, &std::pair<const std::string, std::size_t>::second)->first;
-    std::string others;
+/// The regimes in which an engine other than `usual` is the cheapest of those allowed, and against what of
+/// the usual one.
+template <class Allowed>
+std::string exceptions(const std::vector<Row>& rows, const std::string& usual, Allowed allowed) {
+    std::string text;
     for (const Row& row : rows) {
-        const Result* const best = cheapest(row, all);
+        const Result* const best = cheapest(row, allowed);
         if (best == nullptr || best->kind.engine == usual) continue;
         const Result* const mine = cheapest(
             row, [&](const Result& result) { return result.kind.engine == usual && is_good(result); });
-        others += (others.empty() ? "" : "; ") + row.with_balls() + ": " + best->kind.name;
+        text += (text.empty() ? "" : "; ") + row.with_balls() + ": " + best->kind.name;
         if (mine != nullptr)
-            others += " takes " + with_interval(ratio_of(*best, *mine)) + " the cost of " + mine->kind.name +
-                      " at " + digits(best->deepest) + " radii of overlap instead of " +
-                      digits(mine->deepest);
+            text += " at " + with_interval(ratio_of(*best, *mine)) + " the cost of " + mine->kind.name +
+                    " (overlap " + digits(best->deepest) + " instead of " + digits(mine->deepest) + " radii)";
     }
-    const std::string count = std::to_string(wins.at(usual)) + " of " + std::to_string(rows.size());
-    return {
-        "By regime " + usual + " is the cheapest in " + count + " at 1/60 s a step. " +
-        (others.empty() ? "No other engine wins any." : "Where another engine is cheaper: " + others + ".")};
+    return text;
+}
+
+/// Who is cheapest in most of the regimes, and each regime in which another engine is.
+std::vector<std::string> findings_of(const std::vector<Row>& rows) {
+    std::map<std::string, std::size_t> wins;
+    for (const Row& row : rows)
+        if (const Result* best = cheapest(row, is_good)) ++wins[best->kind.engine];
+    if (wins.empty()) return {};
+    const auto usual =
+        std::ranges::max_element(wins, {}, &std::pair<const std::string, std::size_t>::second)->first;
+    const std::string others = exceptions(rows, usual, is_good);
+    const std::string sunk = exceptions(rows, usual, [](const Result&) { return true; });
+    return {"By what the balls do: of all that are off and overlap by less than " + digits(good_enough) +
+            " radii " + usual + " is the cheapest in " + std::to_string(wins.at(usual)) + " of " +
+            std::to_string(rows.size()) + " regimes" +
+            (others.empty() ? "." : "; another engine wins " + others + ".") +
+            (sunk.empty()
+                 ? ""
+                 : " Where balls may sink into each other, another engine is cheaper too in " + sunk + ".")};
 }
 
 Series series_of(const Kind& kind, std::size_t of_engine) {

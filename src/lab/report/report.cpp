@@ -105,7 +105,7 @@ std::vector<Chapter> chapters(const Effort& effort, const std::vector<fs::path>&
             regime_chapter(effort),
             hard_case_chapter(effort),
             case_work_chapter(effort),
-            stability_chapter(effort),
+            border_chapter(),
             energy_chapter(effort),
             divergence_chapter(effort),
             penetration_chapter(effort),
