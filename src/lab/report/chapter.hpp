@@ -21,6 +21,8 @@ struct Chapter {
 /// Speed against error on exact windows: measured, or where `from` names folders of `flipside sweep`, theirs.
 [[nodiscard]] Chapter work_precision_chapter(const Effort& effort,
                                              const std::vector<std::filesystem::path>& from);
+/// The engines of others at settings found by search.
+[[nodiscard]] Chapter tuning_chapter(const Effort& effort);
 /// Cost, error and overlap by what the balls do.
 [[nodiscard]] Chapter regime_chapter(const Effort& effort);
 /// Experiments with known answers, as tables.

@@ -13,13 +13,17 @@ struct Effort {
     std::string warning;  ///< "" or what is to be known before anything is believed
     std::string runs;     ///< what is run, in a sentence
     std::vector<sweep::Variant> variants;
-    bool quick_sweep;                ///< as `flipside sweep --quick`
-    double sweep_seconds;            ///< CPU time it takes, about
-    std::vector<std::string> cases;  ///< by name; all where none is named
-    bool quick_cases;                ///< as `flipside cases --quick`
-    double case_seconds;             ///< CPU time they take on one engine, about
-    std::vector<double> case_steps;  ///< s, at which some cases are repeated
-    int most_regime_balls;           ///< courses (lab/regimes) of more balls are left out
+    bool quick_sweep;                   ///< as `flipside sweep --quick`
+    double sweep_seconds;               ///< CPU time it takes, about
+    std::vector<std::string> cases;     ///< by name; all where none is named
+    bool quick_cases;                   ///< as `flipside cases --quick`
+    double case_seconds;                ///< CPU time they take on one engine, about
+    std::vector<double> case_steps;     ///< s, at which some cases are repeated
+    std::vector<sweep::Variant> tuned;  ///< for which settings are searched
+    std::size_t tuning_windows;
+    int tuning_finest;      ///< steps per second at most
+    double tuning_seconds;  ///< CPU time that takes for each, about
+    int most_regime_balls;  ///< courses (lab/regimes) of more balls are left out
     int regime_repeats;
     double energy_seconds;
     int gas_balls;
@@ -46,6 +50,10 @@ struct Effort {
             .quick_cases = false,
             .case_seconds = 30,
             .case_steps = {1. / 30, 1. / 60, 1. / 120, 1. / 240, 1. / 480, 1. / 960, 1. / 1920},
+            .tuned = sweep::standard_variants(),
+            .tuning_windows = 10,
+            .tuning_finest = 480,
+            .tuning_seconds = 30,
             .most_regime_balls = 1000,
             .regime_repeats = 6,
             .energy_seconds = 6,
@@ -73,6 +81,10 @@ struct Effort {
             .quick_cases = true,
             .case_seconds = 2,
             .case_steps = {1. / 30, 1. / 120, 1. / 480},
+            .tuned = {sweep::standard_variants().front()},
+            .tuning_windows = 10,
+            .tuning_finest = 480,
+            .tuning_seconds = 2,
             .most_regime_balls = 500,
             .regime_repeats = 3,
             .energy_seconds = 3,

@@ -150,8 +150,7 @@ std::string figure_html(const Figure& figure, const std::string& svg) {
            element("p", figure.x.label + " →", "class=\"axis across\"") + "\n" + key_html(figure) +
            "<figcaption>" + element("p", figure.reading) +
            "\n<p>Beside this page: " + element("a", "points (CSV)", "href=\"" + csv + "\"") + ", " +
-           element("a", "picture (PNG)", "href=\"" + picture + ".png\"") + ", " +
-           element("a", "picture (SVG)", "href=\"" + picture + ".svg\"") + "</p></figcaption>\n" +
+           element("a", "picture (PNG)", "href=\"" + picture + ".png\"") + "</p></figcaption>\n" +
            points_html(figure) + "</figure>\n";
 }
 

@@ -7,7 +7,6 @@
 #include "lab/files/csv.hpp"
 #include "lab/files/csv_table.hpp"
 #include "lab/files/text_stream.hpp"
-#include "lab/process/build_commit.hpp"
 #include "lab/process/cpu_clock.hpp"
 
 namespace flipside::lab::report {
@@ -18,9 +17,9 @@ constexpr const char* spent_file = "spent.csv";
 
 }  // namespace
 
-Data::Data(std::filesystem::path folder, const std::string& effort, Notice notice)
+Data::Data(std::filesystem::path folder, const std::string& effort, const std::string& commit, Notice notice)
     : folder_(std::move(folder)),
-      origin_(origin_of("report", {effort, build_commit()})),
+      origin_(origin_of("report", {effort, commit})),
       notice_(std::move(notice)) {}
 
 std::string Data::origin(const std::string& file) const {

@@ -23,8 +23,8 @@ struct Spent {
 /// The folder of a report's data.
 class Data {
   public:
-    /// `effort` decides, with the commit of this build, what the files hold.
-    Data(std::filesystem::path folder, const std::string& effort, Notice notice);
+    /// `effort` decides, with the commit of the build that measures, what the files hold.
+    Data(std::filesystem::path folder, const std::string& effort, const std::string& commit, Notice notice);
 
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
     [[nodiscard]] const Notice& notice() const { return notice_; }

@@ -12,6 +12,7 @@
 
 #include "drawn.hpp"
 #include "lab/files/csv_table.hpp"
+#include "lab/process/build_commit.hpp"
 #include "lab/process/failure.hpp"
 #include "lab/report/gnuplot.hpp"
 #include "made_up_sweep.hpp"
@@ -42,7 +43,8 @@ class Reports : public ::testing::Test {
     [[nodiscard]] std::vector<Figure> figures_in(const fs::path& out) const {
         std::vector<Figure> figures;
         for (const Chapter& chapter : chapters(tiny_effort(), {swept}))
-            for (Figure& figure : chapter.show({out / "data", tiny_effort().name, unnoticed}).figures)
+            for (Figure& figure :
+                 chapter.show({out / "data", tiny_effort().name, build_commit(), unnoticed}).figures)
                 figures.push_back(std::move(figure));
         return figures;
     }
@@ -150,7 +152,7 @@ const Series& series_named(const Figure& figure, const std::string& name) {
 TEST_F(Reports, WorkAndPrecisionAreThoseOfTheSweep) {
     const Chapter chapter = work_precision_chapter(tiny_effort(), {swept});
     EXPECT_TRUE(chapter.measurements.empty());
-    const Content content = chapter.show({{}, "", unnoticed});
+    const Content content = chapter.show({{}, "", "", unnoticed});
     ASSERT_EQ(content.figures.size(), 2U);
     const Figure &work = content.figures[0], &order = content.figures[1];
     for (const char* contender : {"custom-continuous", "custom-simple", "box2d"}) {
@@ -181,6 +183,28 @@ TEST_F(Reports, FoldersWithoutASweepAreRefused) {
     EXPECT_THROW(make_report(
                      {folder / "out", {folder}, tiny_effort()}, [](double) {}, unnoticed),
                  InputError);
+}
+
+TEST_F(Reports, AreDrawnAgainFromWhatIsThereAndSayWhatIsMissing) {
+    make(folder / "out");
+    const auto expected = files_in(folder / "out");
+    fs::remove_all(folder / "out" / "figures");
+    ReportInput again = input(folder / "out");
+    again.redraw = true;
+    const auto watch = [](double) {};
+    make_report(again, watch, unnoticed);
+    EXPECT_EQ(files_in(folder / "out"), expected);
+
+    fs::remove(folder / "out" / "data" / "borders-box2d.csv");
+    std::string noticed;
+    make_report(again, watch, [&](const std::string& sentence) { noticed += sentence; });
+    EXPECT_NE(noticed.find("the chapter 'Borders of stability' is left out"), std::string::npos) << noticed;
+    const std::string page = text_of(folder / "out" / "index.html");
+    EXPECT_EQ(page.find("chapter-borders"), std::string::npos);
+    EXPECT_NE(page.find("chapter-regimes"), std::string::npos);
+
+    again.effort.name = "other";
+    EXPECT_THROW(make_report(again, watch, unnoticed), InputError);
 }
 
 TEST_F(Reports, DataOfAnotherEffortAreRefused) {
