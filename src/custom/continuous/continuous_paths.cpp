@@ -30,7 +30,7 @@ double direction_rounding(const Feature& feature) {
 void ContinuousSolver::set_out(BallIndex i, double time) {
     Ball& ball = bodies_[i];
     Mover& mover = movers_[i];
-    mover.hops = mover.waits = false;
+    mover.hops = mover.waits = flying_[i].creeps = false;
     if (ball.asleep && beside_moving_part(i)) ball.asleep = false;
     mover.resting_on = nullptr;
     mover.glides.clear();

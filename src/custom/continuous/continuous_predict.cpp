@@ -192,6 +192,7 @@ void ContinuousSolver::predict_ball(BallIndex i, BallIndex j, double time) {
     if (a.freely && b.freely) return predict_flying(i, j, time);
     if (!layers_meet(bodies_[i], bodies_[j])) return;
     flying_[i].near_ball = flying_[j].near_ball = true;
+    if (a.creeps && (b.creeps || bodies_[j].asleep)) return;
     if (a.pressed && (b.pressed || bodies_[j].asleep) && in_slow_touch(i, j, time)) return;
     const Mover &mover = movers_[i], &other = movers_[j];
     const double from = std::max(a.start, b.start);

@@ -77,9 +77,11 @@ void ContinuousSolver::reserve(std::size_t balls) {
         custom::reserve_for(start.memory.forces, most, contacts_per_ball);
         start.blocked.reserve(std::min(most, layout_.gates().empty() ? 0 : most_near));
     }
-    custom::reserve_for(part_forces_, most, contacts_per_ball);
+    part_forces_.reserve(most * contacts_per_ball);
+    ball_forces_.reserve(most * contacts_per_ball);
     contact_solver_.reserve(most);
     custom::reserve_for(members_, most);
+    custom::reserve_for(creeping_, most);
     custom::reserve_for(pending_, most, events_per_ball);
     custom::reserve_for(woken_, most);
     custom::reserve_for(overlapped_, most, contacts_per_ball);
@@ -136,9 +138,12 @@ void ContinuousSolver::find_islands() {
         const auto b = std::ranges::lower_bound(bodies_, force.b, {}, &Ball::number);
         if (a == bodies_.end() || a->number != force.a || b == bodies_.end() || b->number != force.b)
             continue;
-        join_once(static_cast<BallIndex>(a - bodies_.begin()));
-        join_once(static_cast<BallIndex>(b - bodies_.begin()));
+        const auto i = static_cast<BallIndex>(a - bodies_.begin()),
+                   j = static_cast<BallIndex>(b - bodies_.begin());
+        ball_forces_.add({i, j, force.normal, force.tangent});
+        join_once(i), join_once(j);
     }
+    ball_forces_.settle();
     for (BallIndex i = 0; i < movers_.size(); ++i) {
         if (bodies_[i].asleep) continue;
         cells_.each_near(i, [&](BallIndex j) {

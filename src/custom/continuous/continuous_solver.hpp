@@ -17,8 +17,9 @@
 /// ticks, which lie on a grid of the world's time, one solve finds how all members move until the next
 /// (contact_solver.hpp), and each then flies a hop that ends where the solve puts it. A slow touch of a
 /// member makes a ball a member until nothing has pressed on it for some ticks; a blow tears one out, so it
-/// runs through a heap by exact impacts. In islands the result is not exact, but it depends on no step
-/// either. Statistics count members as handed_over.
+/// runs through a heap by exact impacts. Members that hardly move creep: they are solved at every fourth
+/// tick, and in between are obstacles to the others, unless one of these pushes them. In islands the result
+/// is not exact, but it depends on no step either. Statistics count members as handed_over.
 
 #include "custom/continuous/candidates.hpp"
 #include "custom/continuous/cells.hpp"
@@ -73,6 +74,7 @@ class ContinuousSolver {
 
     /// s: so long the forces between balls that press on each other are held constant.
     static constexpr double tick_length = 1.0 / 240;
+    static constexpr double long_tick_length = 4 * tick_length;  ///< for those that creep
 
     /// What the prediction of another ball reads of one: a cache line.
     struct alignas(64) Flying {
@@ -84,6 +86,8 @@ class ContinuousSolver {
         bool freely = false;        ///< under gravity and drag alone
         bool pressed = false;       ///< of an island: presses on another ball, or is wedged
         bool meets = true;          ///< not lost
+        bool creeps = false;        ///< of an island, and hardly moves until its next tick, a long one
+        bool solved = false;        ///< its contacts are being solved
         bool near_ball = false;     ///< may come nearer to one, on this path, than what counts as touch
     };
     /// What the solver knows of a ball beside the Ball itself.
@@ -94,7 +98,7 @@ class ContinuousSolver {
         bool near_part = false;  ///< may be nearer to one than what counts as touch, until its horizon
         bool crushed = false;    ///< squeezed, since the last tick of the grid
         bool waits = false;      ///< has no events of its own until the next tick
-        int unloaded = 0;        ///< ticks since a ball pressed on it, or two sides did
+        double loaded_at = 0;    ///< s: when a ball pressed on it last, or two sides did
         int sides = 0;           ///< that press on it, those of balls doubly
         Vec2 set_out_with, arrives_with;  ///< m/s, at the ends of a tick; in between its path hops
         Next next = Next::nothing;
@@ -135,26 +139,34 @@ class ContinuousSolver {
     void pair_with_balls(std::span<const Ball> balls, BallIndex i);
     [[nodiscard]] double closing_acceleration(BallIndex i, BallIndex j, double time) const;
 
-    // Islands (continuous_islands.cpp).
+    // Balls in islands (continuous_islands.cpp).
     void join(BallIndex i, double time);
     void leave(BallIndex i);
     void crush(BallIndex first, double time);
     void wait(BallIndex i, double time);
-    void tick(double time);
-    void gather(double time, double duration);
-    void take_in_overlapped(double time);
-    void press_balls(BallIndex i, BallIndex j, double time, double duration, const RememberedForces& known);
-    void press_parts(BallIndex i, double time, double duration, const RememberedForces& known);
-    void note_loads(double duration);
-    void press(ContactSolver::Contact& contact, const RememberedForces& known, double duration);
-    void set_out_pressed(BallIndex i, double time, const ContactSolver::Body& body);
+    void set_out_member(BallIndex i, const Flight& flight, double time, double until);
+    void hop(BallIndex i, double time, const ContactSolver::Body& body);
+    void creep(BallIndex i, double time, double until, const ContactSolver::Body& body);
     void move_to(BallIndex i, double time);
-    [[nodiscard]] Vec2 true_velocity(BallIndex i, double time) const;
-    [[nodiscard]] double next_tick(double time) const;
     void follow(Ball& ball, const Mover& mover, double time) const;
+    [[nodiscard]] Vec2 true_velocity(BallIndex i, double time) const;
+    [[nodiscard]] static bool creeps_at(double speed, const Ball& ball);
     [[nodiscard]] bool rattles(BallIndex i, BallIndex j, double approach, double time);
     [[nodiscard]] bool in_slow_touch(BallIndex i, BallIndex j, double time) const;
     [[nodiscard]] bool rests_on(BallIndex i, const Feature& feature, const Pose& pose, double time) const;
+
+    // Their ticks (continuous_ticks.cpp).
+    [[nodiscard]] double next_on_grid(double time, double length) const;
+    [[nodiscard]] double next_tick(double time) const;
+    void tick(double time);
+    void let_creep(double time);
+    void solve_members(double time, double duration);
+    void take_in_overlapped(double time);
+    void gather(double time, double duration);
+    void press_balls(BallIndex i, BallIndex j, double time, double duration);
+    void press_parts(BallIndex i, double time, double duration);
+    void press(ContactSolver::Contact& contact, const RememberedForces& known, double duration);
+    void note_forces(double time, double duration);
 
     // Gates (continuous_gates.cpp).
     void settle_gates();
@@ -257,10 +269,11 @@ class ContinuousSolver {
     Cells cells_;
     std::vector<Support> supports_;
     ContactSolver contact_solver_;
-    /// Of the last tick in this window: by primitive a on ball b; by b, then a.
-    std::vector<ContactForce> part_forces_;
+    /// Of the last tick in this window: of primitive a or ball a on ball b, by index.
+    RememberedForces part_forces_, ball_forces_;
     double deepest_ = 0;                 ///< m, of the overlaps of balls in islands
     std::vector<BallIndex> members_;     ///< of the islands at hand, in order
+    std::vector<BallIndex> creeping_;    ///< since the tick at hand
     std::vector<BallIndex> woken_;       ///< at the event at hand
     std::vector<BallIndex> overlapped_;  ///< by members, and flying
     std::vector<BallIndex> rank_;        ///< of a ball among those read

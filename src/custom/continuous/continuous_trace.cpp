@@ -63,6 +63,7 @@ void ContinuousSolver::trace_paths(bool all_set_out) {
         const Ball& ball = bodies_[i];
         TraceItem& item = stage.add("path").with("ball", ball.number);
         item.with("way", ball.asleep          ? "asleep"
+                         : flying_[i].creeps  ? "on through a long tick of an island"
                          : flying_[i].pressed ? "a hop of an island, to its next tick"
                          : mover.resting_on ? mover.way.path.swings() ? "swings along a part" : "along a part"
                                             : "free flight");
@@ -161,9 +162,9 @@ void ContinuousSolver::trace_tick(double time, double duration) {
         record_->trace->stage("island solve", "src/custom/islands/contact_solver.cpp: ContactSolver::solve");
     for (const ContactSolver::Contact& contact : contact_solver_.contacts()) {
         const bool balls = contact.with == ContactSolver::With::ball;
-        TraceItem& item = stage.add("contact").with("ball", balls ? contact.a : contact.b);
+        TraceItem& item = stage.add("contact").with("ball", bodies_[balls ? contact.a : contact.b].number);
         if (balls)
-            item.with("other_ball", contact.b);
+            item.with("other_ball", bodies_[contact.b].number);
         else
             item.with("part", std::string_view(scene_.parts[layout_.primitive(contact.a).part].name));
         const ContactSolver::Body& upper = contact_solver_.bodies()[contact.upper];

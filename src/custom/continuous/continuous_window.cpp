@@ -10,7 +10,8 @@ void ContinuousSolver::begin(Table& table, std::span<const Ball> balls, double l
     table_ = &table, record_ = &record, dt_ = length, start_ = table.time();
     bodies_.assign(balls.begin(), balls.end());
     pending_.clear();
-    part_forces_.clear();
+    part_forces_.clear(), ball_forces_.clear();
+    creeping_.clear();
     events_ = search_steps_ = 0;
     set_out_ = false;
     after_end_ = std::nextafter(dt_, INFINITY);

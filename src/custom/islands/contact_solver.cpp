@@ -28,6 +28,8 @@ constexpr double overlap_left = 1e-4;
 void ContactSolver::reserve(std::size_t balls) {
     reserve_for(bodies_, 2 * balls);
     reserve_for(contacts_, balls, contacts_per_ball);
+    reserve_for(unordered_, balls, contacts_per_ball);
+    reserve_for(places_, balls, contacts_per_ball);
     reserve_for(moved_from_, 2 * balls);
     residuals_.reserve(most_sweeps * (most_extensions + 1));
 }
@@ -163,9 +165,20 @@ double ContactSolver::energy(double ahead, Vec2 gravity) const {
     return sum;
 }
 
+/// From the lowest to the highest, those with parts before those of balls.
+void ContactSolver::put_in_order() {
+    places_.clear();
+    for (const Contact& c : contacts_)
+        places_.push_back({c.with, c.lower, c.upper, static_cast<Index>(places_.size()), c.height});
+    std::ranges::sort(places_, {},
+                      [](const Place& p) { return std::tuple(p.with, p.height, p.lower, p.upper); });
+    std::swap(contacts_, unordered_);
+    contacts_.clear();
+    for (const Place& place : places_) contacts_.push_back(unordered_[place.at]);
+}
+
 void ContactSolver::solve(double duration, Vec2 gravity) {
-    std::ranges::sort(contacts_, {},
-                      [](const Contact& c) { return std::tuple(c.with, c.height, c.lower, c.upper); });
+    put_in_order();
     move_apart(gravity);
     const double energy_before = energy(0, gravity);
     for (Body& body : bodies_) body.velocity += body.driven;

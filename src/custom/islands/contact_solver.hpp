@@ -50,23 +50,23 @@ class ContactSolver {
     enum class With : std::uint8_t { still_part, moving_part, ball };
     struct Contact {
         Index upper = 0, lower = 0;  ///< the normal points from lower to upper
-        Vec2 normal;
-        double gap_found = 0;  ///< m, when it was found
-        double friction = 0;   ///< µ
-        ContactImpulse impulse;
-        double height = 0;  ///< m, against gravity
         With with = With::ball;
         bool bounces = false;  ///< is met too fast to press: an event will see to it
-
-        std::uint32_t a = 0, b = 0;  ///< by which its force is remembered
+        Vec2 normal;
+        double friction = 0;  ///< µ
+        ContactImpulse impulse;
 
         // Found by solve().
-        Vec2 found_at;                  ///< of the upper body
-        double gap = 0;                 ///< m, when all that overlapped was moved apart
         double closing = 0;             ///< m/s, at most allowed
         double mass = 0, rim_mass = 0;  ///< against an impulse along the normal, and across it
         double per_mass = 0, per_rim_mass = 0;
         ContactImpulse before, along;  ///< before the last sweep; direction in which to run on
+
+        double gap_found = 0;        ///< m, when it was found
+        double height = 0;           ///< m, against gravity
+        std::uint32_t a = 0, b = 0;  ///< by which its force is remembered
+        double gap = 0;              ///< m, when all that overlapped was moved apart; by solve()
+        Vec2 found_at;               ///< of the upper body; by solve()
     };
 
     void reserve(std::size_t balls);
@@ -104,7 +104,16 @@ class ContactSolver {
     void propagate_shock(const Contact& contact);
 
     std::vector<Body> bodies_;
-    std::vector<Contact> contacts_;
+    /// By which contacts are put in order.
+    struct Place {
+        With with = With::ball;
+        Index lower = 0, upper = 0, at = 0;
+        double height = 0;
+    };
+    void put_in_order();
+
+    std::vector<Contact> contacts_, unordered_;
+    std::vector<Place> places_;
     std::vector<Vec2> moved_from_;
     std::vector<double> residuals_;
 };

@@ -9,13 +9,21 @@
 namespace flipside::custom {
 namespace {
 
-// For the ball that was gone on to and for later ones, there or not.
-RC_GTEST_PROP(RememberedForces, FindsWhatALookAtEachFinds, ()) {
+std::vector<ContactForce> some_forces(double normal) {
     std::vector<ContactForce> forces;
     for (BallNumber b = 0; b < 12; ++b)
         for (BallNumber a = 0; a < 6; ++a)
-            if (*rc::gen::inRange(0, 3) == 0) forces.push_back({a, b, 1.0 + a + 100.0 * b, 0});
-    RememberedForces known(forces);
+            if (*rc::gen::inRange(0, 3) == 0) forces.push_back({a, b, normal + a + 100.0 * b, 0});
+    return forces;
+}
+
+// For the ball that was gone on to and for later ones, there or not.
+RC_GTEST_PROP(RememberedForces, FindsWhatALookAtEachFinds, ()) {
+    const std::vector<ContactForce> forces = some_forces(1);
+    RememberedForces known;
+    for (auto force = forces.rbegin(); force != forces.rend(); ++force) known.add(*force);
+    known.settle();
+    known.start();
     for (BallNumber b = 0; b < 12; b += *rc::gen::inRange<BallNumber>(1, 4)) {
         known.go_on_to(b);
         for (BallNumber later = b; later < 13; ++later)
@@ -23,10 +31,26 @@ RC_GTEST_PROP(RememberedForces, FindsWhatALookAtEachFinds, ()) {
                 const auto there = std::ranges::find_if(
                     forces, [&](const ContactForce& force) { return force.a == a && force.b == later; });
                 const ContactForce* const found = known.find(a, later);
-                RC_ASSERT((found == nullptr) == (there == forces.end()));
-                RC_ASSERT(found == nullptr || found == &*there);
+                const bool both = found != nullptr && there != forces.end();
+                RC_ASSERT((both ? *found == *there : found == nullptr && there == forces.end()));
             }
     }
+}
+
+RC_GTEST_PROP(RememberedForces, KeepsTheOldThatAreNotForgottenBesideTheNew, ()) {
+    const std::vector<ContactForce> old = some_forces(1), fresh = some_forces(2);
+    const auto forgotten = *rc::gen::inRange<BallNumber>(0, 12);
+    RememberedForces known;
+    for (const ContactForce& force : old) known.add(force);
+    known.settle();
+    known.forget_if([&](const ContactForce& force) { return force.b >= forgotten; });
+    std::vector<ContactForce> expected;
+    for (const ContactForce& force : old)
+        if (force.b < forgotten) expected.push_back(force);
+    for (const ContactForce& force : fresh)
+        if (force.b >= forgotten) known.add(force), expected.push_back(force);
+    known.settle();
+    RC_ASSERT(std::ranges::equal(known.all(), expected));
 }
 
 }  // namespace
