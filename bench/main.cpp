@@ -1,131 +1,48 @@
-// Speed by regime: CPU time per ball and step of the bespoke engine, of Box2D and of a bare loop, in one
-// process and a quarter of a simulated second in turn, so that what else the machine does meets all alike.
-// Prints a Markdown table: the least of the repeats, which are as many for all, the ratio to the bare loop,
-// and what the speed was bought with.
+// Speed by regime (lab/regimes): CPU time per ball and step of all engines and of a bare loop, as a Markdown
+// table: the median of the repeats with its 95 % confidence interval (fewer than six: the range), the ratio
+// to the bare loop, and what the speed was bought with.
 //
-//   flipside_bench [--only TEXT] [--repeats N] [--growth]
+//   flipside_bench [--only TEXT] [--repeats N] [--growth] [--engine LIBRARY]
 
-#include <cmath>
 #include <cstdio>
 #include <iostream>
-#include <numeric>
 
 #include <CLI/CLI.hpp>
 
-#include "contender.hpp"
 #include "lab/contenders/engines.hpp"
+#include "lab/regimes/measure.hpp"
 #include "lab/report/facts.hpp"
-#include "lab/session/session.hpp"
-#include "regimes.hpp"
-#include "world/refusal.hpp"
+#include "lab/statistics/median.hpp"
 
 namespace {
 
-using namespace flipside;
-using namespace flipside::bench;
+using namespace flipside::lab;
 
-const std::vector<Contender::Kind> kinds{
-    {"bare loop", "", {}, false},
-    {"custom", "custom", {"solver=continuous"}, false},
-    {"custom, read each step", "custom", {"solver=continuous"}},
-    {"custom, simple", "custom", {"solver=simple"}},
-    {"Box2D", "box2d", {}},
-    {"Box2D, no bullets", "box2d", {"bullets=off"}},
-    {"Box2D, nothing continuous", "box2d", {"bullets=off", "continuous=off"}},
-};
-
-/// What a row says of one contender.
-struct Result {
-    double nanoseconds = INFINITY, own = INFINITY, deepest = 0, drift = 0;
-    std::size_t lost = 0, asleep = 0;
-};
-
-int steps_in(double seconds) {
-    return static_cast<int>(std::lround(seconds / dt));
+void show(const regimes::Result& result, std::optional<double> bare) {
+    const std::string& name = result.kind.name;
+    std::printf("| %s | %d | %s |", result.regime.c_str(), result.balls, name.c_str());
+    if (!result.failure.empty()) {
+        std::printf(" %s | | | | | | |\n", result.failure.c_str());
+        return;
+    }
+    const Median cost = median_of(result.nanoseconds);
+    std::printf(" %.3g ns (%.3g to %.3g) |", cost.value, cost.low, cost.high);
+    result.own > 0 ? std::printf(" %.3g ns |", result.own) : std::printf(" |");
+    bare ? std::printf(" %.2g |", cost.value / *bare) : std::printf(" |");
+    result.error ? std::printf(" %.2g |", *result.error) : std::printf(" |");
+    result.kind.engine.empty() ? std::printf(" |") : std::printf(" %.2g |", result.deepest);
+    result.drift ? std::printf(" %.1e |", *result.drift) : std::printf(" |");
+    std::printf(" %zu |\n", result.lost);
 }
 
-/// Every contender on the scenes of a regime, in turn; sums over the scenes.
-std::vector<Result> run_once(const Regime& regime, std::span<const Contender::Kind> taking_part) {
-    constexpr int slice = 15;  // steps
-    std::vector<Result> sums(taking_part.size(), {0, 0, 0, 0, 0, 0});
-    const auto scenes = regime.scenes();
-    for (const auto& scene : scenes) {
-        std::vector<Contender> contenders;
-        for (const Contender::Kind& kind : taking_part) contenders.emplace_back(kind, scene);
-        for (Contender& contender : contenders) contender.run(steps_in(regime.from), false);
-        const int steps = steps_in(regime.seconds);
-        for (int done = 0; done < steps; done += slice)
-            for (Contender& contender : contenders) contender.run(std::min(slice, steps - done), true);
-        for (std::size_t i = 0; i < sums.size(); ++i) {
-            const Contender& from = contenders[i];
-            sums[i].nanoseconds += from.nanoseconds() / static_cast<double>(scenes.size());
-            sums[i].own += from.own_nanoseconds() / static_cast<double>(scenes.size());
-            sums[i].deepest = std::max(sums[i].deepest, from.deepest());
-            sums[i].drift += from.drift();
-            sums[i].lost += from.lost();
-            sums[i].asleep += from.asleep();
-        }
-    }
-    return sums;
-}
-
-/// How far the worst ball is from where the reference has it, a tenth of a second after the state at the
-/// regime's beginning, radii; none where the reference refuses.
-std::optional<double> error_of(const Regime& regime, const Contender::Kind& kind) {
-    constexpr int window = 6;  // steps
-    const auto scene = regime.scenes().front();
-    Contender leader({"", "custom", {"solver=continuous"}, false}, scene);
-    leader.run(steps_in(regime.from), false);
-    State state = leader.world()->save();
-    state.origin.reset();
-    Contender truth({"", "reference", {}, false}, scene), contender(kind, scene);
-    try {
-        for (Contender* one : {&truth, &contender}) {
-            one->world()->restore(state);
-            one->run(window, false);
-        }
-    } catch (const Refusal&) {
-        return {};
-    }
-    const auto a = truth.world()->balls(), b = contender.world()->balls();
-    if (a.size() != b.size() || a.empty()) return INFINITY;
-    double worst = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        worst = std::max(worst, length(a[i].position - b[i].position) / a[i].radius);
-    return worst;
-}
-
-void show(const Regime& regime, int repeats, std::span<const Contender::Kind> taking_part, bool with_errors) {
-    std::vector<Result> least(taking_part.size());
-    for (int repeat = 0; repeat < repeats; ++repeat) {
-        const auto results = run_once(regime, taking_part);
-        for (std::size_t i = 0; i < least.size(); ++i) {
-            const double fastest = std::min(least[i].nanoseconds, results[i].nanoseconds);
-            const double own = std::min(least[i].own, results[i].own);
-            least[i] = results[i];
-            least[i].nanoseconds = fastest, least[i].own = own;
-        }
-    }
-    const bool bare = taking_part.front().engine.empty();
-    for (std::size_t i = 0; i < least.size(); ++i) {
-        const Contender::Kind& kind = taking_part[i];
-        const Result& result = least[i];
-        std::printf("| %s | %d | %s | %.3g ns |", regime.name.c_str(), regime.balls, kind.name.c_str(),
-                    result.nanoseconds);
-        std::printf(kind.engine == "box2d" ? " %.3g ns |" : " |", result.own);
-        if (bare)
-            std::printf(" %.2g |", result.nanoseconds / least.front().nanoseconds);
-        else
-            std::printf(" |");
-        if (kind.engine.empty()) {
-            std::printf(" | | | %zu |\n", result.lost);
-            continue;
-        }
-        const auto error = with_errors ? error_of(regime, kind) : std::nullopt;
-        error ? std::printf(" %.2g |", *error) : std::printf(" |");
-        std::printf(" %.2g |", result.deepest);
-        regime.keeps_energy ? std::printf(" %.1e |", result.drift) : std::printf(" |");
-        std::printf(" %zu |\n", result.lost);
+void show(const regimes::Course& course, const std::string& only, std::span<const regimes::Kind> kinds,
+          const regimes::Measuring& how) {
+    const auto is_wanted = [&](const auto& regime) { return regime.find(only) != std::string::npos; };
+    if (std::ranges::none_of(course.regimes, is_wanted, &regimes::Regime::name)) return;
+    std::optional<double> bare;
+    for (const regimes::Result& result : measure(course, kinds, how)) {
+        if (result.kind.engine.empty() && result.failure.empty()) bare = median_of(result.nanoseconds).value;
+        if (is_wanted(result.regime)) show(result, course.bare ? bare : std::nullopt);
     }
     std::fflush(stdout);
 }
@@ -135,25 +52,28 @@ void show(const Regime& regime, int repeats, std::span<const Contender::Kind> ta
 int main(int argc, char** argv) try {
     CLI::App app("Speed by regime, as a Markdown table");
     std::string only;
-    int repeats = 3;
+    std::vector<std::string> libraries;
+    regimes::Measuring how;
     bool grows = false;
     app.add_option("--only", only, "regimes whose name contains this");
-    app.add_option("--repeats", repeats, "of each row, for every contender alike")
+    app.add_option("--repeats", how.repeats, "of each course, for every contender alike")
         ->check(CLI::Range(1, 1000));
-    app.add_flag("--growth", grows, "the bespoke engine alone with up to 100,000 balls");
+    app.add_option("--engine", libraries, "libraries of engines that take part too");
+    app.add_flag("--growth", grows, "the bare loop and the bespoke engine alone with up to 100,000 balls");
     CLI11_PARSE(app, argc, argv);
 
-    for (const auto& [name, value] : lab::report::build_facts())
+    for (const std::string& library : libraries) static_cast<void>(engine_named(library));
+    for (const auto& [name, value] : report::build_facts())
         std::printf("%s: %s\n", name.c_str(), value.c_str());
-    std::printf("least of %d runs; steps of 1/60 s\n\n", repeats);
+    std::printf("%d runs of each; steps of 1/60 s\n\n", how.repeats);
     std::printf(
         "| regime | balls | contender | per ball and step | its own step | / bare loop | error, r |"
         " deepest overlap, r | energy | lost |\n|---|---|---|---|---|---|---|---|---|---|\n");
-    for (const Regime& regime : grows ? growth() : regimes()) {
-        if (regime.name.find(only) == std::string::npos) continue;
+    const std::vector<regimes::Kind> kinds = regimes::kinds();
+    how.with_errors = !grows;
+    for (const regimes::Course& course : grows ? regimes::growth() : regimes::courses()) {
         const auto all = std::span(kinds);
-        const auto taking_part = grows ? all.subspan(0, 2) : regime.bare ? all : all.subspan(1);
-        show(regime, repeats, taking_part, !grows);
+        show(course, only, grows ? all.first(2) : course.bare ? all : all.subspan(1), how);
     }
     return 0;
 } catch (const std::exception& error) {

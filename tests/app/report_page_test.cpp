@@ -24,6 +24,8 @@ constexpr const char* visitor = R"(<script>
 window.addEventListener('load', () => {
   const tip = document.getElementById('tip');
   let told = 0, drawn = 0;
+  const hidden = [...document.querySelectorAll('.point')].filter(point => point.getBoundingClientRect().width === 0);
+  for (const all of document.querySelectorAll('.key .all')) all.click();
   const points = document.querySelectorAll('.point');
   for (const point of points) {
     const size = point.getBoundingClientRect();
@@ -35,10 +37,12 @@ window.addEventListener('load', () => {
     if (!tip.hidden && words.length > 5 && tip.textContent === words && inside) ++told;
   }
   document.body.dispatchEvent(new PointerEvent('pointerover', {bubbles: true}));
-  const unlabelled = [...document.querySelectorAll('svg')].filter(svg => !svg.getAttribute('aria-label')).length;
+  const unlabelled = [...document.querySelectorAll('svg:not([aria-hidden])')].filter(svg => !svg.getAttribute('aria-label')).length;
+  const scrolling = [...document.querySelectorAll('figure > svg')].filter(
+      svg => svg.getBoundingClientRect().right > innerWidth).length;
   const wide = document.documentElement.scrollWidth > innerWidth;
   parent.postMessage(`${innerWidth} px: points ${points.length} drawn ${drawn} told ${told} tip left ${!tip.hidden} ` +
-                     `unlabelled ${unlabelled} too wide ${wide}`, '*');
+                     `unlabelled ${unlabelled} too wide ${wide} scrolling figures ${scrolling} hidden ${hidden.length > 0}`, '*');
 });
 </script>)";
 
@@ -70,9 +74,10 @@ TEST(ReportPage, IsShownByABrowserAsItIsMeant) {
     EXPECT_EQ(seen.said.find("CONSOLE"), std::string::npos) << seen.said;
     const std::string all = std::to_string(points);
     for (const char* width : {"390", "1200"})
-        EXPECT_NE(seen.said.find(width + (" px: points " + all + " drawn " + all + " told " + all) +
-                                 " tip left false unlabelled 0 too wide false"),
-                  std::string::npos)
+        EXPECT_NE(
+            seen.said.find(width + (" px: points " + all + " drawn " + all + " told " + all) +
+                           " tip left false unlabelled 0 too wide false scrolling figures 0 hidden true"),
+            std::string::npos)
             << seen.said;
     fs::remove_all(folder);
 }

@@ -16,7 +16,7 @@ namespace {
 struct ReportOptions {
     std::string out;
     std::vector<std::string> from, engines;
-    bool quick = false;
+    bool quick = false, redraw = false;
 };
 
 int report(const ReportOptions& options) {
@@ -26,7 +26,8 @@ int report(const ReportOptions& options) {
         const auto watch = [&](double share) { progress.at(share); };
         lab::report::make_report({options.out,
                                   {options.from.begin(), options.from.end()},
-                                  options.quick ? lab::report::quick_effort() : lab::report::full_effort()},
+                                  options.quick ? lab::report::quick_effort() : lab::report::full_effort(),
+                                  options.redraw},
                                  watch, say);
     }
     print("%s\n", printable((std::filesystem::path(options.out) / "index.html").string()).c_str());
@@ -50,6 +51,10 @@ void add_report(CLI::App& program, Action& chosen) {
         ->type_name("DIR...");
     add_libraries(command, options->engines);
     command.add_flag("--quick", options->quick, "In two minutes instead of a quarter of an hour");
+    command.add_flag(
+        "--redraw", options->redraw,
+        "Measure nothing: draw the page and its figures again from the data in DIR, whichever build "
+        "measured them");
     command.callback([options, &chosen] { chosen = [options] { return report(*options); }; });
 }
 

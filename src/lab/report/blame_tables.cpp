@@ -1,5 +1,6 @@
 #include "lab/report/blame_tables.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "lab/sweep/blame_counts.hpp"
@@ -34,7 +35,7 @@ void add_rows(Table& table, const sweep::BlameShares& of) {
 
 }  // namespace
 
-std::vector<Table> blame_tables(const std::vector<sweep::Figures>& all) {
+std::vector<Table> blame_tables(const std::vector<sweep::Figures>& all, std::span<const Best> best) {
     std::vector<Table> tables;
     std::string variant;
     for (const sweep::BlameShares& one : sweep::blame_shares(all)) {
@@ -48,7 +49,11 @@ std::vector<Table> blame_tables(const std::vector<sweep::Figures>& all) {
                  ""});
         }
         add_rows(tables.back(), one);
-        tables.back().reading += (tables.back().reading.empty() ? "" : " ") + sweep::sentence_of(one);
+        const auto of = [&](const sweep::Figures& f) {
+            return f.variant == one.variant && f.contender == one.contender;
+        };
+        if (is_telling(*std::ranges::find_if(all, of), best))
+            tables.back().reading += (tables.back().reading.empty() ? "" : " ") + sweep::sentence_of(one);
     }
     for (Table& table : tables) table.reading += how_to_read;
     return tables;

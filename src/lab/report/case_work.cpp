@@ -27,7 +27,7 @@ constexpr Story stories[] = {
     {"incline", "way down in 1 s, slipping", "Incline: way of a slipping ball in 1 s", "m"}};
 
 std::string work_file(const Contender& contender) {
-    return "case-steps-" + contender.file + ".csv";
+    return "case-steps-" + contender.name + ".csv";
 }
 
 void write_row(CsvRow& row, std::ostream& out, const Story& story, double dt, const CaseResult& result) {

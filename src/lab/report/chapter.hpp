@@ -21,12 +21,16 @@ struct Chapter {
 /// Speed against error on exact windows: measured, or where `from` names folders of `flipside sweep`, theirs.
 [[nodiscard]] Chapter work_precision_chapter(const Effort& effort,
                                              const std::vector<std::filesystem::path>& from);
+/// The engines of others at settings found by search.
+[[nodiscard]] Chapter tuning_chapter(const Effort& effort);
+/// Cost, error and overlap by what the balls do.
+[[nodiscard]] Chapter regime_chapter(const Effort& effort);
 /// Experiments with known answers, as tables.
 [[nodiscard]] Chapter hard_case_chapter(const Effort& effort);
 /// Speed against error in some of them.
 [[nodiscard]] Chapter case_work_chapter(const Effort& effort);
-/// Where engines break: mass ratio, speed and step.
-[[nodiscard]] Chapter stability_chapter(const Effort& effort);
+/// Where engines break: mass ratio, stack, speed and step.
+[[nodiscard]] Chapter border_chapter();
 /// Energy where it must stay as it is.
 [[nodiscard]] Chapter energy_chapter(const Effort& effort);
 /// How fast the engines part on the pinball table.

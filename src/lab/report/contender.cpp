@@ -6,19 +6,18 @@ namespace flipside::lab::report {
 
 std::vector<Contender> contenders() {
     std::vector<Contender> all{
-        {"custom, continuous", "custom-continuous", "custom", "solver=continuous",
-         std::string(colour::custom), 1, 7},
-        {"custom, simple", "custom-simple", "custom", "solver=simple", std::string(colour::custom), 3, 9},
-        {"box2d", "box2d", "box2d", "", std::string(colour::box2d), 1, 5}};
+        {"custom-continuous", "custom", "solver=continuous", std::string(colour::custom), 1, 7},
+        {"custom-simple", "custom", "solver=simple", std::string(colour::custom), 3, 9},
+        {"box2d", "box2d", "", std::string(colour::box2d), 1, 5}};
     constexpr std::string_view colours[] = {colour::blue, colour::wine, colour::olive};
     std::size_t loaded = 0;
     for (const Engine* engine : engines()) {
         if (engine->file.empty()) continue;
         const std::string name(engine->name);
         const std::size_t look = loaded++ % std::size(colours);
-        all.push_back({name, name, name, "", std::string(colours[look]), 2, 11 + static_cast<int>(look)});
+        all.push_back({name, name, "", std::string(colours[look]), 2, 11 + static_cast<int>(look)});
     }
-    all.push_back({"reference", "reference", "reference", "", std::string(colour::reference), 4, 9});
+    all.push_back({"reference", "reference", "", std::string(colour::reference), 4, 9});
     std::erase_if(all, [](const Contender& contender) {
         return std::ranges::find(engines(), contender.engine, &Engine::name) == engines().end();
     });

@@ -11,8 +11,7 @@
 namespace flipside::lab::report {
 
 struct Contender {
-    std::string name;  ///< as the key shows it
-    std::string file;  ///< as files are named after it
+    std::string name;  ///< as the key shows it, and files are called
     std::string engine;
     std::string setting;  ///< what differs from the engine's defaults: "NAME=VALUE", or ""
     std::string colour;

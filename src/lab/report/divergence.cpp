@@ -40,7 +40,7 @@ std::vector<Duel> duels() {
 }
 
 std::string file_of(const Duel& duel) {
-    return "divergence-" + duel.first.file + "-" + duel.second.file + ".csv";
+    return "divergence-" + duel.first.name + "-" + duel.second.name + ".csv";
 }
 
 double claimed_radii(const World& world) {
@@ -127,7 +127,7 @@ Content show_divergence(const Data& data) {
         figure.series.push_back(series_of(duel, table));
         const auto horizon = horizon_of(table);
         if (horizon && figure.marks.empty())
-            figure.marks.push_back({*horizon, "horizon of the reference", std::string(colour::reference)});
+            figure.marks.push_back({*horizon, "past the horizon", std::string(colour::grey), true});
     }
     return {{figure}, {}};
 }

@@ -4,21 +4,27 @@
 #include <string>
 #include <vector>
 
-#include "lab/cases/stability_map.hpp"
 #include "lab/sweep/variants.hpp"
 
 namespace flipside::lab::report {
 
 struct Effort {
-    std::string name;  ///< data of one effort do not mix with those of another
+    std::string name;     ///< data of one effort do not mix with those of another
+    std::string warning;  ///< "" or what is to be known before anything is believed
+    std::string runs;     ///< what is run, in a sentence
     std::vector<sweep::Variant> variants;
-    bool quick_sweep;                ///< as `flipside sweep --quick`
-    double sweep_seconds;            ///< CPU time it takes, about
-    std::vector<std::string> cases;  ///< by name; all where none is named
-    bool quick_cases;                ///< as `flipside cases --quick`
-    double case_seconds;             ///< CPU time they take on one engine, about
-    std::vector<double> case_steps;  ///< s, at which some cases are repeated
-    std::vector<double> map_steps;   ///< s, of the map of stability
+    bool quick_sweep;                   ///< as `flipside sweep --quick`
+    double sweep_seconds;               ///< CPU time it takes, about
+    std::vector<std::string> cases;     ///< by name; all where none is named
+    bool quick_cases;                   ///< as `flipside cases --quick`
+    double case_seconds;                ///< CPU time they take on one engine, about
+    std::vector<double> case_steps;     ///< s, at which some cases are repeated
+    std::vector<sweep::Variant> tuned;  ///< for which settings are searched
+    std::size_t tuning_windows;
+    int tuning_finest;      ///< steps per second at most
+    double tuning_seconds;  ///< CPU time that takes for each, about
+    int most_regime_balls;  ///< courses (lab/regimes) of more balls are left out
+    int regime_repeats;
     double energy_seconds;
     int gas_balls;
     double divergence_seconds;
@@ -33,6 +39,10 @@ struct Effort {
 
 [[nodiscard]] inline Effort full_effort() {
     return {.name = "full",
+            .warning = "",
+            .runs =
+                "every engine on up to 500 windows of each scene at steps from 1/30 to 1/7680 s, all hard "
+                "cases, regimes, borders and growth to 100,000 balls.",
             .variants = sweep::standard_variants(),
             .quick_sweep = false,
             .sweep_seconds = 400,
@@ -40,7 +50,12 @@ struct Effort {
             .quick_cases = false,
             .case_seconds = 30,
             .case_steps = {1. / 30, 1. / 60, 1. / 120, 1. / 240, 1. / 480, 1. / 960, 1. / 1920},
-            .map_steps = {std::begin(lab::map_steps), std::end(lab::map_steps)},
+            .tuned = sweep::standard_variants(),
+            .tuning_windows = 10,
+            .tuning_finest = 480,
+            .tuning_seconds = 30,
+            .most_regime_balls = 1000,
+            .regime_repeats = 6,
             .energy_seconds = 6,
             .gas_balls = 200,
             .divergence_seconds = 10,
@@ -54,6 +69,11 @@ struct Effort {
 }
 [[nodiscard]] inline Effort quick_effort() {
     return {.name = "quick",
+            .warning =
+                "A quick report: intervals are wide and times rough. Decide by a full one (without --quick).",
+            .runs =
+                "every engine on up to 40 windows of each scene at steps from 1/30 to 1/960 s, the hard "
+                "cases in short form, regimes, borders and growth to 3,200 balls.",
             .variants = sweep::standard_variants(),
             .quick_sweep = true,
             .sweep_seconds = 60,
@@ -61,7 +81,12 @@ struct Effort {
             .quick_cases = true,
             .case_seconds = 2,
             .case_steps = {1. / 30, 1. / 120, 1. / 480},
-            .map_steps = {1. / 30, 1. / 120, 1. / 480},
+            .tuned = {sweep::standard_variants().front()},
+            .tuning_windows = 10,
+            .tuning_finest = 480,
+            .tuning_seconds = 2,
+            .most_regime_balls = 500,
+            .regime_repeats = 3,
             .energy_seconds = 3,
             .gas_balls = 100,
             .divergence_seconds = 5,

@@ -24,7 +24,7 @@ std::vector<EnergyScene> scenes_of(const Effort& effort) {
 }
 
 std::string file_of(const EnergyScene& scene, const Contender& contender) {
-    return "energy-" + scene.id + "-" + contender.file + ".csv";
+    return "energy-" + scene.id + "-" + contender.name + ".csv";
 }
 
 Measurement measurement_of(const EnergyScene& scene, const Contender& contender, const Effort& effort) {

@@ -36,6 +36,7 @@ Range rounded(Range range, const Axis& axis) {
 using Coordinate = double Point::*;
 
 Range range_of(const Figure& figure, const Axis& axis, Coordinate coordinate) {
+    if (!axis.things.empty()) return {0.4, static_cast<double>(axis.things.size()) + 0.6};
     constexpr double infinity = std::numeric_limits<double>::infinity();
     Range range{infinity, -infinity};
     for (const Series& series : figure.series) {
@@ -58,6 +59,20 @@ std::string in_one_line(const std::string& text) {
     std::string line;
     for (const char c : text) line += c == '\n' ? std::string("; ") : std::string(1, c);
     return line;
+}
+
+/// With so many significant digits, and thousands set apart: "1,250".
+std::string rounded_text(double value, int digits = 3) {
+    if (!(std::abs(value) < 1e15)) return short_number(value);
+    if (value != 0) {
+        const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - digits + 1);
+        value = std::round(value / unit) * unit;
+    }
+    if (std::abs(value) < 1000) return short_number(value);
+    std::string text = std::to_string(std::llround(value));
+    for (auto at = static_cast<std::ptrdiff_t>(text.size()) - 3; at > (value < 0 ? 1 : 0); at -= 3)
+        text.insert(static_cast<std::size_t>(at), ",");
+    return text;
 }
 
 }  // namespace
@@ -94,6 +109,20 @@ std::string step_text(double dt) {
     const double per_second = std::round(1 / dt);
     return std::abs(per_second * dt - 1) < 1e-9 ? "1/" + short_number(per_second) + " s"
                                                 : short_number(dt) + " s";
+}
+
+std::string time_text(double seconds) {
+    struct Unit {
+        double seconds;
+        const char* name;
+    };
+    for (const Unit unit : {Unit{1, "s"}, Unit{1e-3, "ms"}, Unit{1e-6, "µs"}})
+        if (seconds >= 0.9995 * unit.seconds) return rounded_text(seconds / unit.seconds) + " " + unit.name;
+    return rounded_text(seconds / 1e-9) + " ns";
+}
+
+std::string times_text(double ratio) {
+    return rounded_text(ratio, 2) + (ratio == 1 ? " time" : " times");
 }
 
 }  // namespace flipside::lab::report

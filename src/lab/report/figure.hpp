@@ -31,6 +31,7 @@ struct Series {
     double size = 0.8;   ///< of the points
     bool joined = true;  ///< by a line, in their order
     std::vector<Point> points;
+    bool shown = true;  ///< in the page at once; else when its name is ticked
 };
 
 struct Axis {
@@ -39,6 +40,8 @@ struct Axis {
     bool logarithmic = false;
     /// What lies below is drawn at the lower edge of the figure; so a logarithm can show 0. 0: no floor.
     double floor = 0;
+    /// What is at 1, 2, 3 ... where the axis has no numbers, but things: "rain", "gas".
+    std::vector<std::string> things{};
 };
 
 /// A line across the figure at one x.
@@ -46,6 +49,7 @@ struct Mark {
     double x = 0;
     std::string says;
     std::string colour;
+    bool shaded = false;  ///< so is all that lies to the right of it
 };
 
 struct Figure {
@@ -54,7 +58,8 @@ struct Figure {
     Axis x, y;
     std::vector<Series> series;
     std::vector<Mark> marks;
-    std::string reading;  ///< two sentences on how to read it
+    std::string reading;    ///< two sentences on how to read it
+    bool on_front = false;  ///< it stands on the front page and not in its chapter
 };
 
 struct Range {
@@ -77,5 +82,9 @@ void write_csv(const Figure& figure, const std::filesystem::path& file);
 [[nodiscard]] std::string short_number(double value);
 /// A step size as "1/60 s".
 [[nodiscard]] std::string step_text(double dt);
+/// Seconds with the unit that suits them: "26 µs", "1.3 ms", "4.1 s".
+[[nodiscard]] std::string time_text(double seconds);
+/// A ratio as "4.1 times"; with 2 significant digits.
+[[nodiscard]] std::string times_text(double ratio);
 
 }  // namespace flipside::lab::report

@@ -81,34 +81,57 @@ std::string decades(const Range& range) {
     return tics + ")";
 }
 
+/// "('rain' 1, 'gas' 2)".
+std::string names_of(const std::vector<std::string>& things) {
+    std::string tics;
+    for (std::size_t i = 0; i < things.size(); ++i)
+        tics += (i == 0 ? "(" : ", ") + string_literal(things[i]) + " " + std::to_string(i + 1);
+    return tics + ") noenhanced";
+}
+
 void write_axis(std::ostream& out, char name, const Axis& axis, const Range& range) {
     const Range inside = just_inside(range, axis);
     out << "set format " << name << " '%g'\n";
-    if (axis.logarithmic)
-        out << "set logscale " << name << "\nset " << name << "tics " << decades(range) << '\n';
-    out << "set " << name << "range [" << number(range.from) << ':' << number(range.to) << "]\n"
-        << "set " << name << "label " << string_literal(axis.label)
-        << " noenhanced textcolor rgb ink\n"
+    if (axis.logarithmic) out << "set logscale " << name << '\n';
+    if (axis.logarithmic || !axis.things.empty())
+        out << "set " << name << "tics " << (axis.things.empty() ? decades(range) : names_of(axis.things))
+            << '\n';
+    out << "set " << name << "range [" << number(range.from) << ':' << number(range.to)
+        << "]\n"
         // An infinite value, of a failed run, comes to the upper edge; what is below the range to the lower.
         // Just inside: what rounds to beyond the border is not drawn.
         << "at_" << name << "(v) = v < " << number(inside.from) << " ? " << number(inside.from) << " : v > "
         << number(inside.to) << " ? " << number(inside.to) << " : v\n";
 }
 
+void write_layout(std::ostream& out, const Figure& figure, const Layout& layout) {
+    const auto across = [&](double px) { return number(px / layout.width); };
+    const auto up = [&](double px) { return number(1 - px / layout.height); };
+    out << "set lmargin at screen " << across(layout.left) << "\nset rmargin at screen "
+        << across(layout.right) << "\nset tmargin at screen " << up(layout.top) << "\nset bmargin at screen "
+        << up(layout.bottom) << '\n';
+    if (!layout.has_words) {
+        out << "unset key\nunset xlabel\nunset ylabel\n";
+        return;
+    }
+    out << "set key at screen " << across(layout.right + 15) << ", screen " << up(layout.top)
+        << " left top Left reverse samplen 2.5 noenhanced textcolor rgb ink\n";
+    for (const auto& [name, axis] : {std::pair("x", &figure.x), {"y", &figure.y}})
+        out << "set " << name << "label " << string_literal(axis->label) << " noenhanced textcolor rgb ink\n";
+}
+
 void write_frame(std::ostream& out, const Figure& figure) {
-    const auto across = [](double px) { return number(px / picture_width); };
-    const auto up = [](double px) { return number(1 - px / picture_height); };
     const Frame frame = frame_of(figure);
     out << "ink = " << string_literal(ink)
         << "\nset encoding utf8\nset datafile separator comma\nset datafile commentschars ''\n"
-        << "set lmargin at screen " << across(box_left) << "\nset rmargin at screen " << across(box_right)
-        << "\nset tmargin at screen " << up(box_top) << "\nset bmargin at screen " << up(box_bottom) << '\n'
         << "set border 3 linecolor rgb ink\nset tics nomirror textcolor rgb ink\n"
-        << "set grid linecolor rgb '#909090' linewidth 0.4 dashtype 1\n"
-        << "set key at screen " << across(box_right + 15) << ", screen " << up(box_top)
-        << " left top Left reverse samplen 2.5 noenhanced textcolor rgb ink\n";
+        << "set grid linecolor rgb '#909090' linewidth 0.4 dashtype 1\n";
     write_axis(out, 'x', figure.x, frame.x);
     write_axis(out, 'y', figure.y, frame.y);
+    for (const Mark& mark : figure.marks)
+        if (mark.shaded)
+            out << "set object rectangle from " << number(mark.x) << ", graph 0 to graph 1, graph 1 behind "
+                << "fillcolor rgb " << string_literal(mark.colour) << " fillstyle solid 0.15 noborder\n";
     for (const Mark& mark : figure.marks)
         out << "set arrow from " << number(mark.x) << ", graph 0 to " << number(mark.x)
             << ", graph 1 nohead dashtype 3 linewidth 2 linecolor rgb " << string_literal(mark.colour)
@@ -145,6 +168,14 @@ std::vector<std::string> elements_of(const Series& series, std::size_t row) {
     return elements;
 }
 
+/// Of which series each element of the plot is.
+std::vector<std::size_t> series_of_elements(const Figure& figure) {
+    std::vector<std::size_t> all;
+    for (std::size_t i = 0; i < figure.series.size(); ++i)
+        all.insert(all.end(), elements_of(figure.series[i], 0).size(), i);
+    return all;
+}
+
 [[noreturn]] void fail_to_draw(const fs::path& script, std::string why) {
     std::ranges::replace(why, '\n', ' ');
     throw Failure("gnuplot cannot draw " + script.string() + ": " + why);
@@ -166,7 +197,30 @@ std::string picture(const fs::path& file, std::string_view end, const fs::path& 
     return bytes;
 }
 
+/// Names of things need room, and each of them a line.
+Layout with_room(const Layout& layout, const Axis& y, double name_px) {
+    if (y.things.empty()) return layout;
+    constexpr double line = 26;  // px
+    Layout roomy = layout;
+    std::size_t longest = 0;
+    for (const std::string& name : y.things) longest = std::max(longest, name.size());
+    roomy.left = 15 + name_px * static_cast<double>(longest);
+    roomy.bottom = layout.top + line * (static_cast<double>(y.things.size()) + 1);
+    roomy.height = roomy.bottom + layout.height - layout.bottom;
+    return roomy;
+}
+
 }  // namespace
+
+Layout file_layout(const Figure& figure) {
+    Layout layout = with_room({900, 460, 90, 590, 20, 390, true}, figure.y, 7);
+    layout.height = std::max(layout.height, 20. * static_cast<double>(figure.series.size() + 2));
+    return layout;
+}
+
+Layout page_layout(const Figure& figure) {
+    return with_room({560, 390, 58, 548, 12, 352, false}, figure.y, 8.6);
+}
 
 std::string script_of(const Figure& figure, const std::string& csv) {
     require_plain_id(figure);
@@ -184,15 +238,22 @@ std::string script_of(const Figure& figure, const std::string& csv) {
             plot += (plot == "plot " ? "" : ", \\\n     ") + element;
         row += series.points.size();
     }
-    const auto size = [](double scale) {
-        return number(scale * picture_width) + "," + number(scale * picture_height);
+    const Layout file = file_layout(figure), page = page_layout(figure);
+    const auto size = [](const Layout& layout, double scale) {
+        return number(scale * layout.width) + "," + number(scale * layout.height);
     };
-    out << "set terminal svg size " << size(1) << " font 'sans-serif,14' name "
-        << string_literal(svg_name(figure)) << "\nset output svg\n"
+    const auto svg = [&](const Layout& layout, const char* font) {
+        return "set terminal svg size " + size(layout, 1) + " font 'sans-serif," + font + "' name " +
+               string_literal(svg_name(figure)) + "\n";
+    };
+    write_layout(out, figure, file);
+    out << svg(file, "14") << "set output svg\n"
         << plot << '\n'
-        << "set terminal pngcairo size " << size(2)
+        << "set terminal pngcairo size " << size(file, 2)
         << " fontscale 1.9 linewidth 2 pointscale 2 font 'DejaVu Sans,11'\n"
-        << "set output png\nreplot\nunset output\n";
+        << "set output png\nreplot\nunset output\nif (!exists('page')) exit\n";
+    write_layout(out, figure, page);
+    out << svg(page, "17") << "set output page\nreplot\nunset output\n";
     return out.str();
 }
 
@@ -203,18 +264,20 @@ std::string draw(const Figure& figure, const fs::path& csv, const fs::path& pict
     write_whole_file(script, script_of(figure, fs::relative(csv, pictures).string()));
     // gnuplot is no judge of whether what it wrote arrived, so it does not write into their places. Nor into
     // other files there: one that is killed while it opens a file may still create it much later.
-    const MemoryFile drawn_svg, drawn_png;
+    const MemoryFile drawn_svg, drawn_png, drawn_page;
     const auto name = [](const MemoryFile& file) { return string_literal(file.path().string()); };
     Finished done = run_program(
-        {"gnuplot", "-d", "-e", "svg = " + name(drawn_svg) + "; png = " + name(drawn_png), figure.id + ".gp"},
+        {"gnuplot", "-d", "-e",
+         "svg = " + name(drawn_svg) + "; png = " + name(drawn_png) + "; page = " + name(drawn_page),
+         figure.id + ".gp"},
         pictures);
     std::ranges::replace(done.said, '\n', ' ');
     if (done.code != 0)
         fail_to_draw(script, done.said.empty() ? "exit code " + std::to_string(done.code) : done.said);
-    std::string text = inline_svg(picture(drawn_svg.path(), "</svg>", script), figure);
-    write_whole_file(svg, text);
+    const std::vector<std::size_t> elements = series_of_elements(figure);
+    write_whole_file(svg, inline_svg(picture(drawn_svg.path(), "</svg>", script), figure, elements));
     write_whole_file(png, picture(drawn_png.path(), png_end, script));
-    return text;
+    return inline_svg(picture(drawn_page.path(), "</svg>", script), figure, elements);
 }
 
 std::string gnuplot_version() {

@@ -17,14 +17,14 @@ namespace {
 
 const std::vector<Contender>& those_that_grow() {
     static const std::vector<Contender> all{
-        {"custom, at its defaults", "custom", "custom", "", std::string(colour::custom), 1, 7},
-        {"box2d, bullets", "box2d-bullets", "box2d", "bullets=on", std::string(colour::box2d), 1, 5},
-        {"box2d, no bullets", "box2d-plain", "box2d", "bullets=off", std::string(colour::box2d), 2, 4}};
+        {"custom", "custom", "", std::string(colour::custom), 1, 7},
+        {"box2d-bullets", "box2d", "bullets=on", std::string(colour::box2d), 1, 5},
+        {"box2d-no-bullets", "box2d", "bullets=off", std::string(colour::box2d), 2, 4}};
     return all;
 }
 
 std::string file_of(const Contender& contender, int balls) {
-    return "growth-" + contender.file + "-" + std::to_string(balls) + ".csv";
+    return "growth-" + contender.name + "-" + std::to_string(balls) + ".csv";
 }
 
 /// CSV of one row: balls,overlap_99,strays,failure,cpu_ns_per_ball_step. The overlap, in radii, is the one

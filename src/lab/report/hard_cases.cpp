@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 
 #include "lab/cases/case.hpp"
 #include "lab/report/chapter.hpp"
@@ -13,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string answers_file(const Contender& contender) {
-    return "cases-" + contender.file + ".json";
+    return "cases-" + contender.name + ".json";
 }
 
 Measurement answers_measurement(const Contender& contender, const Effort& effort) {
@@ -140,12 +141,29 @@ Table quantity_table(const Answers& answers) {
     return table;
 }
 
+/// How often each verdict, contender by contender.
+std::vector<std::string> findings_of(const Answers& answers) {
+    std::string text;
+    for (std::size_t i = 0; i < answers.files.size(); ++i) {
+        std::map<std::string, std::size_t> counts;
+        for (const Json& one : answers.files[i].at("cases")) ++counts[one.at("verdict")];
+        text += (i == 0 ? "" : "; ") + answers.contenders[i].name + ":";
+        bool is_first = true;
+        for (const auto& [verdict, count] : counts) {
+            text += (is_first ? " " : ", ") + std::to_string(count) + " " + verdict;
+            is_first = false;
+        }
+    }
+    return {"Of " + std::to_string(answers.files.front().at("cases").size()) +
+            " hard cases with a known answer, each at its own tolerance: " + text + "."};
+}
+
 Content show_hard_cases(const Data& data) {
     Answers answers{contenders(), {}};
     for (const Contender& contender : answers.contenders)
         answers.files.push_back(read_cases(data, answers_file(contender)));
     try {
-        return {{}, {verdict_table(answers), quantity_table(answers)}};
+        return {{}, {verdict_table(answers), quantity_table(answers)}, findings_of(answers), {}};
     } catch (const Json::exception& error) {
         throw InputError(data.path("cases-*.json").string(), "", error.what());
     }

@@ -1,14 +1,25 @@
 #include "lab/report/measurement.hpp"
 
+#include <algorithm>
+#include <cstdlib>
 #include <vector>
 
-#include "lab/process/build_commit.hpp"
+#include "lab/files/csv.hpp"
+#include "lab/files/csv_table.hpp"
+#include "lab/files/text_stream.hpp"
+#include "lab/process/cpu_clock.hpp"
 
 namespace flipside::lab::report {
 
-Data::Data(std::filesystem::path folder, const std::string& effort, Notice notice)
+namespace {
+
+constexpr const char* spent_file = "spent.csv";
+
+}  // namespace
+
+Data::Data(std::filesystem::path folder, const std::string& effort, const std::string& commit, Notice notice)
     : folder_(std::move(folder)),
-      origin_(origin_of("report", {effort, build_commit()})),
+      origin_(origin_of("report", {effort, commit})),
       notice_(std::move(notice)) {}
 
 std::string Data::origin(const std::string& file) const {
@@ -27,6 +38,23 @@ std::string Data::read(const std::string& file) const {
 
 void Data::write(const std::string& file, const std::string& text) const {
     write_data_file(path(file), origin(file), text);
+}
+
+Spent Data::spent() const {
+    if (!has(spent_file)) return {};
+    const CsvTable table(path(spent_file), read(spent_file));
+    return {table.finite(0, "cpu_seconds"), table.finite(0, "most_load")};
+}
+
+void Data::spend(double cpu_seconds) const {
+    Spent all = spent();
+    double load = 0;
+    if (getloadavg(&load, 1) == 1) all.most_load = std::max(all.most_load, load);
+    TextStream file;
+    CsvRow row;
+    row.add("cpu_seconds").add("most_load").write(file);
+    row.add(all.cpu_seconds + cpu_seconds).add(all.most_load).write(file);
+    write(spent_file, file.str());
 }
 
 Measurement measurement_of_file(const std::string& file, double seconds,
@@ -53,7 +81,9 @@ void take(std::span<const Measurement> measurements, const Data& data, const Wat
     }
     for (const Measurement* measurement : missing) {
         watch(done / whole);
+        const CpuStopwatch stopwatch;
         measurement->take(data, watch_part(done, measurement->seconds));
+        data.spend(stopwatch.seconds());
         done += measurement->seconds;
     }
     watch(1);

@@ -14,11 +14,17 @@ namespace flipside::lab::report {
 /// Told how much of the work is done, 0 … 1; may throw to stop it.
 using Watch = std::function<void(double share)>;
 
+/// What measuring took so far.
+struct Spent {
+    double cpu_seconds = 0;
+    double most_load = 0;  ///< programs that ran or waited for a processor, mean of a minute; the largest
+};
+
 /// The folder of a report's data.
 class Data {
   public:
-    /// `effort` decides, with the commit of this build, what the files hold.
-    Data(std::filesystem::path folder, const std::string& effort, Notice notice);
+    /// `effort` decides, with the commit of the build that measures, what the files hold.
+    Data(std::filesystem::path folder, const std::string& effort, const std::string& commit, Notice notice);
 
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
     [[nodiscard]] const Notice& notice() const { return notice_; }
@@ -28,6 +34,10 @@ class Data {
     /// Throws InputError where the file is missing or damaged.
     [[nodiscard]] std::string read(const std::string& file) const;
     void write(const std::string& file, const std::string& text) const;
+    /// Nothing where nothing was measured yet.
+    [[nodiscard]] Spent spent() const;
+    /// Adds what a measurement took.
+    void spend(double cpu_seconds) const;
 
   private:
     [[nodiscard]] std::string origin(const std::string& file) const;

@@ -19,7 +19,7 @@ constexpr double shares[] = {0.9,  0.7,   0.5,   0.3,   0.2,    0.1,    0.05,  0
                              0.01, 0.005, 0.002, 0.001, 0.0005, 0.0002, 0.0001};
 
 std::string overlaps_file(const Contender& contender) {
-    return "penetration-" + contender.file + ".csv";
+    return "penetration-" + contender.name + ".csv";
 }
 
 /// CSV: share,depth,contacts,failure. Depth in radii; the last row is the deepest of all.

@@ -16,8 +16,10 @@ struct ReportInput {
     std::filesystem::path out;
     std::vector<std::filesystem::path> from;  ///< folders of one sweep, to be shown instead of measuring one
     Effort effort;
+    bool redraw = false;  ///< from what is in `out`, whatever build measured it; nothing is measured
 };
 
+/// A chapter whose data are missing is left out of a redrawn one, and the notice says so.
 /// A report that was stopped goes on where it was; `notice` is told of data that are damaged and measured
 /// again. Throws Failure when gnuplot is missing, and InputError when `out` holds the data of another effort
 /// or build (they would not say what the page says they do), and for a folder of `from` that is damaged.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lab/process/failure.hpp"
+#include "lab/report/html.hpp"
 #include "lab/report/markup.hpp"
 
 namespace flipside::lab::report {
@@ -46,6 +47,13 @@ std::string with_words(const std::string& svg, const Figure& figure) {
     return out.append(svg, done);
 }
 
+/// gnuplot numbers the elements of a plot from 1; each becomes one of its series' class.
+void name_series(std::string& svg, const Figure& figure, std::span<const std::size_t> elements) {
+    for (std::size_t i = 0; i < elements.size(); ++i)
+        replace_all(svg, "id=\"" + svg_name(figure) + "_plot_" + std::to_string(i + 1) + "\"",
+                    "class=\"" + series_class(elements[i]) + "\"");
+}
+
 }  // namespace
 
 std::string svg_name(const Figure& figure) {
@@ -63,10 +71,11 @@ std::string words_of(const Figure& figure, const Series& series, const Point& po
     return words;
 }
 
-std::string inline_svg(const std::string& svg, const Figure& figure) {
+std::string inline_svg(const std::string& svg, const Figure& figure, std::span<const std::size_t> elements) {
     std::string text = with_words(svg, figure);
     erase_through(text, "<?xml", "?>\n");
     erase_through(text, "<desc>", "</desc>\n");
+    name_series(text, figure, elements);
     erase_through(text, "<title>" + svg_name(figure), "</title>");  // names of plots, of no use to anybody
     replace_all(text, "rgb(  1,   1,   1)", "currentColor");
     replace_all(text, "rgb(1,1,1)", "currentColor");

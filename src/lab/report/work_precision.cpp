@@ -5,6 +5,8 @@
 
 #include "lab/contenders/engines.hpp"
 #include "lab/pairs/pair_tests.hpp"
+#include "lab/report/advice.hpp"
+#include "lab/report/best_settings.hpp"
 #include "lab/report/blame_tables.hpp"
 #include "lab/report/chapter.hpp"
 #include "lab/report/contender.hpp"
@@ -37,8 +39,9 @@ Series series_of(const sweep::Figures& first, std::size_t of_engine) {
 
 std::string words_of(const sweep::Figures& f) {
     std::string words = "dt = " + step_text(f.dt) + (f.settings.empty() ? "" : ", " + f.settings);
-    words += "\nof " + std::to_string(f.windows) + " windows: 95 % within " + short_number(f.p95) +
-             " radii; median ball " + short_number(f.typical_median) + " radii";
+    words += "\nof " + std::to_string(f.windows) + " windows: median between " + short_number(f.median_low) +
+             " and " + short_number(f.median_high) + " radii (95 % sure), 95 % of them within " +
+             short_number(f.p95) + "; median ball " + short_number(f.typical_median) + " radii";
     words += "\n" + std::to_string(f.missed) + " of " + std::to_string(f.impacts) + " impacts missed, " +
              std::to_string(f.spurious) + " too many";
     for (const auto& [name, count] : f.failures) words += "\n" + std::to_string(count) + " failed: " + name;
@@ -47,65 +50,71 @@ std::string words_of(const sweep::Figures& f) {
 
 /// One series per contender, in the order of the summary; what x is of a setting is the caller's.
 template <class X>
-std::vector<Series> curves(const std::vector<sweep::Figures>& all, const std::string& variant, X x_of) {
+std::vector<Series> curves(const std::vector<sweep::Figures>& all, std::span<const Best> best,
+                           const std::string& variant, X x_of) {
     std::vector<Series> series;
     std::map<std::string, std::size_t> of_engine;
     for (const sweep::Figures& f : all) {
         if (f.variant != variant) continue;
         if (series.empty() || series.back().name != f.contender)
-            series.push_back(series_of(f, of_engine[f.engine]++));
+            series.push_back(series_of(f, of_engine[f.engine]++)), series.back().shown = is_telling(f, best);
         series.back().points.push_back({x_of(f), f.median, words_of(f)});
     }
     return series;
 }
 
-Figure work_figure(const std::vector<sweep::Figures>& all, const std::string& variant) {
+Figure work_figure(const std::vector<sweep::Figures>& all, std::span<const Best> best,
+                   const std::string& variant) {
     // What was not timed is no cheap run: it goes to the right edge.
     const auto cost = [](const sweep::Figures& f) { return std::isnan(f.cpu_min) ? infinity : f.cpu_min; };
     return {"work-" + variant,
-            "Work and precision: " + variant,
+            "Error against cost: " + kind_of(variant),
             {"CPU seconds per simulated second (" + libraries() + ")", "cpu_seconds_per_second", true},
             {"median error at the end of a window, radii", "median_error", true, floor_radii},
-            curves(all, variant, cost),
+            curves(all, best, variant, cost),
             {},
             "Each point is one setting; further down is more exact, further left is cheaper, so of two "
-            "curves the lower "
-            "left one is better. A cross at the upper edge is a setting at which half of the windows or more "
+            "curves the lower left one is better. A cross at the upper edge is a setting at which half of "
+            "the windows or more "
             "failed."};
 }
 
-/// A straight line through the logarithms of those errors that are above what rounding leaves.
+/// Below this a straight line says nothing of how the error falls.
+constexpr double least_r_squared = 0.95;
+
+/// A straight line through the logarithms of those errors that are above what rounding leaves. Without points
+/// where the errors do not lie on one.
 Series fitted_order(const Series& measured) {
     constexpr double rounding = 1e-12;
     std::vector<double> x, y;
     for (const Point& point : measured.points)
         if (std::isfinite(point.y) && point.y > rounding)
             x.push_back(std::log10(point.x)), y.push_back(std::log10(point.y));
-    Series fit{measured.name, measured.colour, 3, measured.marker, 0.3, true, {}};
+    Series fit{measured.name, measured.colour, 3, measured.marker, 0.3, true, {}, measured.shown};
     if (x.size() < 3) return fit;
     const LinearFit line = fit_line(x, y);
-    char order[16];
-    std::snprintf(order, sizeof order, "%.2f", line.slope);
+    if (line.r_squared < least_r_squared) return fit;
+    char order[48];
+    std::snprintf(order, sizeof order, "%.2f (R² %.3f)", line.slope, line.r_squared);
     fit.name += std::string(": order ") + order;
     for (const double at : {*std::ranges::max_element(x), *std::ranges::min_element(x)})
-        fit.points.push_back(
-            {std::pow(10, at), std::pow(10, line.intercept + line.slope * at),
-             "error = c · dt^" + std::string(order) + ", R² = " + short_number(line.r_squared)});
+        fit.points.push_back({std::pow(10, at), std::pow(10, line.intercept + line.slope * at),
+                              "fitted to " + std::to_string(x.size()) + " steps: order " + order});
     return fit;
 }
 
-Figure order_figure(const std::vector<sweep::Figures>& all, const std::string& variant) {
+Figure order_figure(const std::vector<sweep::Figures>& all, std::span<const Best> best,
+                    const std::string& variant) {
     Figure figure{"order-" + variant,
-                  "Error against step: " + variant,
+                  "Error against step: " + kind_of(variant),
                   {"step dt, s", "dt", true},
                   {"median error at the end of a window, radii", "median_error", true, floor_radii},
-                  curves(all, variant, [](const sweep::Figures& f) { return f.dt; }),
+                  curves(all, best, variant, [](const sweep::Figures& f) { return f.dt; }),
                   {},
                   "A solver of order p has an error that falls with dt to the power p, a straight line of "
-                  "that slope: the "
-                  "dotted lines are fitted, and the key gives their slopes. A solver without a dotted line "
-                  "has no error that "
-                  "depends on the step."};
+                  "that slope: the dotted lines are fitted, and the key gives their slopes and how well they "
+                  "fit. A solver without a dotted line has an error that does not depend on the step, or not "
+                  "by a power of it (R² below 0.95)."};
     for (const Series& measured : std::vector<Series>(figure.series)) {
         Series fit = fitted_order(measured);
         if (!fit.points.empty()) figure.series.push_back(std::move(fit));
@@ -114,14 +123,14 @@ Figure order_figure(const std::vector<sweep::Figures>& all, const std::string& v
 }
 
 Content content_of(const std::vector<sweep::Figures>& all) {
-    Content content{{}, blame_tables(all)};
-    std::string last;
-    for (const sweep::Figures& f : all) {
-        if (f.variant == last) continue;
-        last = f.variant;
-        content.figures.push_back(work_figure(all, last));
-        content.figures.push_back(order_figure(all, last));
+    const std::vector<Best> best = best_settings(all);
+    Content content{{}, blame_tables(all, best), findings_of(all, best), {}};
+    for (const Best& one : best) {
+        content.picks.push_back(pick_of(all, one));
+        content.figures.push_back(work_figure(all, best, one.variant));
+        content.figures.push_back(order_figure(all, best, one.variant));
     }
+    content.figures.front().on_front = true;
     return content;
 }
 

@@ -7,6 +7,7 @@
 #include "lab/files/csv.hpp"
 #include "lab/files/data_file.hpp"
 #include "lab/files/whole_file.hpp"
+#include "lab/statistics/median.hpp"
 #include "world/input_error.hpp"
 
 namespace flipside::lab::sweep {
@@ -55,12 +56,15 @@ Figures figures_of(std::span<const Run> runs) {
         if (std::isnan(run.cpu_min)) continue;
         ++figures.timed;
         seconds += run.seconds;
+        figures.costs[run.window] = run.cpu_min / run.seconds;
         figures.cpu_min += run.cpu_min;
         figures.cpu_median += run.cpu_median;
     }
     std::ranges::sort(errors);
     std::ranges::sort(typical);
     figures.median = quantile(errors, 0.5);
+    const Median sure = median_of(errors);
+    figures.median_low = sure.low, figures.median_high = sure.high;
     figures.p95 = quantile(errors, 0.95);
     figures.max = errors.back();
     figures.typical_median = quantile(typical, 0.5);
@@ -129,12 +133,14 @@ std::vector<Figures> summarize(std::span<const Run> runs) {
 
 void write_summary(const fs::path& file, std::span<const Figures> all) {
     WholeFile whole(file);
-    whole.out() << "variant,contender,engine,settings,dt,windows,failed,failures,median,p95,max,"
+    whole.out() << "variant,contender,engine,settings,dt,windows,failed,failures,median,median_low,median_"
+                   "high,p95,max,"
                    "typical_median,typical_p95,exact,impacts,missed,spurious,timed,cpu_min,cpu_median\n";
     CsvRow row;
     for (const Figures& f : all) {
         row.add(f.variant).add(f.contender).add(f.engine).add(f.settings).add(f.dt).add(f.windows);
-        row.add(f.failed).add(text_of(f.failures)).add(f.median).add(f.p95).add(f.max);
+        row.add(f.failed).add(text_of(f.failures)).add(f.median);
+        row.add(f.median_low).add(f.median_high).add(f.p95).add(f.max);
         row.add(f.typical_median)
             .add(f.typical_p95)
             .add(f.exact)

@@ -27,6 +27,7 @@ struct Figures {
     std::map<std::string, std::size_t> failures;  ///< those by name
     /// Of the windows' errors (radii, worst ball): median, 95th percentile, maximum. Nearest rank.
     double median = 0, p95 = 0, max = 0;
+    double median_low = 0, median_high = 0;  ///< 95 % confidence interval of the median (median.hpp)
     /// The same of the windows' typical errors (radii, median of the balls that were hit): with one ball it
     /// is the same; with hundreds the worst ball tells of one grazing hit, this of the engine.
     double typical_median = 0, typical_p95 = 0;
@@ -36,6 +37,7 @@ struct Figures {
     std::size_t timed = 0;  ///< windows that were timed
     /// CPU seconds per simulated second: sums over the timed windows of the least and of the median time.
     double cpu_min = 0, cpu_median = 0;
+    std::map<std::size_t, double> costs;  ///< the least time of each timed window, per simulated second
 };
 
 /// All runs of these folders, sorted by variant, contender, step size (largest first) and window; a run
@@ -45,8 +47,8 @@ struct Figures {
 /// In the order of `runs`, which must be sorted as gather() does.
 [[nodiscard]] std::vector<Figures> summarize(std::span<const Run> runs);
 
-/// The CSV of the same columns, failures as "2 lost ball; 1 refused", without what blame.csv holds
-/// (blame_counts.hpp).
+/// The CSV of the same columns, failures as "2 lost ball; 1 refused", without `costs` and what
+/// blame.csv holds (blame_counts.hpp).
 void write_summary(const std::filesystem::path& file, std::span<const Figures> all);
 
 }  // namespace flipside::lab::sweep

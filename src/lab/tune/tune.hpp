@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "lab/sweep/contenders.hpp"
-#include "lab/tune/median.hpp"
+#include "lab/statistics/median.hpp"
 #include "lab/tune/tuner.hpp"
 
 namespace flipside::lab::tune {

@@ -9,6 +9,7 @@
 #include "lab/files/csv_table.hpp"
 #include "lab/process/failure.hpp"
 #include "lab/report/gnuplot.hpp"
+#include "lab/report/html.hpp"
 #include "lab/report/markup.hpp"
 #include "lab/report/page.hpp"
 #include "lab/report/process.hpp"
@@ -73,24 +74,25 @@ TEST_F(Figures, TheCsvHoldsEveryPointWithAllItsBits) {
 TEST_F(Figures, PointsAreDrawnWhereTheirNumbersSay) {
     const Figure figure = awkward();
     write_csv(figure, folder / "f.csv");
-    const std::string svg = draw(figure, folder / "f.csv", folder);
-    EXPECT_EQ(svg, text_of(folder / "awk-ward.svg"));
+    draw(figure, folder / "f.csv", folder);
+    const std::string svg = text_of(folder / "awk-ward.svg");
+    const Layout box = file_layout(figure);
     EXPECT_EQ(text_of(folder / "awk-ward.png").substr(1, 3), "PNG");
 
     const auto points = points_of(svg);
     ASSERT_EQ(points.size(), 4U);
-    const double decade_x = (box_right - box_left) / 3.12, decade_y = (box_bottom - box_top) / 6.24;
-    const auto at_x = [&](double x) { return box_left + (std::log10(x) + 3.06) * decade_x; };
-    const auto at_y = [&](double y) { return box_bottom - (std::log10(y) + 9.12) * decade_y; };
+    const double decade_x = (box.right - box.left) / 3.12, decade_y = (box.bottom - box.top) / 6.24;
+    const auto at_x = [&](double x) { return box.left + (std::log10(x) + 3.06) * decade_x; };
+    const auto at_y = [&](double y) { return box.bottom - (std::log10(y) + 9.12) * decade_y; };
     constexpr double px = 0.02;  // what gnuplot rounds to
     EXPECT_NEAR(points[0].x, at_x(0.001), px);
     EXPECT_NEAR(points[0].y, at_y(1e-3), px);
     EXPECT_NEAR(points[1].x, at_x(1), px);
     EXPECT_NEAR(points[1].y, at_y(1e-7), px);
     EXPECT_NEAR(points[2].x, at_x(0.01), px);
-    EXPECT_NEAR(points[2].y, box_top, px);  // failed: the upper edge
+    EXPECT_NEAR(points[2].y, box.top, px);  // failed: the upper edge
     EXPECT_NEAR(points[3].x, at_x(0.1), px);
-    EXPECT_NEAR(points[3].y, box_bottom, px);  // 0 on a logarithmic scale: the lower edge
+    EXPECT_NEAR(points[3].y, box.bottom, px);  // 0 on a logarithmic scale: the lower edge
     EXPECT_EQ(points[2].words.find("a, &quot;b&quot; &amp; &lt;c&gt;_d&#39;{}^\nlost &lt;all&gt; balls"), 0U)
         << points[2].words;
     EXPECT_NE(points[1].words.find("x_1: 1\ny^2: 1e-07"), std::string::npos) << points[1].words;
@@ -100,20 +102,50 @@ TEST_F(Figures, TheAxesAreLabelledWhereTheirNumbersAre) {
     Figure figure = awkward();
     figure.x.logarithmic = false;  // -0.02 … 1.02
     write_csv(figure, folder / "f.csv");
-    const std::string svg = draw(figure, folder / "f.csv", folder);
+    draw(figure, folder / "f.csv", folder);
+    const std::string svg = text_of(folder / "awk-ward.svg");
+    const Layout box = file_layout(figure);
     for (const auto& [label, value] : {std::pair("0\\.2", 0.2), {"0\\.8", 0.8}}) {
         const auto texts = texts_of(svg, label);
         ASSERT_EQ(texts.size(), 1U) << label;
-        EXPECT_NEAR(texts[0].x, box_left + (value + 0.02) / 1.04 * (box_right - box_left), 0.02);
+        EXPECT_NEAR(texts[0].x, box.left + (value + 0.02) / 1.04 * (box.right - box.left), 0.02);
     }
     for (const int power : {-3, -5, -8}) {  // 10^-9.12 … 10^-2.88
         const auto texts = texts_of(svg, "10</tspan><tspan[^>]*>" + std::to_string(power) + "</tspan>.*");
         ASSERT_EQ(texts.size(), 1U) << power;
-        const double y = box_bottom - (power + 9.12) / 6.24 * (box_bottom - box_top);
+        const double y = box.bottom - (power + 9.12) / 6.24 * (box.bottom - box.top);
         EXPECT_NEAR(texts[0].y, y + 4.55, 0.02) << power;  // the text's foot, for its middle is at the mark
     }
     EXPECT_EQ(texts_of(svg, "x_1").size(), 1U);
     EXPECT_EQ(texts_of(svg, "a mark").size(), 1U);
+}
+
+TEST_F(Figures, ThePageShowsEachSeriesUnderAClassOfItsOwnAndWithoutTheFilesWords) {
+    const Figure figure = awkward();
+    write_csv(figure, folder / "f.csv");
+    const std::string svg = draw(figure, folder / "f.csv", folder);
+    EXPECT_EQ(points_of(svg).size(), 4U);
+    EXPECT_TRUE(texts_of(svg, "x_1").empty());
+    EXPECT_EQ(svg.find("_plot_"), std::string::npos);
+    const auto second = svg.find("class=\"s1\"");
+    ASSERT_NE(second, std::string::npos);
+    EXPECT_EQ(points_of(svg.substr(0, second)).size(), 3U);
+    EXPECT_NE(figure_html(figure, svg).find("class=\"k1\" checked"), std::string::npos);
+}
+
+TEST_F(Figures, ThingsStandWhereTheirNumbersAre) {
+    Figure figure = awkward();
+    figure.y = {"regime", "y", false, 0, {"gas", "rain"}};
+    figure.series = {{"one", "#56b4e9", 1, 7, 0.8, false, {{1, 1, ""}, {0.1, 2, ""}}}};
+    write_csv(figure, folder / "f.csv");
+    draw(figure, folder / "f.csv", folder);
+    const std::string svg = text_of(folder / "awk-ward.svg");
+    const auto points = points_of(svg);
+    const auto gas = texts_of(svg, "gas"), rain = texts_of(svg, "rain");
+    ASSERT_EQ(gas.size(), 1U);
+    ASSERT_EQ(rain.size(), 1U);
+    EXPECT_NEAR(gas[0].y - points[0].y, rain[0].y - points[1].y, 0.02);
+    EXPECT_LT(rain[0].y, gas[0].y);
 }
 
 TEST_F(Figures, TheSvgStandsInAPageByItself) {
@@ -179,8 +211,17 @@ TEST(Markup, IsUsedForEveryTextOfAPage) {
     figure.title = figure.reading = figure.x.label = figure.y.label = hostile;
     figure.series.push_back({hostile, "#000000", 1, 7, 1, true, {{1, 1, hostile}}});
     const Table table{hostile, hostile, {hostile}, {{{hostile, false, hostile}}}, hostile};
-    const Page page{
-        hostile, hostile, {{hostile, hostile, hostile, {{figure}, {table}}, {""}}}, {{hostile, hostile}}};
+    const Content content{
+        {figure}, {table}, {hostile}, {{hostile, hostile, hostile, hostile, hostile, hostile}}};
+    const Page page{hostile,
+                    hostile,
+                    hostile,
+                    hostile,
+                    hostile,
+                    hostile,
+                    {{hostile, hostile, ""}},
+                    {{hostile, hostile, hostile, content, {""}}},
+                    {{hostile, hostile}}};
     std::string html = html_of(page);
     EXPECT_EQ(html.find("<script>alert"), std::string::npos);
     for (const char* bad : {"\x1b", "\x7f", "\u202e", "\xff", "'touch", "\"\nsystem"})

@@ -10,7 +10,9 @@ inline Effort tiny_effort() {
     effort.name = "tiny";
     effort.cases = {"zeno-drop", "galperin"};
     effort.case_steps = {1. / 30, 1. / 60};
-    effort.map_steps = {1. / 30};
+    effort.tuned.clear();
+    effort.most_regime_balls = 1;
+    effort.regime_repeats = 2;
     effort.energy_seconds = 0.2;
     effort.gas_balls = 9;
     effort.divergence_seconds = 0.7;

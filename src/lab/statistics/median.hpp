@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace flipside::lab::tune {
+namespace flipside::lab {
 
 struct Median {
     double value = 0;
@@ -14,4 +14,4 @@ struct Median {
 /// Needs at least one value, all of them numbers.
 [[nodiscard]] Median median_of(std::vector<double> values);
 
-}  // namespace flipside::lab::tune
+}  // namespace flipside::lab

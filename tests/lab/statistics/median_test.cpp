@@ -1,4 +1,4 @@
-#include "lab/tune/median.hpp"
+#include "lab/statistics/median.hpp"
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@
 
 #include "lab/scenes/dice.hpp"
 
-namespace flipside::lab::tune {
+namespace flipside::lab {
 namespace {
 
 std::vector<double> numbers_to(int n) {
@@ -49,4 +49,4 @@ TEST(Median, IntervalsHoldTheTrueMedianAsOftenAsTheySay) {
 }
 
 }  // namespace
-}  // namespace flipside::lab::tune
+}  // namespace flipside::lab

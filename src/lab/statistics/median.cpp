@@ -1,10 +1,10 @@
-#include "lab/tune/median.hpp"
+#include "lab/statistics/median.hpp"
 
 #include <algorithm>
 
 #include <boost/math/distributions/binomial.hpp>
 
-namespace flipside::lab::tune {
+namespace flipside::lab {
 
 Median median_of(std::vector<double> values) {
     std::ranges::sort(values);
@@ -17,4 +17,4 @@ Median median_of(std::vector<double> values) {
     return {0.5 * (values[(n - 1) / 2] + values[n / 2]), values[first], values[n - 1 - first]};
 }
 
-}  // namespace flipside::lab::tune
+}  // namespace flipside::lab

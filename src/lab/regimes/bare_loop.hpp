@@ -9,7 +9,7 @@
 
 #include "world/scene.hpp"
 
-namespace flipside {
+namespace flipside::lab::regimes {
 
 class BareLoop {
   public:
@@ -47,4 +47,4 @@ class BareLoop {
     Balls balls_, sorted_;
 };
 
-}  // namespace flipside
+}  // namespace flipside::lab::regimes

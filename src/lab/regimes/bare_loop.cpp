@@ -1,4 +1,4 @@
-#include "bare_loop.hpp"
+#include "lab/regimes/bare_loop.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "world/surface.hpp"
 
-namespace flipside {
+namespace flipside::lab::regimes {
 
 namespace {
 
@@ -165,4 +165,4 @@ std::size_t BareLoop::lost() const {
     return count;
 }
 
-}  // namespace flipside
+}  // namespace flipside::lab::regimes

@@ -1,11 +1,11 @@
-#include "regimes.hpp"
+#include "lab/regimes/courses.hpp"
 
 #include "lab/files/assets.hpp"
 #include "lab/scenes/elastic_scenes.hpp"
 #include "world/scene_builder.hpp"
 #include "world/scene_file.hpp"
 
-namespace flipside::bench {
+namespace flipside::lab::regimes {
 
 namespace {
 
@@ -13,13 +13,12 @@ std::vector<std::shared_ptr<const Scene>> one(Scene scene) {
     return {std::make_shared<const Scene>(std::move(scene))};
 }
 
-Regime gas(int balls, double seconds) {
-    return {"gas", balls, [=] { return one(lab::elastic_gas(balls)); }, 0, seconds, true, true};
+Course gas(int balls, double seconds) {
+    return {balls, [=] { return one(elastic_gas(balls)); }, {{"gas", 0, seconds, balls <= 500}}, true, true};
 }
 
-Regime rain(const std::string& name, int balls, double from, double seconds) {
-    return {"rain, " + name, balls, [=] { return one(load_scene(lab::scene_file("rain"), balls)); }, from,
-            seconds};
+Course rain(int balls, std::vector<Regime> regimes) {
+    return {balls, [=] { return one(load_scene(scene_file("rain"), balls)); }, std::move(regimes)};
 }
 
 /// Balls side by side on a floor, in rows that do not touch: all sleep after a second.
@@ -36,7 +35,7 @@ Scene balls_at_rest(int balls) {
 
 /// Balls of 27 mm let go over the middle of the pinball table, their velocities turned by `turn` rad.
 Scene pinball_scene(int balls, double turn) {
-    Scene scene = load_scene(lab::scene_file("pinball"));
+    Scene scene = load_scene(scene_file("pinball"));
     const Vec2 middle = 0.5 * (scene.bounds.min + scene.bounds.max);
     scene.balls.clear();
     for (int i = 0; i < balls; ++i) {
@@ -50,40 +49,41 @@ Scene pinball_scene(int balls, double turn) {
 }
 
 /// The mean of ten starts: what a table costs depends on where its balls come to roll.
-Regime pinball(int balls) {
-    return {"pinball",
-            balls,
-            [=] {
-                std::vector<std::shared_ptr<const Scene>> starts;
-                for (int start = 0; start < 10; ++start)
-                    starts.push_back(std::make_shared<const Scene>(pinball_scene(balls, 0.1 * start)));
-                return starts;
-            },
-            0.5,
-            3,
-            false};
+Course pinball(int balls) {
+    const auto starts = [=] {
+        std::vector<std::shared_ptr<const Scene>> all;
+        for (int start = 0; start < 10; ++start)
+            all.push_back(std::make_shared<const Scene>(pinball_scene(balls, 0.1 * start)));
+        return all;
+    };
+    return {balls, starts, {{"pinball", 0.5, 3}}, false};
+}
+
+/// What rain does in its course.
+std::vector<Regime> of_rain(int balls) {
+    std::vector<Regime> all{{"rain, falling", 0, 1}, {"rain, raining", 1, 5, balls <= 320}};
+    if (balls <= 1000) all.push_back({"rain, heaped", 6, 6, true});
+    if (balls <= 320) all.push_back({"rain, coming to rest", 10, 10});
+    return all;
 }
 
 }  // namespace
 
-std::vector<Regime> regimes() {
-    std::vector<Regime> all{gas(500, 2), gas(3200, 2), gas(5000, 2)};
+std::vector<Course> courses() {
+    std::vector<Course> all{gas(500, 2), gas(3200, 2), gas(5000, 2)};
     for (const int balls : {320, 1000, 3200, 5000}) {
-        all.push_back(rain("falling", balls, 0, 1));
-        all.push_back(rain("raining", balls, 1, 5));
-        if (balls <= 1000) all.push_back(rain("heaped", balls, 6, 6));
-        if (balls == 320) all.push_back(rain("coming to rest", balls, 10, 10));
-        all.push_back({"asleep", balls, [=] { return one(balls_at_rest(balls)); }, 2, 2});
+        all.push_back(rain(balls, of_rain(balls)));
+        all.push_back({balls, [=] { return one(balls_at_rest(balls)); }, {{"asleep", 2, 2}}});
     }
     for (const int balls : {1, 8}) all.push_back(pinball(balls));
     return all;
 }
 
-std::vector<Regime> growth() {
-    std::vector<Regime> all;
+std::vector<Course> growth() {
+    std::vector<Course> all;
     for (const int balls : {1000, 10'000, 100'000}) all.push_back(gas(balls, 0.5));
-    for (const int balls : {1000, 10'000, 100'000}) all.push_back(rain("falling", balls, 0, 1));
+    for (const int balls : {1000, 10'000, 100'000}) all.push_back(rain(balls, {{"rain, falling", 0, 1}}));
     return all;
 }
 
-}  // namespace flipside::bench
+}  // namespace flipside::lab::regimes
