@@ -72,10 +72,26 @@ struct TargetChange {
     bool down = false;
 };
 
+/// A force between a ball and what it rests on.
+struct RestingForce {
+    BallNumber ball = 0;
+    std::optional<BallNumber> other;  ///< a ball, or else
+    std::uint32_t primitive = 0;      ///< one of the scene's surface
+    double normal = 0, friction = 0;  ///< N, on the ball, along the normal to it and perp of that
+};
+
+/// Balls that rest on parts and each other, and the forces that hold them so.
+struct Rest {
+    double from = 0;
+    std::optional<double> until;
+    std::vector<RestingForce> forces;
+};
+
 struct Certificate {
     std::map<BallNumber, CertifiedBall> balls;
     std::map<PartIndex, std::vector<TurningSpan>> motions;
     std::vector<Passage> passages;
+    std::vector<Rest> rests;
     std::vector<TargetChange> targets;
     std::vector<Input> inputs;
 };

@@ -127,6 +127,28 @@ void Simulation<R>::note_passage(const Mover& mover, PartIndex gate, bool begins
 }
 
 template <class R>
+void Simulation<R>::note_rest(Heap& heap) {
+    heap.noted = certificate_->rests.size();
+    Rest& rest = certificate_->rests.emplace_back();
+    rest.from = static_cast<double>(since_certificate_ + now_);
+    const auto number = [&](std::uint32_t k) { return movers_[heap.balls[k]].ball.number; };
+    for (std::size_t k = 0; k < heap.supports.size(); ++k) {
+        const Support& support = heap.supports[k];
+        RestingForce& force = rest.forces.emplace_back();
+        force.ball = number(support.disc);
+        if (support.other != Support::still) force.other = number(support.other);
+        if (heap.features[k] != nothing) force.primitive = features_[heap.features[k]].primitive;
+        force.normal = support.normal_force;
+        force.friction = support.friction_force;
+    }
+}
+
+template <class R>
+void Simulation<R>::note_rest_ends(const Heap& heap) {
+    certificate_->rests[heap.noted].until = static_cast<double>(since_certificate_ + now_);
+}
+
+template <class R>
 void Simulation<R>::certify(Certificate* certificate) {
     certificate_ = certificate;
     if (certificate_ == nullptr) return;
@@ -141,6 +163,7 @@ void Simulation<R>::certify(Certificate* certificate) {
         for (const PartIndex part : mover.inside)
             if (!scene_->parts[part].sensor) note_passage(mover, part, true);
     }
+    for (auto& [id, heap] : heaps_) note_rest(heap);
 }
 
 #define FLIPSIDE_CERTIFY(R)                                                            \
@@ -151,6 +174,8 @@ void Simulation<R>::certify(Certificate* certificate) {
     template void Simulation<R>::note_target(PartIndex);                               \
     template void Simulation<R>::note_motion(PartIndex);                               \
     template void Simulation<R>::note_passage(const Mover&, PartIndex, bool);          \
+    template void Simulation<R>::note_rest(Heap&);                                     \
+    template void Simulation<R>::note_rest_ends(const Heap&);                          \
     template void Simulation<R>::certify(Certificate*);
 FLIPSIDE_CERTIFY(double)
 FLIPSIDE_CERTIFY(Real113)

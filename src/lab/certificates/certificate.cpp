@@ -98,6 +98,14 @@ CertificateJson to_json(const CertifiedBall& certified) {
             {"legs", list_of(certified.legs, [](const Leg& leg) { return to_json(leg); })}};
 }
 
+CertificateJson to_json(const reference::RestingForce& force) {
+    return {{"ball", force.ball},
+            {"other", force.other ? std::int64_t{*force.other} : -1},
+            {"primitive", force.primitive},
+            {"normal", force.normal},
+            {"friction", force.friction}};
+}
+
 Vec2 pivot_of(const Part& part) {
     if (const auto* turn = std::get_if<motion::Turn>(&part.motion)) return turn->pivot;
     if (const auto* flipper = std::get_if<shape::Flipper>(&part.shape.is)) return flipper->pivot;
@@ -136,6 +144,9 @@ void cut(Certificate& certificate, double seconds) {
     std::erase_if(certificate.passages, [&](const auto& passage) { return passage.from > seconds; });
     for (auto& passage : certificate.passages)
         if (passage.until > seconds) passage.until.reset();
+    std::erase_if(certificate.rests, [&](const auto& rest) { return rest.from > seconds; });
+    for (auto& rest : certificate.rests)
+        if (rest.until > seconds) rest.until.reset();
     std::erase_if(certificate.inputs, [&](const auto& input) { return input.time > seconds; });
     std::erase_if(certificate.targets, [&](const auto& change) { return change.time > seconds; });
 }
@@ -150,6 +161,12 @@ CertificateJson whole(const Session& session, const Certificate& certificate, co
                                {"gate", passage.gate},
                                {"from", passage.from},
                                {"until", passage.until.value_or(certified.seconds)}};
+    };
+    const auto rest_json = [&](const reference::Rest& rest) {
+        return CertificateJson{
+            {"from", rest.from},
+            {"until", rest.until.value_or(certified.seconds)},
+            {"forces", list_of(rest.forces, [](const auto& force) { return to_json(force); })}};
     };
     // JSON has no infinity.
     constexpr double far = std::numeric_limits<double>::max();
@@ -182,6 +199,7 @@ CertificateJson whole(const Session& session, const Certificate& certificate, co
                                        {"velocity", pair_of(input.velocity)}};
                                })},
             {"passages", list_of(certificate.passages, passage_json)},
+            {"rests", list_of(certificate.rests, rest_json)},
             {"balls", list_of(certificate.balls, [](const auto& entry) { return to_json(entry.second); })}};
 }
 
