@@ -17,7 +17,7 @@ void Simulation<R>::read(std::vector<Ball>& balls) const {
         ball.velocity = narrow(now.velocity);
         ball.angle = static_cast<double>(spinning.angle);
         ball.spin = static_cast<double>(spinning.spin);
-        ball.asleep = false;
+        ball.asleep = mover.heap != 0;
     }
 }
 

@@ -177,6 +177,11 @@ bool Simulation<R>::take_two(Mover& mover) {
             mover.path.spin = spin;
             mover.held[0] = a.feature;
             mover.held[1] = b.feature;
+            mover.held_force[0] = mover.mass * std::max(R(0), first);
+            mover.held_force[1] = mover.mass * std::max(R(0), second);
+            const R sense(spin > 0 ? 1 : spin < 0 ? -1 : 0);
+            mover.held_friction[0] = sense * a.friction * mover.held_force[0];
+            mover.held_friction[1] = sense * b.friction * mover.held_force[1];
             const R rubbed = 2 * (a.friction * first + b.friction * second) / mover.radius;
             if (spin != 0 && rubbed > 0) {
                 mover.path.spin_rate = spin > 0 ? R(-rubbed) : rubbed;

@@ -82,8 +82,10 @@ class Simulation final : public Exact {
         R until = infinity<R>();  ///< the path is good until then
         bool lets_go = false;     ///< and ends because the contact does
         FeatureIndex held[2] = {nothing, nothing};
-        V<R> held_normal;               ///< of held[0], in the pose in which its part sees it
-        std::array<Glide, 4> glides{};  ///< what it flies along, held by nothing; more are ignored
+        V<R> held_normal;                   ///< of held[0], in the pose in which its part sees it
+        R held_force[2]{}, held_friction[2]{};  ///< N, where two parts hold it: normal, and along perp of that
+        std::optional<std::size_t> noted_rest;  ///< and its place in the certificate
+        std::array<Glide, 4> glides{};          ///< what it flies along, held by nothing; more are ignored
         std::size_t glide_count = 0;
         bool given = true;            ///< its place or velocity was given from outside, rounded to double
         FeatureIndex left = nothing;  ///< what it let go of just now
@@ -244,6 +246,7 @@ class Simulation final : public Exact {
     void note_target(PartIndex part);
     void note_input(std::optional<BallNumber> ball, Vec2 velocity);
     void note_passage(const Mover& mover, PartIndex gate, bool begins);
+    void note_pair_of_parts(Mover& mover, double start);
     void note_rest(Heap& heap);
     void note_rest_ends(const Heap& heap);
 

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <string_view>
 
 #include "check.hpp"
@@ -34,6 +35,8 @@ void report(const certificate::Run& run, const certificate::Verdict& v) {
         "accepted: %.9g s, %zu balls, %zu segments (%zu in contact), %zu impacts, %zu touches without "
         "approach, %zu given from outside; %zu enclosures\n",
         run.seconds, v.balls, v.legs, v.held, v.impacts, v.touches, v.given, v.enclosures);
+    if (v.resting > 0)
+        std::printf("at rest: %zu segments; gaps and overlaps to %.2g radii\n", v.resting, v.loosest);
     for (const auto& [what, share] : v.largest)
         std::printf("  %-34s %.2g of the bound\n", what.c_str(), share);
     std::printf("uncertified: %zu impacts without an isolating interval\n", v.not_isolated);
@@ -48,17 +51,18 @@ int main(int argc, char** argv) {
     const double bound = argc == 3 ? std::strtod(argv[2], &end) : 1e-9;
     if (argc < 2 || argc > 3 || (end != nullptr && *end != 0) || !(bound >= 1e-12 && bound <= 1e-4))
         return refuse("takes a FILE and perhaps a BOUND from 1e-12 to 1e-4 (--help says more)");
-    certificate::Run run;
     try {
-        run = certificate::read(argv[1]);
-    } catch (const std::exception& error) {
-        return refuse(std::string(argv[1]) + ": " + error.what());
-    }
-    try {
+        std::ifstream file(argv[1]);
+        if (!file) return refuse(std::string(argv[1]) + ": cannot be read");
+        auto run = nlohmann::json::parse(file).get<certificate::Run>();
+        if (run.format != "flipside-certificate/2")
+            return refuse("\"format\" is not \"flipside-certificate/2\"");
         report(run, certificate::check(run, bound));
         return 0;
     } catch (const certificate::Rejected& rejected) {
         std::printf("rejected: %s\n", plain(rejected.what()).c_str());
         return 1;
+    } catch (const std::exception& error) {
+        return refuse(std::string(argv[1]) + ": " + error.what());
     }
 }

@@ -63,7 +63,6 @@ CertificateJson to_json(const Primitive& primitive) {
 }
 
 CertificateJson to_json(const Leg& leg) {
-    constexpr const char* forms[] = {"closed", "series", "rest"};
     constexpr const char* reasons[] = {"given", "goes on", "part", "ball"};
     const Beginning& begins = leg.begins;
     return {{"start", leg.start},
@@ -73,17 +72,15 @@ CertificateJson to_json(const Leg& leg) {
             {"normal", pair_of(begins.normal)},
             {"velocity_before", pair_of(begins.velocity_before)},
             {"spin_before", begins.spin_before},
-            {"form", forms[static_cast<int>(leg.form)]},
             {"position", pair_of(leg.position)},
             {"velocity", pair_of(leg.velocity)},
             {"acceleration", pair_of(leg.acceleration)},
             {"drag", leg.drag},
             {"spin", leg.spin},
-            {"spin_rate", leg.spin_rate},
             {"roll", pair_of(leg.roll)},
             {"displacements", list_of(leg.displacements, pair_of)},
             {"spins", leg.spins},
-            {"held", leg.held}};
+            {"held", leg.held ? std::int64_t{*leg.held} : -1}};
 }
 
 CertificateJson to_json(const CertifiedBall& certified) {
@@ -171,7 +168,7 @@ CertificateJson whole(const Session& session, const Certificate& certificate, co
     // JSON has no infinity.
     constexpr double far = std::numeric_limits<double>::max();
     const auto finite = [&](Vec2 v) { return Vec2{std::clamp(v.x, -far, far), std::clamp(v.y, -far, far)}; };
-    return {{"format", "flipside-certificate/1"},
+    return {{"format", "flipside-certificate/2"},
             {"scene", scene.name},
             {"precision", std::stoi(session.settings().text("precision"))},
             {"start", start},
