@@ -23,20 +23,17 @@ struct Beginning {
     Vec2 normal;  ///< unit, to the ball
 };
 
-/// A path from `start` to the start of the ball's next one, with t counted from `start`:
-/// - closed: v' = acceleration − drag·v; the spin is `roll`·v where roll is not 0, else spin + spin_rate·t;
-/// - series: position + Σ displacements[k]·t^(k+1), spin + Σ spins[k]·t^(k+1);
-/// - rest: it stays; the spin is spin + spin_rate·t.
+/// A path from `start` to the start of the ball's next one, with t counted from `start`: the solution of
+/// v' = acceleration − drag·v, and Σ displacements[k]·t^(k+2) more. The spin is `roll`·v where roll is not 0,
+/// else spin + Σ spins[k]·t^(k+1).
 struct Leg {
-    enum class Form { closed, series, rest };
-    Form form = Form::closed;
     Beginning begins;
     double start = 0;
     Vec2 position, velocity, acceleration, roll;
-    double drag = 0, spin = 0, spin_rate = 0;
+    double drag = 0, spin = 0;
     std::vector<Vec2> displacements;
     std::vector<double> spins;
-    std::vector<std::uint32_t> held;  ///< primitives on which it lies
+    std::optional<std::uint32_t> held;  ///< primitive along which it moves
 };
 
 struct CertifiedBall {
@@ -72,10 +69,27 @@ struct TargetChange {
     bool down = false;
 };
 
+/// A force between a ball and what it rests on.
+struct RestingForce {
+    BallNumber ball = 0;
+    std::optional<BallNumber> other;  ///< a ball, or else
+    std::uint32_t primitive = 0;      ///< one of the scene's surface
+    double normal = 0, friction = 0;  ///< N, on the ball, along the normal to it and perp of that
+};
+
+/// A ball that rests on two parts, or balls of a heap on parts and each other, and the forces that hold them
+/// so.
+struct Rest {
+    double from = 0;
+    std::optional<double> until;
+    std::vector<RestingForce> forces;
+};
+
 struct Certificate {
     std::map<BallNumber, CertifiedBall> balls;
     std::map<PartIndex, std::vector<TurningSpan>> motions;
     std::vector<Passage> passages;
+    std::vector<Rest> rests;
     std::vector<TargetChange> targets;
     std::vector<Input> inputs;
 };

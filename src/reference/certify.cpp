@@ -80,19 +80,18 @@ void Simulation<R>::note_leg(Mover& mover, bool given) {
     leg.position = narrow(path.position);
     leg.velocity = narrow(path.velocity);
     leg.spin = static_cast<double>(path.spin);
-    for (const FeatureIndex f : mover.held)
-        if (f != nothing) leg.held.push_back(features_[f].primitive);
+    note_pair_of_parts(mover, leg.start);
     if (path.rides) {
-        leg.form = Leg::Form::series;
+        leg.held = features_[mover.held[0]].primitive;
         for (std::size_t k = 1; k <= taylor_order<R>; ++k) {
-            leg.displacements.push_back(narrow(path.displacements[k]));
+            if (k > 1) leg.displacements.push_back(narrow(path.displacements[k]));
             leg.spins.push_back(static_cast<double>(path.spins[k]));
         }
         return;
     }
-    leg.form = path.rests ? Leg::Form::rest : Leg::Form::closed;
-    leg.spin_rate = static_cast<double>(path.spin_rate);
+    if (path.spin_rate != 0) leg.spins.push_back(static_cast<double>(path.spin_rate));
     if (path.rests) return;
+    if (mover.held[0] != nothing) leg.held = features_[mover.held[0]].primitive;
     leg.acceleration = narrow(path.acceleration);
     leg.drag = static_cast<double>(path.drag);
     leg.roll = narrow(path.roll);
@@ -126,6 +125,45 @@ void Simulation<R>::note_passage(const Mover& mover, PartIndex gate, bool begins
         if (passage.ball == mover.ball.number && passage.gate == gate && !passage.until) passage.until = time;
 }
 
+/// Of a ball that begins or ends to rest on two parts.
+template <class R>
+void Simulation<R>::note_pair_of_parts(Mover& mover, double start) {
+    if (mover.noted_rest) certificate_->rests[*mover.noted_rest].until = start;
+    mover.noted_rest.reset();
+    if (mover.held[1] == nothing) return;
+    mover.noted_rest = certificate_->rests.size();
+    Rest& rest = certificate_->rests.emplace_back();
+    rest.from = start;
+    for (int k = 0; k < 2; ++k)
+        rest.forces.push_back({mover.ball.number,
+                               {},
+                               features_[mover.held[k]].primitive,
+                               static_cast<double>(mover.held_force[k]),
+                               static_cast<double>(mover.held_friction[k])});
+}
+
+template <class R>
+void Simulation<R>::note_rest(Heap& heap) {
+    heap.noted = certificate_->rests.size();
+    Rest& rest = certificate_->rests.emplace_back();
+    rest.from = static_cast<double>(since_certificate_ + now_);
+    const auto number = [&](std::uint32_t k) { return movers_[heap.balls[k]].ball.number; };
+    for (std::size_t k = 0; k < heap.supports.size(); ++k) {
+        const Support& support = heap.supports[k];
+        RestingForce& force = rest.forces.emplace_back();
+        force.ball = number(support.disc);
+        if (support.other != Support::still) force.other = number(support.other);
+        if (heap.features[k] != nothing) force.primitive = features_[heap.features[k]].primitive;
+        force.normal = support.normal_force;
+        force.friction = support.friction_force;
+    }
+}
+
+template <class R>
+void Simulation<R>::note_rest_ends(const Heap& heap) {
+    certificate_->rests[heap.noted].until = static_cast<double>(since_certificate_ + now_);
+}
+
 template <class R>
 void Simulation<R>::certify(Certificate* certificate) {
     certificate_ = certificate;
@@ -136,11 +174,13 @@ void Simulation<R>::certify(Certificate* certificate) {
         if (parts_[part].down) certificate_->targets.push_back({part, 0, true});
     }
     for (Mover& mover : movers_) {
+        mover.noted_rest.reset();
         if (mover.gone) continue;
         note_leg(mover, true);
         for (const PartIndex part : mover.inside)
             if (!scene_->parts[part].sensor) note_passage(mover, part, true);
     }
+    for (auto& [id, heap] : heaps_) note_rest(heap);
 }
 
 #define FLIPSIDE_CERTIFY(R)                                                            \
@@ -151,6 +191,8 @@ void Simulation<R>::certify(Certificate* certificate) {
     template void Simulation<R>::note_target(PartIndex);                               \
     template void Simulation<R>::note_motion(PartIndex);                               \
     template void Simulation<R>::note_passage(const Mover&, PartIndex, bool);          \
+    template void Simulation<R>::note_rest(Heap&);                                     \
+    template void Simulation<R>::note_rest_ends(const Heap&);                          \
     template void Simulation<R>::certify(Certificate*);
 FLIPSIDE_CERTIFY(double)
 FLIPSIDE_CERTIFY(Real113)

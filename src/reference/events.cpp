@@ -78,7 +78,8 @@ void Simulation<R>::handle(Place i) {
             if (movers_[mover.met].gone || movers_[mover.met].changes != mover.met_changes) return predict(i);
             return hit_ball(i);
         case Next::look_again:
-            if (mover.met != 0) return predict(i);  // only the time for looking ahead was over
+            // Only the time for looking ahead was over, or the ball rests in a heap by now.
+            if (mover.met != 0 || mover.heap != 0) return predict(i);
             advance(mover);
             if (mover.lets_go) mover.left = mover.held[0];
             if (mover.held[1] != nothing) mover.body.spin = R(0);
@@ -110,6 +111,7 @@ void Simulation<R>::hit_feature(Place i) {
     const FeatureIndex f = mover.met;
     const PartIndex index = features_[f].part;
     const Part& part = scene_->parts[index];
+    if (mover.heap != 0) refuse_hit(mover, part.name);
     if (certificate_) note_meeting(i);
     advance(mover);
     Body<R>& body = mover.body;
@@ -125,7 +127,7 @@ void Simulation<R>::hit_feature(Place i) {
     if (closing <= 4096 * epsilon<R>() * (length(body.velocity) + length(relative))) {
         if (closing > 0) body.velocity += closing * normal;
     } else {
-        const Mixed& material = mixed_[mover.ball.material * scene_->materials.size() + part.material];
+        const Mixed& material = mixed(mover.ball.material, part.material);
         const Impact<R> impact = respond(body, mover.mass, normal, surface, material, scene_->rest_speed);
         require_speed(mover, Other::part(index));
         if (impact.happened) report(EventKind::impact, mover, Other::part(index), impact, point, normal);
@@ -139,22 +141,12 @@ void Simulation<R>::hit_feature(Place i) {
     if (parts_[index].down) release(index);
 }
 
-/// What lay on a part goes on without it.
-template <class R>
-void Simulation<R>::release(PartIndex part) {
-    const auto on_it = [&](FeatureIndex f) { return f != nothing && features_[f].part == part; };
-    for (Place j = 0; j < movers_.size(); ++j) {
-        Mover& other = movers_[j];
-        if (other.gone || !(on_it(other.held[0]) || on_it(other.held[1]))) continue;
-        refresh(j);
-        predict(j);
-    }
-}
-
 template <class R>
 void Simulation<R>::hit_ball(Place i) {
     const Place j = movers_[i].met;
     Mover &a = movers_[std::min(i, j)], &b = movers_[std::max(i, j)];
+    if (a.heap != 0) refuse_hit(a, "ball " + std::to_string(b.ball.number));
+    if (b.heap != 0) refuse_hit(b, "ball " + std::to_string(a.ball.number));
     if (certificate_) note_meeting(i);
     advance(a);
     advance(b);
@@ -165,7 +157,7 @@ void Simulation<R>::hit_ball(Place i) {
     const R hop = sqrt(2 * epsilon<R>() * std::min(a.radius, b.radius) * length(drive_.gravity));
     bool slow = true;
     if (closing > 4096 * epsilon<R>() * (length(a.body.velocity) + length(b.body.velocity))) {
-        const Mixed& material = mixed_[a.ball.material * scene_->materials.size() + b.ball.material];
+        const Mixed& material = mixed(a.ball.material, b.ball.material);
         const Impact<R> impact =
             respond(a.body, a.mass, b.body, b.mass, normal, material, scene_->rest_speed);
         require_speed(a, Other::ball(b.ball.number));
@@ -177,7 +169,7 @@ void Simulation<R>::hit_ball(Place i) {
     }
     set_out(i);
     set_out(j);
-    if (slow) refuse_piles(a, b);
+    if (slow && a.heap == 0) refuse_piles(a, b);
     predict(i);
     predict(j);
 }
@@ -191,7 +183,7 @@ void Simulation<R>::refuse_piles(Mover& a, Mover& b) const {
     const auto refuse = [&] {
         throw Refusal("reference: balls " + std::to_string(a.ball.number) + " and " +
                       std::to_string(b.ball.number) + " press on each other" + at_time(now_) +
-                      ": a pile has no order of impacts");
+                      ": a pile has no order of impacts" + (now_ - a.unheld_since <= moment ? a.unheld : ""));
     };
     if (now_ - a.pressed_since > moment) {
         a.pressed_since = now_;

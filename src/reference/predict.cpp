@@ -68,6 +68,7 @@ void Simulation<R>::predict_features(Mover& mover) {
         ++counts_.pair_tests;
         const PartIndex part = features_[f].part;
         if (f == mover.held[0] || f == mover.held[1] || ignores(part, mover)) continue;
+        if (mover.heap != 0 && turning(part) == nullptr) continue;  // neither moves
         if (slides_to(mover, f) || glides_over(mover, f)) continue;
         ++counts_.narrow_tests;
         const R last = std::min(mover.next_time, parts_[part].turning.stop);
@@ -118,7 +119,7 @@ void Simulation<R>::predict_balls(Place i) {
         const Mover& other = movers_[j];
         if (j == i) return;
         ++counts_.pair_tests;
-        if (!layers_meet(mover.ball, other.ball)) return;
+        if (!layers_meet(mover.ball, other.ball) || (mover.heap != 0 && mover.heap == other.heap)) return;
         ++counts_.narrow_tests;
         const R last = std::min(mover.next_time, other.until);
         const R time = search(mover, Other::ball(other.ball.number), [&] {

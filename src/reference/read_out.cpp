@@ -5,13 +5,6 @@
 
 namespace flipside::reference {
 
-namespace {
-
-/// Surfaces nearer than this many radii count as touching.
-constexpr double touch_distance = 1e-4;
-
-}  // namespace
-
 template <class R>
 void Simulation<R>::read(std::vector<Ball>& balls) const {
     balls.clear();
@@ -24,7 +17,7 @@ void Simulation<R>::read(std::vector<Ball>& balls) const {
         ball.velocity = narrow(now.velocity);
         ball.angle = static_cast<double>(spinning.angle);
         ball.spin = static_cast<double>(spinning.spin);
-        ball.asleep = false;
+        ball.asleep = mover.heap != 0;
     }
 }
 

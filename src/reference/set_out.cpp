@@ -54,8 +54,10 @@ void Simulation<R>::refuse_inside(const Mover& mover) const {
 
 /// Moves a ball that begins inside a part, or across a line, out of it: the deepest overlap first.
 template <class R>
-void Simulation<R>::come_out(Mover& mover) {
-    constexpr double deep = 1e-3;  // radii; what is less is left to the flight
+void Simulation<R>::come_out(Place i) {
+    Mover& mover = movers_[i];
+    // Radii; what is less is left to the flight, or to the heap.
+    const double deep = leans(i) ? touch_overlap : 1e-3;
     constexpr int most_rounds = 8;
     for (int round = 0; round < most_rounds; ++round) {
         Closest<R> deepest;
@@ -90,8 +92,7 @@ void Simulation<R>::find_touching(Mover& mover) {
         if (!seen.facing || seen.gap > snap) continue;
         const bool is_gate = gate_of(scene_->parts[part]) != nullptr;
         if (is_gate && passes(part, mover)) continue;
-        const R friction(
-            mixed_[mover.ball.material * scene_->materials.size() + scene_->parts[part].material].friction);
+        const R friction(mixed(mover.ball.material, scene_->parts[part].material).friction);
         const RestingContact<R> contact =
             resting_contact_at(shape(f), turning(part), mover.body, now_, friction, drive_, snap);
         const R hop = sqrt(2 * epsilon<R>() * mover.radius * std::max(R(0), contact.force));
@@ -176,6 +177,11 @@ bool Simulation<R>::take_two(Mover& mover) {
             mover.path.spin = spin;
             mover.held[0] = a.feature;
             mover.held[1] = b.feature;
+            mover.held_force[0] = mover.mass * std::max(R(0), first);
+            mover.held_force[1] = mover.mass * std::max(R(0), second);
+            const R sense(spin > 0 ? 1 : spin < 0 ? -1 : 0);
+            mover.held_friction[0] = sense * a.friction * mover.held_force[0];
+            mover.held_friction[1] = sense * b.friction * mover.held_force[1];
             const R rubbed = 2 * (a.friction * first + b.friction * second) / mover.radius;
             if (spin != 0 && rubbed > 0) {
                 mover.path.spin_rate = spin > 0 ? R(-rubbed) : rubbed;
@@ -237,8 +243,10 @@ void Simulation<R>::find_path(Mover& mover) {
                   at_time(now_) + ", and not at rest: no closed motion for that");
 }
 
+/// Sets out on a path from where it is, or comes to rest in a heap.
 template <class R>
 void Simulation<R>::set_out(Place i) {
+    if (movers_[i].heap != 0 || find_heap(i)) return;
     const bool given = movers_[i].given;
     find_path(movers_[i]);
     if (certificate_) note_leg(movers_[i], given);
@@ -246,7 +254,7 @@ void Simulation<R>::set_out(Place i) {
 
 #define FLIPSIDE_SET_OUT(R)                                         \
     template void Simulation<R>::set_out(Place);                    \
-    template void Simulation<R>::come_out(Mover&);                  \
+    template void Simulation<R>::come_out(Place);                   \
     template void Simulation<R>::refuse_inside(const Mover&) const; \
     template Closest<R> Simulation<R>::closest(FeatureIndex, const V<R>&, const R&) const;
 FLIPSIDE_SET_OUT(double)

@@ -50,6 +50,7 @@ Simulation<R>::Simulation(std::shared_ptr<const Scene> scene)
 template <class R>
 void Simulation<R>::load(const State& state) {
     movers_.clear();
+    heaps_.clear();
     queue_.clear();
     events_.clear();
     now_ = R(0);
@@ -72,10 +73,10 @@ void Simulation<R>::load(const State& state) {
     for (const Blocked& blocked : state.blocked)
         if (const auto i = find(blocked.ball)) movers_[*i].blocked.push_back(blocked.gate);
     rebuild_cells();
-    for (Mover& mover : movers_) {
-        refuse_inside(mover);
-        come_out(mover);
-        begin_inside(mover);
+    for (Place i = 0; i < movers_.size(); ++i) {
+        refuse_inside(movers_[i]);
+        come_out(i);
+        begin_inside(movers_[i]);
     }
     settle_gates();
     refresh_all();
@@ -133,36 +134,6 @@ void Simulation<R>::begin_inside(Mover& mover) {
         if (!scene_->parts[part].sensor) continue;
         if (inside(parts_[part].regions, view(mover, part), mover.radius, now_)) mover.inside.push_back(part);
     }
-}
-
-template <class R>
-void Simulation<R>::refresh(Place i) {
-    advance(movers_[i]);
-    set_out(i);
-}
-
-template <class R>
-void Simulation<R>::refresh_all() {
-    for (Place i = 0; i < movers_.size(); ++i)
-        if (!movers_[i].gone) refresh(i);
-    for (Place i = 0; i < movers_.size(); ++i)
-        if (!movers_[i].gone) predict(i);
-}
-
-/// The motion of a part has changed: whoever is near looks again.
-template <class R>
-void Simulation<R>::refresh_beside(PartIndex part) {
-    const auto near = [&](const Mover& mover) {
-        const auto& features = cells_.features(mover.cell);
-        const auto& sensors = cells_.sensors(mover.cell);
-        return std::ranges::any_of(features, [&](FeatureIndex f) { return features_[f].part == part; }) ||
-               std::ranges::find(sensors, part) != sensors.end();
-    };
-    for (Place i = 0; i < movers_.size(); ++i)
-        if (!movers_[i].gone && near(movers_[i])) {
-            refresh(i);
-            predict(i);
-        }
 }
 
 /// How a part moves from now on by the controls as they are.
@@ -228,6 +199,7 @@ void Simulation<R>::apply(const Control& control) {
         change_motions();
     } else if (const auto* nudge = std::get_if<control::Nudge>(&control)) {
         if (certificate_) note_input({}, nudge->velocity);
+        while (!heaps_.empty()) end_heap(heaps_.begin()->first);
         for (Mover& mover : movers_) {
             if (mover.gone) continue;
             advance(mover);
@@ -245,10 +217,10 @@ void Simulation<R>::apply(const Control& control) {
                 const bool was_down = std::exchange(parts_[part].down, false);
                 if (certificate_ && was_down) note_target(part);
             }
-        for (Mover& mover : movers_)
-            if (!mover.gone) {
-                advance(mover);
-                come_out(mover);
+        for (Place i = 0; i < movers_.size(); ++i)
+            if (!movers_[i].gone) {
+                advance(movers_[i]);
+                come_out(i);
             }
         refresh_all();
     }
@@ -291,6 +263,7 @@ void Simulation<R>::remove(BallNumber number) {
     ++mover.changes;
     ++mover.predictions;
     std::erase(reported_lost_, number);
+    if (mover.heap != 0) look_at_heap_again(mover.heap);
     for (const PartIndex part : mover.inside)
         if (!scene_->parts[part].sensor && std::ranges::none_of(movers_, [&](const Mover& other) {
                 return !other.gone && std::ranges::find(other.inside, part) != other.inside.end();
@@ -304,10 +277,15 @@ void Simulation<R>::set_velocity(BallNumber number, Vec2 velocity) {
     if (!i) return;
     Mover& mover = movers_[*i];
     if (certificate_) note_input(number, velocity);
+    std::vector<Place> left;  // by what it lay on or under
+    if (mover.heap != 0) left = end_heap(mover.heap);
     advance(mover);
     mover.body.velocity = V<R>(velocity);
     mover.given = true;
     set_out(*i);
+    for (const Place j : left)
+        if (j != *i) begin_anew(j);
+    for (const Place j : left) predict(j);
     predict(*i);
 }
 
@@ -360,6 +338,8 @@ void Simulation<R>::set_clock_back() {
         mover.next_time -= now_;
         mover.busy_since -= now_;
         mover.pressed_since -= now_;
+        mover.looked_for_heap -= now_;
+        mover.unheld_since -= now_;
     }
     for (PartNow& part : parts_) {
         part.turning.since -= now_;

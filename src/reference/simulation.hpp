@@ -9,14 +9,17 @@
 /// Declared rules, where the physical model leaves a choice: balls that meet at one instant are answered pair
 /// by pair, in order of their numbers; hops lower than the rounding of a radius do not happen (the end of a
 /// Zeno sequence where rest_speed is 0); a ball that begins inside a part is moved out of it, its velocity
-/// kept. What cannot be done exactly throws Refusal: balls that press on each other, a ball held between
-/// parts of which one moves, or squeezed without end.
+/// kept. Balls that press on each other at rest are a static heap where their weights can be in equilibrium
+/// (heaps.cpp). What cannot be done exactly throws Refusal: balls that press on each other and move, a heap
+/// that is hit, a ball held between parts of which one moves, or squeezed without end.
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 
 #include "reference/cells.hpp"
+#include "reference/equilibrium.hpp"
 #include "reference/exact.hpp"
 #include "reference/region.hpp"
 #include "reference/response.hpp"
@@ -25,6 +28,12 @@
 #include "world/refusal.hpp"
 
 namespace flipside::reference {
+
+/// Surfaces nearer than this many radii count as touching,
+constexpr double touch_distance = 1e-4;
+/// and so do balls at rest that overlap by less than this, as engines that only approximate leave their
+/// heaps.
+constexpr double touch_overlap = 1e-2;
 
 template <class R>
 class Simulation final : public Exact {
@@ -73,8 +82,10 @@ class Simulation final : public Exact {
         R until = infinity<R>();  ///< the path is good until then
         bool lets_go = false;     ///< and ends because the contact does
         FeatureIndex held[2] = {nothing, nothing};
-        V<R> held_normal;               ///< of held[0], in the pose in which its part sees it
-        std::array<Glide, 4> glides{};  ///< what it flies along, held by nothing; more are ignored
+        V<R> held_normal;                   ///< of held[0], in the pose in which its part sees it
+        R held_force[2]{}, held_friction[2]{};  ///< N, where two parts hold it: normal, and along perp of that
+        std::optional<std::size_t> noted_rest;  ///< and its place in the certificate
+        std::array<Glide, 4> glides{};          ///< what it flies along, held by nothing; more are ignored
         std::size_t glide_count = 0;
         bool given = true;            ///< its place or velocity was given from outside, rounded to double
         FeatureIndex left = nothing;  ///< what it let go of just now
@@ -94,6 +105,18 @@ class Simulation final : public Exact {
         Beginning begins;   ///< of its next path; kept for certificates only
         R pressed_since{};  ///< slow touches of other balls pile up since then
         int pressed = 0;
+
+        std::uint32_t heap = 0;  ///< that it rests in; 0: none
+        R looked_for_heap{-1};   ///< in vain, and when
+        R unheld_since{-1};      ///< when no forces were found to hold it and those it leans on
+        std::string unheld;
+    };
+    /// Balls that press on each other at rest.
+    struct Heap {
+        std::vector<Place> balls;  ///< rising; supports name them by their place here
+        std::vector<Support> supports;
+        std::vector<FeatureIndex> features;  ///< of each support; nothing between two balls
+        std::size_t noted = 0;               ///< its place in the certificate
     };
     struct PartNow {
         Turning<R> turning;
@@ -119,9 +142,6 @@ class Simulation final : public Exact {
     void rebuild_cells();
     void join(const Ball& ball);
     void begin_inside(Mover& mover);
-    void refresh(Place i);
-    void refresh_all();
-    void refresh_beside(PartIndex part);
     void set_motion(PartIndex part);
     void change_motions();
     [[nodiscard]] R next_stop() const;
@@ -142,6 +162,18 @@ class Simulation final : public Exact {
     /// On the table's clock, s.
     [[nodiscard]] double clock(const R& time) const { return time_ + static_cast<double>(time - run_start_); }
     [[nodiscard]] std::string at_time(const R& time) const;
+    [[nodiscard]] const Mixed& mixed(std::uint32_t a, std::uint32_t b) const {
+        return mixed_[a * scene_->materials.size() + b];
+    }
+
+    // After changes (refresh.cpp).
+    void begin_anew(Place i);
+    void refresh(Place i);
+    void refresh_all();
+    void refresh_beside(PartIndex part);
+    void look_at_heap_again(std::uint32_t id);
+    void look_again_on(PartIndex part);
+    void release(PartIndex part);
 
     // Gates (gates.cpp).
     bool settle_gates();
@@ -169,13 +201,29 @@ class Simulation final : public Exact {
 
     // Its path (set_out.cpp).
     void set_out(Place i);
+    /// Whether a gap is touching (m, of a ball with the radius): within 1e-4 radii apart and 1e-2 of overlap.
+    [[nodiscard]] static bool in_touch(const R& gap, const R& radius) {
+        return gap <= touch_distance * radius && gap >= -touch_overlap * radius;
+    }
     void find_path(Mover& mover);
-    void come_out(Mover& mover);
+    void come_out(Place i);
     void find_touching(Mover& mover);
     void note_glides(Mover& mover);
     bool take_one(Mover& mover);
     bool take_two(Mover& mover);
     [[nodiscard]] Closest<R> closest(FeatureIndex f, const V<R>& position, const R& radius) const;
+
+    // Static heaps (heaps.cpp).
+    [[nodiscard]] Body<R> body_now(const Mover& mover) const;
+    [[nodiscard]] bool is_at_rest(const Mover& mover) const;
+    [[nodiscard]] std::vector<Place> touched_at_rest(Place i) const;
+    [[nodiscard]] bool leans(Place i) const;
+    [[nodiscard]] Heap balls_leaning_on(Place i) const;
+    void part_supports(Heap& heap, std::uint32_t k) const;
+    bool find_heap(Place i);
+    void settle(Heap heap);
+    std::vector<Place> end_heap(std::uint32_t id);
+    [[noreturn]] void refuse_hit(const Mover& hit, const std::string& by) const;
 
     // Events (events.cpp).
     void handle(Place i);
@@ -189,7 +237,6 @@ class Simulation final : public Exact {
     void cross_cell(Place i);
     void sense(Place i);
     void lose(Place i);
-    void release(PartIndex part);
 
     // For those who check (certify.cpp).
     [[nodiscard]] R isolated_within(const Mover& mover, const R& digit, const R& margin) const;
@@ -199,6 +246,9 @@ class Simulation final : public Exact {
     void note_target(PartIndex part);
     void note_input(std::optional<BallNumber> ball, Vec2 velocity);
     void note_passage(const Mover& mover, PartIndex gate, bool begins);
+    void note_pair_of_parts(Mover& mover, double start);
+    void note_rest(Heap& heap);
+    void note_rest_ends(const Heap& heap);
 
     // For those who look inside (trace.cpp).
     [[nodiscard]] static std::string_view name_of_next(const Mover& mover);
@@ -221,6 +271,8 @@ class Simulation final : public Exact {
     Cells cells_;
 
     std::vector<Mover> movers_;  ///< by rising number; those gone stay as such
+    std::map<std::uint32_t, Heap> heaps_;
+    std::uint32_t last_heap_ = 0;
     std::vector<BallNumber> reported_lost_;
     bool raised_[2] = {false, false}, rotating_ = false;
     R now_{}, run_start_{}, run_end_{};

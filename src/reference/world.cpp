@@ -264,6 +264,7 @@ void ReferenceWorld::read_out(double started) {
     statistics_.substeps = counts.events;
     statistics_.grazing = counts.grazing;
     statistics_.broad_phase.name = "cells";
+    statistics_.asleep = static_cast<std::uint64_t>(std::ranges::count(balls_, true, &Ball::asleep));
 }
 
 /// What began and ended between the last two looks, as the engines that know contacts per step report it.

@@ -90,7 +90,7 @@ const Damage damages[] = {
      }},
     {"acceleration",
      [](Json&, Json& legs, std::size_t i) {
-         if (legs[i]["form"] != "closed" || speed(legs[i]["velocity"]) > 3) return false;
+         if (!legs[i]["displacements"].empty() || speed(legs[i]["velocity"]) > 3) return false;
          if (i + 1 < legs.size() && legs[i]["start"] == legs[i + 1]["start"]) return false;
          add(legs[i]["acceleration"][0], 1e-3);
          return true;
@@ -128,14 +128,14 @@ const Damage damages[] = {
      }},
     {"contact left out",
      [](Json&, Json& legs, std::size_t i) {
-         if (legs[i]["held"].empty() || i + 1 == legs.size()) return false;
-         legs[i]["held"] = Json::array();
+         if (legs[i]["held"] < 0 || i + 1 == legs.size()) return false;
+         legs[i]["held"] = -1;
          return true;
      }},
     {"term of a series",
      [](Json&, Json& legs, std::size_t i) {
-         if (legs[i]["form"] != "series" || i + 1 == legs.size()) return false;
-         add(legs[i]["displacements"][1][0], 1e-3);
+         if (legs[i]["displacements"].empty() || i + 1 == legs.size()) return false;
+         add(legs[i]["displacements"][0][0], 1e-3);
          return true;
      }},
     {"place of a part",
@@ -158,7 +158,7 @@ const Damage damages[] = {
      }},
     {"a wall in the way",
      [](Json& run, Json& legs, std::size_t i) {
-         if (i + 1 >= legs.size() || !legs[i]["held"].empty()) return false;
+         if (i + 1 >= legs.size() || legs[i]["held"] >= 0) return false;
          const double share = 0.4, t0 = legs[i]["start"], t1 = legs[i + 1]["start"];
          if (t1 - t0 < 0.02) return false;
          const auto along = [&](std::size_t k) {

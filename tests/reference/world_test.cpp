@@ -127,6 +127,7 @@ TEST(ReferenceWorld, PilesAreRefusedAndTheWorldStaysReadable) {
     add_part(scene, segment({-1, 0}, {1, 0}), {"", 0.5, 0, 0});
     add_ball(scene, {0, 0.1});
     add_ball(scene, {0, 0.4});
+    add_ball(scene, {0, 2.6});  // when the others are at rest
     const auto world = make_world(scene);
     std::string why;
     for (int i = 0; i < 600 && why.empty(); ++i) {
@@ -142,7 +143,7 @@ TEST(ReferenceWorld, PilesAreRefusedAndTheWorldStaysReadable) {
     EXPECT_NE(why.find(" s"), std::string::npos) << why;
     EXPECT_THROW(world->step(1.0 / 60), Refusal);
     State state = world->save();
-    EXPECT_EQ(state.balls.size(), 2U);
+    EXPECT_EQ(state.balls.size(), 3U);
     state.balls.pop_back();
     world->restore(state);
     EXPECT_NO_THROW(run(*world, 1));

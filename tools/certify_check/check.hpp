@@ -1,6 +1,7 @@
 #pragma once
-/// What has to hold of a run.
+/// What has to hold of a run, segment by segment: how it begins, how it moves, and that nothing came earlier.
 
+#include <functional>
 #include <map>
 #include <stdexcept>
 
@@ -18,16 +19,13 @@ struct Verdict {
     std::size_t touches = 0;                ///< without approach: they change nothing
     std::size_t not_isolated = 0;           ///< impacts without an isolating interval
     std::size_t given = 0;                  ///< segments that begin by the start or an input
+    std::size_t resting = 0;                ///< segments at rest, held by forces that are stated
+    double loosest = 0;                     ///< the largest gap or overlap of these, in radii
     std::map<std::string, double> largest;  ///< by condition: the largest share of the bound that was taken
 };
 
 /// `bound` is relative: lengths to the ball's radius r, speeds to √(r|g|) + |v| + r|spin|, accelerations to
-/// |g| + that speed squared over r. Throws Rejected.
-[[nodiscard]] Verdict check(const Run& run, double bound);
-
-/// Whether the layers of two are in each other's masks.
-[[nodiscard]] bool meets(const auto& a, const auto& b) {
-    return (a.layer & b.collides_with) != 0 && (b.layer & a.collides_with) != 0;
-}
+/// |g| + that speed squared over r. Throws Rejected; another exception where the file is no certificate.
+[[nodiscard]] Verdict check(Run& run, double bound);
 
 }  // namespace certificate

@@ -63,7 +63,6 @@ CertificateJson to_json(const Primitive& primitive) {
 }
 
 CertificateJson to_json(const Leg& leg) {
-    constexpr const char* forms[] = {"closed", "series", "rest"};
     constexpr const char* reasons[] = {"given", "goes on", "part", "ball"};
     const Beginning& begins = leg.begins;
     return {{"start", leg.start},
@@ -73,17 +72,15 @@ CertificateJson to_json(const Leg& leg) {
             {"normal", pair_of(begins.normal)},
             {"velocity_before", pair_of(begins.velocity_before)},
             {"spin_before", begins.spin_before},
-            {"form", forms[static_cast<int>(leg.form)]},
             {"position", pair_of(leg.position)},
             {"velocity", pair_of(leg.velocity)},
             {"acceleration", pair_of(leg.acceleration)},
             {"drag", leg.drag},
             {"spin", leg.spin},
-            {"spin_rate", leg.spin_rate},
             {"roll", pair_of(leg.roll)},
             {"displacements", list_of(leg.displacements, pair_of)},
             {"spins", leg.spins},
-            {"held", leg.held}};
+            {"held", leg.held ? std::int64_t{*leg.held} : -1}};
 }
 
 CertificateJson to_json(const CertifiedBall& certified) {
@@ -96,6 +93,14 @@ CertificateJson to_json(const CertifiedBall& certified) {
             {"collides_with", ball.collides_with},
             {"gone", certified.gone ? CertificateJson::array({*certified.gone}) : CertificateJson::array()},
             {"legs", list_of(certified.legs, [](const Leg& leg) { return to_json(leg); })}};
+}
+
+CertificateJson to_json(const reference::RestingForce& force) {
+    return {{"ball", force.ball},
+            {"other", force.other ? std::int64_t{*force.other} : -1},
+            {"primitive", force.primitive},
+            {"normal", force.normal},
+            {"friction", force.friction}};
 }
 
 Vec2 pivot_of(const Part& part) {
@@ -136,6 +141,9 @@ void cut(Certificate& certificate, double seconds) {
     std::erase_if(certificate.passages, [&](const auto& passage) { return passage.from > seconds; });
     for (auto& passage : certificate.passages)
         if (passage.until > seconds) passage.until.reset();
+    std::erase_if(certificate.rests, [&](const auto& rest) { return rest.from > seconds; });
+    for (auto& rest : certificate.rests)
+        if (rest.until > seconds) rest.until.reset();
     std::erase_if(certificate.inputs, [&](const auto& input) { return input.time > seconds; });
     std::erase_if(certificate.targets, [&](const auto& change) { return change.time > seconds; });
 }
@@ -151,10 +159,16 @@ CertificateJson whole(const Session& session, const Certificate& certificate, co
                                {"from", passage.from},
                                {"until", passage.until.value_or(certified.seconds)}};
     };
+    const auto rest_json = [&](const reference::Rest& rest) {
+        return CertificateJson{
+            {"from", rest.from},
+            {"until", rest.until.value_or(certified.seconds)},
+            {"forces", list_of(rest.forces, [](const auto& force) { return to_json(force); })}};
+    };
     // JSON has no infinity.
     constexpr double far = std::numeric_limits<double>::max();
     const auto finite = [&](Vec2 v) { return Vec2{std::clamp(v.x, -far, far), std::clamp(v.y, -far, far)}; };
-    return {{"format", "flipside-certificate/1"},
+    return {{"format", "flipside-certificate/2"},
             {"scene", scene.name},
             {"precision", std::stoi(session.settings().text("precision"))},
             {"start", start},
@@ -182,6 +196,7 @@ CertificateJson whole(const Session& session, const Certificate& certificate, co
                                        {"velocity", pair_of(input.velocity)}};
                                })},
             {"passages", list_of(certificate.passages, passage_json)},
+            {"rests", list_of(certificate.rests, rest_json)},
             {"balls", list_of(certificate.balls, [](const auto& entry) { return to_json(entry.second); })}};
 }
 

@@ -1,0 +1,187 @@
+// Static heaps: balls at rest that press on each other, and stay as they are.
+//
+// Balls that touch and are at rest belong together. Where contact forces among them and from still parts
+// balance their weights (equilibrium.hpp) they are a heap, and each rests until something meets one of them,
+// which is refused, or until what they rest on changes: then they are looked at again. Balls that stand on
+// parts alone are no heap.
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "reference/simulation.hpp"
+#include "world/refusal.hpp"
+
+namespace flipside::reference {
+
+/// Where a ball is now and how it moves, though it may not have been advanced.
+template <class R>
+Body<R> Simulation<R>::body_now(const Mover& mover) const {
+    if (mover.path.start == now_) return mover.body;
+    const Motion<R> now = mover.path.at(now_);
+    const Spinning<R> spinning = mover.path.spinning_at(now_);
+    return {now.position, now.velocity, spinning.angle, spinning.spin, mover.radius};
+}
+
+/// Hops lower than the rounding of a radius are rest.
+template <class R>
+bool Simulation<R>::is_at_rest(const Mover& mover) const {
+    using std::sqrt;
+    const R hop = sqrt(2 * epsilon<R>() * mover.radius * length(drive_.gravity));
+    const Body<R> body = body_now(mover);
+    return length(body.velocity) <= hop && magnitude(body.spin) * mover.radius <= hop;
+}
+
+/// The balls at rest that touch this one, which is at rest itself.
+template <class R>
+auto Simulation<R>::touched_at_rest(Place i) const -> std::vector<Place> {
+    const Mover& mover = movers_[i];
+    std::vector<Place> found;
+    cells_.each_near(mover.cell, [&](Place j) {
+        const Mover& other = movers_[j];
+        if (j == i || !layers_meet(mover.ball, other.ball)) return;
+        const R gap =
+            length(body_now(mover).position - body_now(other).position) - mover.radius - other.radius;
+        if (in_touch(gap, std::min(mover.radius, other.radius)) && is_at_rest(other)) found.push_back(j);
+    });
+    std::ranges::sort(found);
+    return found;
+}
+
+/// Whether a ball at rest touches another, with a weight to press on it.
+template <class R>
+bool Simulation<R>::leans(Place i) const {
+    return length(drive_.gravity) > 0 && is_at_rest(movers_[i]) && !touched_at_rest(i).empty();
+}
+
+/// All balls at rest that touch this one, or one that does, and so on; and what supports them.
+template <class R>
+auto Simulation<R>::balls_leaning_on(Place i) const -> Heap {
+    Heap heap;
+    heap.balls = {i};
+    std::vector<char> seen(movers_.size());
+    seen[i] = 1;
+    for (std::size_t k = 0; k < heap.balls.size(); ++k)
+        for (const Place j : touched_at_rest(heap.balls[k]))
+            if (std::exchange(seen[j], 1) == 0) heap.balls.push_back(j);
+    std::ranges::sort(heap.balls);
+    for (std::uint32_t k = 0; k < heap.balls.size(); ++k) {
+        part_supports(heap, k);
+        for (const Place j : touched_at_rest(heap.balls[k])) {
+            if (j > heap.balls[k]) continue;
+            const Mover &mover = movers_[heap.balls[k]], &other = movers_[j];
+            const auto at = std::ranges::lower_bound(heap.balls, j) - heap.balls.begin();
+            const Vec2 normal = narrow(unit(V<R>(body_now(mover).position - body_now(other).position)));
+            heap.supports.push_back({k, static_cast<std::uint32_t>(at), normal,
+                                     mixed(mover.ball.material, other.ball.material).friction});
+            heap.features.push_back(nothing);
+        }
+    }
+    return heap;
+}
+
+/// What still parts the k-th ball of a heap touches.
+template <class R>
+void Simulation<R>::part_supports(Heap& heap, std::uint32_t k) const {
+    const Mover& mover = movers_[heap.balls[k]];
+    for (const FeatureIndex f : cells_.features(mover.cell)) {
+        const PartIndex part = features_[f].part;
+        if (ignores(part, mover) || turning(part) != nullptr) continue;
+        const Closest<R> seen = closest(f, body_now(mover).position, mover.radius);
+        if (!seen.facing || !in_touch(seen.gap, mover.radius)) continue;
+        if (gate_of(scene_->parts[part]) != nullptr && passes(part, mover)) continue;
+        heap.supports.push_back({k, Support::still, narrow(seen.normal),
+                                 mixed(mover.ball.material, scene_->parts[part].material).friction});
+        heap.features.push_back(f);
+    }
+}
+
+/// Finds the heap that a ball belongs to, if it leans on others and all of them can stay at rest, and puts
+/// them to rest.
+template <class R>
+bool Simulation<R>::find_heap(Place i) {
+    constexpr std::size_t most = 400;  // balls; so many take seconds
+    if (movers_[i].looked_for_heap == now_ || !leans(i)) return false;
+    Heap heap = balls_leaning_on(i);
+    std::vector<Vec2> weights;
+    for (const Place j : heap.balls) weights.push_back(movers_[j].ball.mass * scene_->gravity);
+    std::vector<Support> parts_alone = heap.supports;
+    std::erase_if(parts_alone, [](const Support& one) { return one.other != Support::still; });
+    const bool too_many = heap.balls.size() > most;
+    const bool stand = !too_many && find_equilibrium(weights, parts_alone).share <= balance_tolerance;
+    const Imbalance left = stand || too_many ? Imbalance{} : find_equilibrium(weights, heap.supports);
+    if (!stand && !too_many && left.share <= balance_tolerance) {
+        settle(std::move(heap));
+        return true;
+    }
+    std::string why;
+    if (too_many) why = ", and is too large to look for equilibrium in it";
+    if (left.share > 0)
+        why = ", and in this one ball " + std::to_string(movers_[heap.balls[left.disc]].ball.number) +
+              " begins to move: " + std::to_string(left.share) + " of its weight is not held";
+    for (const Place j : heap.balls) {
+        movers_[j].looked_for_heap = now_;
+        if (stand) continue;
+        movers_[j].unheld_since = now_;
+        movers_[j].unheld = why;
+    }
+    return false;
+}
+
+template <class R>
+void Simulation<R>::settle(Heap heap) {
+    const std::uint32_t id = ++last_heap_;
+    for (const Place j : heap.balls) {
+        Mover& mover = movers_[j];
+        if (mover.heap != 0) end_heap(mover.heap);
+        const Body<R> body = body_now(mover);
+        mover.body = {body.position, {}, body.angle, R(0), mover.radius};
+        ++mover.changes;
+        mover.heap = id;
+        mover.held[0] = mover.held[1] = mover.left = nothing;
+        mover.glide_count = 0;
+        mover.until = infinity<R>();
+        mover.lets_go = false;
+        mover.path = {};
+        mover.path.rests = true;
+        mover.path.start = now_;
+        mover.path.position = body.position;
+        mover.path.angle = body.angle;
+        const bool given = std::exchange(mover.given, false);
+        if (certificate_) note_leg(mover, given);
+    }
+    if (certificate_) note_rest(heap);
+    heaps_.emplace(id, std::move(heap));
+}
+
+/// The balls of a heap are at rest still, but belong to none.
+template <class R>
+auto Simulation<R>::end_heap(std::uint32_t id) -> std::vector<Place> {
+    const auto at = heaps_.find(id);
+    std::vector<Place> balls = std::move(at->second.balls);
+    if (certificate_) note_rest_ends(at->second);
+    heaps_.erase(at);
+    std::erase_if(balls, [&](Place j) { return movers_[j].gone; });
+    for (const Place j : balls) movers_[j].heap = 0;
+    return balls;
+}
+
+/// Something meets a ball of a heap.
+template <class R>
+void Simulation<R>::refuse_hit(const Mover& hit, const std::string& by) const {
+    throw Refusal("reference: " + by + " hits ball " + std::to_string(hit.ball.number) + " in a heap of " +
+                  std::to_string(heaps_.at(hit.heap).balls.size()) + " balls that press on each other" +
+                  at_time(now_) + ": a pile has no order of impacts");
+}
+
+#define FLIPSIDE_HEAPS(R)                                                     \
+    template bool Simulation<R>::leans(Place) const;                          \
+    template bool Simulation<R>::find_heap(Place);                            \
+    template auto Simulation<R>::end_heap(std::uint32_t)->std::vector<Place>; \
+    template void Simulation<R>::refuse_hit(const Mover&, const std::string&) const;
+FLIPSIDE_HEAPS(double)
+FLIPSIDE_HEAPS(Real113)
+FLIPSIDE_HEAPS(Real226)
+#undef FLIPSIDE_HEAPS
+
+}  // namespace flipside::reference

@@ -1,0 +1,123 @@
+// Contact forces of heaps whose forces are known on paper, and heaps that have none.
+
+#include "reference/equilibrium.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace flipside::reference {
+namespace {
+
+constexpr double weight = 9.81;
+
+Support on_floor(std::uint32_t disc, double friction = 0) {
+    return {disc, Support::still, {0, 1}, friction};
+}
+/// `disc` lies on `other`, to its right by this angle from above.
+Support leans_on(std::uint32_t disc, std::uint32_t other, double angle, double friction) {
+    return {disc, other, {std::sin(angle), std::cos(angle)}, friction};
+}
+
+TEST(Equilibrium, AColumnCarriesWhatLiesAboveEach) {
+    std::vector<Vec2> weights;
+    std::vector<Support> supports{on_floor(0)};
+    for (std::uint32_t i = 0; i < 10; ++i) {
+        weights.push_back({0, -weight * (i % 2 == 0 ? 1 : 1000)});  // heavy on light
+        if (i > 0) supports.push_back(leans_on(i, i - 1, 0, 0));
+    }
+    EXPECT_LE(find_equilibrium(weights, supports).share, balance_tolerance);
+    for (std::uint32_t i = 0; i < 10; ++i) {
+        double above = 0;
+        for (std::uint32_t k = i; k < 10; ++k) above -= weights[k].y;
+        EXPECT_NEAR(supports[i].normal_force, above, 1e-12 * above);
+        EXPECT_EQ(supports[i].friction_force, 0);
+    }
+}
+
+/// Two discs on a floor and a third on both, each line of centres this far from the vertical.
+std::vector<Support> pyramid(double angle, double friction) {
+    return {on_floor(0, friction), on_floor(1, friction), leans_on(2, 0, angle, friction),
+            leans_on(2, 1, -angle, friction)};
+}
+
+TEST(Equilibrium, APyramidStandsFromFrictionOfHalfTheAngleOn) {
+    // The lower disc turns about where it touches the floor, so the force of the upper one goes through that
+    // point: half the angle of the line of centres from it.
+    const std::vector<Vec2> weights(3, {0, -weight});
+    for (const double angle : {0.3, std::numbers::pi / 6, 0.8}) {
+        const double least = std::tan(angle / 2);
+        auto enough = pyramid(angle, least * (1 + 1e-9));
+        EXPECT_LE(find_equilibrium(weights, enough).share, balance_tolerance);
+        EXPECT_NEAR(enough[0].normal_force, 1.5 * weight, 1e-9);
+        EXPECT_NEAR(enough[2].friction_force, least * enough[2].normal_force, 1e-7);
+        auto less = pyramid(angle, least * (1 - 1e-3));
+        EXPECT_GT(find_equilibrium(weights, less).share, 1e-5);
+    }
+}
+
+TEST(Equilibrium, SaysWhichDiscHasNoSupport) {
+    const std::vector<Vec2> weights(3, {0, -weight});
+    std::vector<Support> supports{on_floor(0), on_floor(1)};
+    const Imbalance left = find_equilibrium(weights, supports);
+    EXPECT_EQ(left.disc, 2U);
+    EXPECT_EQ(left.share, 1);
+}
+
+TEST(Equilibrium, OfAnIndeterminateHeapAnyForcesDo) {
+    // A disc in a slot between walls, with friction: walls may press as hard as they like.
+    const std::vector<Vec2> weights(2, {0, -weight});
+    std::vector<Support> supports{on_floor(0, 1), leans_on(1, 0, 0, 1)};
+    for (std::uint32_t i = 0; i < 2; ++i)
+        for (const double side : {1.0, -1.0}) supports.push_back({i, Support::still, {side, 0}, 1});
+    EXPECT_LE(find_equilibrium(weights, supports).share, balance_tolerance);
+}
+
+/// What is left of the weights, recomputed from the forces.
+double left_over(const std::vector<Vec2>& weights, const std::vector<Support>& supports) {
+    std::vector<Vec2> force = weights;
+    std::vector<double> torque(weights.size());
+    for (const Support& one : supports) {
+        const Vec2 push = one.normal_force * one.normal + one.friction_force * perp(one.normal);
+        force[one.disc] += push;
+        torque[one.disc] += one.friction_force;
+        if (one.other == Support::still) continue;
+        force[one.other] -= push;
+        torque[one.other] += one.friction_force;
+    }
+    double worst = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i)
+        worst = std::max(
+            {worst, length(force[i]) / length(weights[i]), std::abs(torque[i]) / length(weights[i])});
+    return worst;
+}
+
+// Weights are made from forces, so that there are such; each is found again, or others that do as well.
+RC_GTEST_PROP(Equilibrium, IsFoundWhereThereIsOne, ()) {
+    const auto count = *rc::gen::inRange<std::uint32_t>(2, 25);
+    std::vector<Support> supports;
+    std::vector<Vec2> weights(count);
+    for (std::uint32_t i = 0; i < count; ++i)
+        for (int k = 0; k < 3; ++k) {
+            const double angle = *rc::gen::inRange(0, 6283) / 1e3, friction = *rc::gen::inRange(0, 3) / 2.0;
+            const auto other = *rc::gen::inRange<std::uint32_t>(0, i + 1);
+            supports.push_back({i, other == i ? Support::still : other, from_angle(angle), friction});
+            const double pushed = *rc::gen::inRange(1, 4);
+            const Vec2 push = pushed * from_angle(angle);
+            weights[i] -= push;
+            if (other != i) weights[other] += push;
+        }
+    for (const Vec2& weight : weights) RC_PRE(length(weight) > 1e-3);
+    const Imbalance left = find_equilibrium(weights, supports);
+    RC_ASSERT(left.share <= balance_tolerance);
+    RC_ASSERT(left_over(weights, supports) <= 2 * balance_tolerance);
+    for (const Support& one : supports) {
+        RC_ASSERT(one.normal_force >= 0);
+        RC_ASSERT(std::abs(one.friction_force) <= one.friction * one.normal_force * (1 + 1e-15));
+    }
+}
+
+}  // namespace
+}  // namespace flipside::reference
