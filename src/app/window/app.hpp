@@ -101,7 +101,7 @@ class App {
     Editor editor_;
     EditorPanel editor_panel_;
     SceneBrowser browser_;
-    std::string discarding_;  ///< what was asked for that would discard what is drawn
+    std::string discarding_;  ///< what was asked for that would discard what is drawn, and that
     Camera camera_;
     Layout layout_;
     ControlPlaces places_;

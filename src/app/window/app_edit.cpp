@@ -15,27 +15,29 @@ void App::let_keys_go() {
     for (const sf::Keyboard::Key key : keys) press(action_of(key), key, false);
 }
 
-/// True once the user has asked for the same thing twice, or nothing would be lost by it.
+/// True where nothing would be lost by it, or the user asks for the same thing again.
 bool App::may_discard(const std::string& to_do) {
-    if (!editor_.unsaved() || discarding_ == to_do) {
+    const std::string asked =
+        editor_.unsaved() ? to_do + ": " + editor_.draft().document().text() : std::string();
+    if (asked.empty() || discarding_ == asked) {
         discarding_.clear();
         return true;
     }
-    discarding_ = to_do;
-    controls_.notice = "\"" + editor_.draft().sketch().name + "\" is not saved (Ctrl S). Once more " + to_do +
-                       ", and it is lost.";
+    discarding_ = asked;
+    controls_.notice = "\"" + editor_.draft().sketch().name +
+                       "\" is not saved. Save it (Ctrl S), or do the same again to give it up.";
     browser_.warn(controls_.notice);
     return false;
 }
 
 void App::close() {
-    if (may_discard("closes the window")) window_.close();
+    if (may_discard("close")) window_.close();
     // Where it can be saved.
     if (window_.isOpen() && !editor_.on() && editor_.name() == stage_.scene_name()) begin_edit();
 }
 
 void App::begin_edit() {
-    if (editor_.name() != stage_.scene_name() && !may_discard("begins to draw this one")) return;
+    if (editor_.name() != stage_.scene_name() && !may_discard("draw " + stage_.scene_name())) return;
     let_keys_go();
     try {
         editor_.begin(stage_);
@@ -49,7 +51,7 @@ void App::begin_edit() {
 }
 
 void App::begin_new_scene() {
-    if (!may_discard("begins an empty one")) return;
+    if (!may_discard("new")) return;
     editor_.begin_new();
     editor_panel_.reset();
     mouse_.fit();
@@ -72,6 +74,7 @@ void App::end_edit() {
     }
     if (!stage_.is_lesson()) lessons_.close(controls_);
     editor_.leave();
+    state_.edit.clear();
     controls_.help_open = false;
     controls_.table_wanted = true;
     mouse_.fit();
@@ -127,7 +130,6 @@ void App::draw_edit() {
     if (wish == EditorPanel::Wish::leave) end_edit();
     if (wish == EditorPanel::Wish::browse) browse();
     if (wish == EditorPanel::Wish::new_scene) begin_new_scene();
-    if (!editor_.on()) state_.edit.clear();
 }
 
 void App::browse() {
@@ -146,7 +148,7 @@ void App::draw_browser() {
 void App::open_chosen(const std::string& scene) {
     try {
         if (editor_.on()) {
-            if (!may_discard("opens " + scene)) return;
+            if (!may_discard("open " + scene)) return;
             editor_.begin_file(scene);
             editor_panel_.reset();
             mouse_.fit();

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "lab/editor/document.hpp"
+#include "lab/editor/handles.hpp"
 #include "lab/editor/palette.hpp"
 #include "lab/editor/reshape.hpp"
 

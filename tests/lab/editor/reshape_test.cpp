@@ -1,3 +1,4 @@
+#include "lab/editor/handles.hpp"
 #include "lab/editor/reshape.hpp"
 
 #include <cmath>

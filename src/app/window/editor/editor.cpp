@@ -16,6 +16,7 @@ constexpr double turn_arm = 46;     ///< px from the middle to where it is turne
 constexpr double turn_beyond = 14;  ///< and beyond the farthest place of the thing
 constexpr double handle_reach = 8;  ///< px
 constexpr double item_reach = 6;    ///< px
+constexpr double handle_room = 14;  ///< px, between handles
 constexpr double join_reach = 10;   ///< px, of ends
 
 }  // namespace
@@ -74,10 +75,21 @@ void Editor::save_to(const std::filesystem::path& file) {
     own_ = lab::OwnFile{file, text};
 }
 
-std::vector<lab::Handle> Editor::handles() const {
+std::vector<lab::Handle> Editor::handles(const Camera& camera, double scale) const {
     const lab::OrderedJson* thing = draft_->find(selected_);
     if (thing == nullptr || draws()) return {};
-    return lab::handles_of(*thing);
+    std::vector<lab::Handle> handles = lab::handles_of(*thing);
+    const std::vector<lab::Handle> all = handles;
+    // What is small on the screen is moved and not changed; zooming in brings its handles.
+    std::erase_if(handles, [&](const lab::Handle& handle) {
+        if (handle.role == lab::Role::radius && handle.anchor)
+            return camera.scale * length(handle.at - *handle.anchor) < scale * handle_room;
+        return handle.role == lab::Role::between && std::ranges::any_of(all, [&](const lab::Handle& other) {
+                   return other.role == lab::Role::corner &&
+                          camera.scale * length(handle.at - other.at) < scale * handle_room;
+               });
+    });
+    return handles;
 }
 
 std::optional<Editor::TurnHandle> Editor::turn_handle(const Camera& camera, double scale) const {
@@ -100,8 +112,8 @@ std::optional<Editor::TurnHandle> Editor::turn_handle(const Camera& camera, doub
 std::optional<lab::Handle> Editor::handle_at(Vec2 pixel, const Camera& camera, double scale) const {
     std::optional<lab::Handle> nearest;
     double reach = scale * handle_reach;
-    // Of several at one place the last is the one to pull: a velocity of 0 is where its ball is.
-    for (const lab::Handle& handle : handles()) {
+    // Of several at one place the last is the one to pull.
+    for (const lab::Handle& handle : handles(camera, scale)) {
         const double distance = length(camera.to_pixels(handle.at) - pixel);
         if (distance > reach) continue;
         nearest = handle;

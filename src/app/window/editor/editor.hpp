@@ -47,7 +47,8 @@ class Editor {
     /// The bounds, which is to say the table, where nothing is picked.
     [[nodiscard]] const lab::Item& selected() const { return selected_; }
     void select(const lab::Item& item) { selected_ = item; }
-    [[nodiscard]] std::vector<lab::Handle> handles() const;
+    /// Of the selected thing, those that are far enough from others to be seized.
+    [[nodiscard]] std::vector<lab::Handle> handles(const Camera& camera, double scale) const;
     /// Where the selected thing is turned, and about what; nothing for what has no direction.
     struct TurnHandle {
         Vec2 about, at;  ///< px, of the pane

@@ -162,7 +162,7 @@ void part_fields(Editor& editor, const FieldSet& fields, ControlPlaces& places) 
 void ball_fields(Editor& editor, const FieldSet& fields, ControlPlaces& places) {
     const lab::Path ball = path_of(editor.selected());
     material_fields(editor, fields, places, ball);
-    if (!region("Ball")) return;
+    if (!region("Place and size")) return;
     fields.pair(ball / "position", place_spec("Position", "x and y at the start, mm"));
     fields.pair(ball / "velocity", {"Velocity", "x and y at the start, m/s", "m/s"});
     fields.number(ball / "spin", rate_spec("Spin", "Anticlockwise, rad/s", -1e6));

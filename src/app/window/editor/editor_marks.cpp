@@ -28,7 +28,7 @@ void draw_handles(Canvas& canvas, const Editor& editor, const Camera& camera) {
         canvas.disc(turn->at, canvas.scaled(7), colour::table);
         canvas.arc(turn->at, canvas.scaled(5), 0.4, 5.2, canvas.scaled(1.5), colour::lit);
     }
-    for (const lab::Handle& handle : editor.handles()) {
+    for (const lab::Handle& handle : editor.handles(camera, canvas.scaled(1))) {
         const Vec2 at = camera.to_pixels(handle.at);
         switch (handle.role) {
             case lab::Role::corner:
@@ -60,7 +60,9 @@ void draw_handles(Canvas& canvas, const Editor& editor, const Camera& camera) {
 /// Length and direction from one point to the other.
 std::string way_in_words(Vec2 way) {
     const double degrees = angle_of(way) * 180 / std::numbers::pi;
-    return with_unit(1000 * length(way), 1, "mm") + "   " + with_unit(degrees, 1, "°");
+    std::string angle = with_unit(degrees, 1, "°");
+    angle.erase(angle.rfind(' '), 1);  // unlike other units
+    return with_unit(1000 * length(way), 1, "mm") + "   " + angle;
 }
 
 /// A ring where it joins, a cross on the grid.

@@ -1,6 +1,7 @@
 #include "app/window/editor/editor_panel.hpp"
 
-#include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "app/window/editor/editor_fields.hpp"
 #include "app/window/editor/text_field.hpp"
@@ -24,6 +25,14 @@ bool edit_button(ControlPlaces& places, const char* words, const char* meaning, 
     tooltip(meaning);
     note(places, words);
     return pressed;
+}
+
+/// No file is written that no engine could read.
+bool may_save(Editor& editor, WindowControls& controls) {
+    editor.draft().end_step();
+    const auto& problem = editor.draft().problem();
+    if (problem) controls.notice = "Not saved, for no engine could run it: " + problem->words;
+    return !problem;
 }
 
 void draw_palette(Editor& editor, ControlPlaces& places) {
@@ -102,8 +111,14 @@ void EditorPanel::draw_file(Editor& editor, WindowControls& controls, ControlPla
     if (edit_button(places, "Undo", "Ctrl Z", 0.5, document.can_undo())) editor.undo();
     ImGui::SameLine();
     if (edit_button(places, "Redo", "Ctrl Shift Z", 1, document.can_redo())) editor.redo();
-    if (std::exchange(editor.save_wanted, false)) save(editor, controls);
-    if (std::exchange(editor.save_as_wanted, false)) choose_name(editor, "");
+    const bool here = std::exchange(editor.save_wanted, false);
+    const bool elsewhere = std::exchange(editor.save_as_wanted, false);
+    if ((here || elsewhere) && may_save(editor, controls)) {
+        if (elsewhere)
+            choose_name(editor, "");
+        else
+            save(editor, controls);
+    }
     if (choosing_) draw_save_as(editor, controls, places);
 }
 
@@ -123,7 +138,7 @@ void EditorPanel::save(Editor& editor, WindowControls& controls) {
 }
 
 void EditorPanel::choose_name(const Editor& editor, std::string why) {
-    choosing_ = true;
+    choosing_ = begins_ = true;
     why_ = std::move(why);
     std::string stem;
     for (const char c : editor.draft().sketch().name)
@@ -137,6 +152,7 @@ void EditorPanel::draw_save_as(Editor& editor, WindowControls& controls, Control
     if (!why_.empty()) ImGui::TextWrapped("%s", why_.c_str());
     ImGui::TextUnformatted("File");
     ImGui::SetNextItemWidth(-1);
+    if (std::exchange(begins_, false)) ImGui::SetKeyboardFocusHere();
     const bool entered = text_field("##file", typed_, 1000, true);
     note(places, "File");
     const std::filesystem::path file = lab::typed_file(typed_);
@@ -157,11 +173,7 @@ void EditorPanel::draw_save_as(Editor& editor, WindowControls& controls, Control
 }
 
 void EditorPanel::write(Editor& editor, const std::filesystem::path& file, WindowControls& controls) {
-    editor.draft().end_step();
-    if (const auto& problem = editor.draft().problem()) {
-        controls.notice = "Not saved, for no engine could run it: " + problem->words;
-        return;
-    }
+    if (!may_save(editor, controls)) return;
     try {
         editor.save_to(file);
         choosing_ = false;

@@ -26,6 +26,7 @@ class EditorPanel {
     void write(Editor& editor, const std::filesystem::path& file, WindowControls& controls);
 
     bool choosing_ = false;  ///< a name to save under
+    bool begins_ = false;    ///< to ask for it: the field gets the keyboard
     std::string typed_;
     std::string why_;  ///< it has to be chosen, in words
 };

@@ -17,7 +17,7 @@ using Kind = lab::Item::Kind;
 
 /// Lines a pitch apart as long as they can be told apart, every tenth one brighter.
 void draw_grid(Canvas& canvas, const Camera& camera, const Box& bounds, double pitch) {
-    constexpr double least = 5;  // px between two lines
+    constexpr double least = 4;  // px between two lines
     while (camera.scale * pitch < canvas.scaled(least)) pitch *= 10;
     const auto lines = [&](double from, double to, const auto& line) {
         const auto first = static_cast<long>(std::ceil(from / pitch)),

@@ -50,7 +50,6 @@ void FieldSet::number(const lab::Path& path, const FieldSpec& spec) const {
 }
 
 void FieldSet::pair(const lab::Path& path, const FieldSpec& spec) const {
-    const lab::OrderedJson* json = find(path);
     label(spec.label, spec.meaning);
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width = 0.5F * (ImGui::GetContentRegionAvail().x - gap);
@@ -58,6 +57,7 @@ void FieldSet::pair(const lab::Path& path, const FieldSpec& spec) const {
         if (i > 0) ImGui::SameLine(0, gap);
         ImGui::SetNextItemWidth(width);
         const std::string name = std::string(spec.label) + (i == 0 ? " x" : " y");
+        const lab::OrderedJson* json = find(path);  // which the other field may have changed
         value(("##" + name).c_str(), name, json == nullptr ? spec.usual : json->at(i).get<double>(), path, i,
               spec);
     }
