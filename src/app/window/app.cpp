@@ -158,6 +158,7 @@ void App::look_after_files() {
     try {
         stage_.reload();
         controls_.notice.clear();
+        look_after_draft();
     } catch (const std::exception& error) {
         controls_.notice = error.what();
     }
@@ -174,7 +175,7 @@ void App::keep() {
     kept_.muted = controls_.muted;
     kept_.lesson = lessons_.lesson() ? lessons_.lesson()->name : "";
     // A lesson's own view, overlays and contenders end with it.
-    if (!stage_.is_lesson()) {
+    if (stage_.is_from_file()) {
         kept_.scene = kept_name(stage_.scene_name());
         kept_.view = stage_.view();
         kept_.plots = controls_.plots;
@@ -188,14 +189,13 @@ void App::keep() {
 }
 
 void App::process(const sf::Event& event) {
+    if (take_for_drawing(event)) return;
     switch (event.type) {
         case sf::Event::Closed:
-            return window_.close();
-        case sf::Event::LostFocus: {
-            const std::set<sf::Keyboard::Key> keys = held_;
-            for (const sf::Keyboard::Key key : keys) press(action_of(key), key, false);
+            return close();
+        case sf::Event::LostFocus:
+            let_keys_go();
             return touch(event);
-        }
         case sf::Event::KeyPressed:
             return press(action_of(event.key), event.key.code, true);
         case sf::Event::KeyReleased:
@@ -206,6 +206,7 @@ void App::process(const sf::Event& event) {
 }
 
 void App::advance(double seconds) {
+    if (editor_.on() || browser_.is_open()) return;
     if (accumulator_.dt() != stage_.dt()) accumulator_ = Accumulator(stage_.dt(), most_catch_up);
     const double simulated = controls_.paused || hand_.slings() ? 0 : seconds * controls_.speed;
     if (held(Action::launch)) state_.charge = std::min(1.0, state_.charge + simulated / charge_seconds);
@@ -245,6 +246,7 @@ void App::arrange() {
     const sf::Vector2u size = window_.getSize();
     state_.width = size.x;
     state_.height = size.y;
+    if (editor_.on()) return arrange_edit();
     layout_ = layout_of(stage_, size.x, size.y, scale_, controls_.panel_open ? Column::open : Column::folded,
                         controls_.bar_open, controls_.strip);
     camera_.size = {layout_.panes.front().width, layout_.panes.front().height};
@@ -252,12 +254,13 @@ void App::arrange() {
         mouse_.fit();
         hand_ = {};
         shown_scene_ = stage_.scene_name();
-        scene_file_.watch(stage_.is_lesson() ? "" : lab::scene_file(shown_scene_));
+        scene_file_.watch(stage_.is_from_file() ? lab::scene_file(shown_scene_) : "");
     }
     if (mouse_.fitted()) camera_.fit(sight_of(stage_.scene()), scale_ * pane_margin);
 }
 
 void App::draw() {
+    if (editor_.on()) return draw_edit();
     controls_.look.charge = state_.charge;
     controls_.look.picked = hand_.picked();
     controls_.look.sling = hand_.sling(camera_, stage_);
@@ -270,7 +273,8 @@ void App::draw() {
     if (controls_.bar_open) draw_step_bar(layout_.bar, stage_, microscope_, places_);
     const bool inside = controls_.bar_open && microscope_.shows(stage_);
     inspect();
-    if (controls_.help_open) draw_help({0, 0, state_.width, state_.height}, places_);
+    if (controls_.help_open) draw_help({0, 0, state_.width, state_.height}, key_lines(), places_);
+    draw_browser();
     count_up(0);
     state_.slow = slow_in_words();
     Readings readings{{},
@@ -291,6 +295,8 @@ void App::draw() {
     if (screenshot_wanted_) save_screenshot();
     if (export_wanted_) export_plots();
     if (controls_.save_wanted && !stage_.under_way()) save_game();
+    if (std::exchange(controls_.edit_wanted, false)) begin_edit();
+    if (std::exchange(controls_.browse_wanted, false)) browse();
 }
 
 /// "flipside-1.png", or the next number for which there is none of these files.

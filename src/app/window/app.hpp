@@ -12,7 +12,10 @@
 
 #include "app/sound/live.hpp"
 #include "app/window/accumulator.hpp"
+#include "app/window/browser/scene_browser.hpp"
 #include "app/window/card_place.hpp"
+#include "app/window/editor/editor.hpp"
+#include "app/window/editor/editor_panel.hpp"
 #include "app/window/file_watch.hpp"
 #include "app/window/gamepad.hpp"
 #include "app/window/game_end.hpp"
@@ -54,6 +57,19 @@ class App {
     void look_after_files();
     void keep();
     void drop_slowest();
+    void close();
+    void begin_edit();
+    void begin_new_scene();
+    void end_edit();
+    void draw_edit();
+    void arrange_edit();
+    void browse();
+    void draw_browser();
+    void open_chosen(const std::string& scene);
+    void look_after_draft();
+    void let_keys_go();
+    bool take_for_drawing(const sf::Event& event);
+    [[nodiscard]] bool may_discard(const std::string& to_do);
     void advance(double seconds);
     void touch(const sf::Event& event);
     void inspect();
@@ -89,6 +105,10 @@ class App {
     PaneMouse mouse_;
     Hand hand_;
     CardPlace card_place_;
+    Editor editor_;
+    EditorPanel editor_panel_;
+    SceneBrowser browser_;
+    std::string discarding_;  ///< what was asked for that would discard what is drawn, and that
     Camera camera_;
     Layout layout_;
     ControlPlaces places_;

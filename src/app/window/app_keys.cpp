@@ -180,6 +180,10 @@ void App::act_on_window(Action action) {
         case Action::export_plots:
             export_wanted_ = true;
             break;
+        case Action::edit:
+            return editor_.on() ? end_edit() : begin_edit();
+        case Action::scenes:
+            return browse();
         case Action::help:
             controls_.help_open = !controls_.help_open;
             break;
@@ -189,7 +193,7 @@ void App::act_on_window(Action action) {
             else if (controls_.help_open)
                 controls_.help_open = false;
             else if (!hand_.let_go() && !std::exchange(controls_.impact_open, false))
-                window_.close();
+                close();
             break;
         default:
             break;

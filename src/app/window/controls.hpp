@@ -30,6 +30,7 @@ struct WindowControls {
     PlotChoice plots = PlotChoice::distance_and_energy;
     double strip = 0;          ///< height of the plots, as in LayoutNeeds
     bool save_wanted = false;  ///< this game, as a replay
+    bool edit_wanted = false, browse_wanted = false;
     bool table_wanted = true;  ///< or the table does
     int launch_count = 1;
     double launch_size = 1;        ///< radius over that of the launcher's ball

@@ -10,12 +10,8 @@
 
 namespace flipside::app {
 
-namespace {
-
-using Line = std::pair<std::string, std::string>;
-
-std::vector<Line> all_lines() {
-    std::vector<Line> lines;
+KeyLines key_lines() {
+    KeyLines lines;
     for (const KeyUse& use : key_uses()) lines.emplace_back(use.names, use.meaning);
     lines.emplace_back("Gamepad", "Shoulders or triggers: flippers; Start: pause");
     lines.emplace_back("", "A, or right stick down: launch; left stick or cross: nudge");
@@ -27,10 +23,7 @@ std::vector<Line> all_lines() {
     return lines;
 }
 
-}  // namespace
-
-void draw_help(const Rect& place, ControlPlaces& places) {
-    const std::vector<Line> lines = all_lines();
+void draw_help(const Rect& place, const KeyLines& lines, ControlPlaces& places) {
     const float size = ImGui::GetFontSize();
     const float of_keys = 7.4F * size,
                 of_meaning = std::min(27 * size, 0.42F * static_cast<float>(place.width) - of_keys);

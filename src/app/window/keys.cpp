@@ -64,6 +64,8 @@ constexpr KeyUse uses[] = {
     {Action::last_impact, {K::K, no, no}, none, "K", "The last impact on every engine, or close that"},
     {Action::remove_ball, {K::Delete, no, no}, none, "Delete", "Take the picked ball off the table"},
     {Action::fold_panel, {K::F2, no, no}, none, "F2", "Fold the controls away, or open them"},
+    {Action::scenes, {K::F3, no, no}, none, "F3", "All scenes, with pictures"},
+    {Action::edit, {K::F4, no, no}, none, "F4", "Draw the table by hand, or play what is drawn"},
     {Action::work_controls,
      {K::F6, no, no},
      none,

@@ -42,6 +42,8 @@ enum class Action {
     last_impact,
     remove_ball,
     fold_panel,
+    scenes,
+    edit,
     work_controls,
     larger,
     smaller,

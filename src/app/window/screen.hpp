@@ -48,6 +48,8 @@ class Screen {
               const Look& look, const Readings& readings, const Microscope* inside = nullptr);
     /// Where the step of each run stands in its header, as drawn last.
     [[nodiscard]] std::span<const std::optional<Rect>> steps() const { return steps_; }
+    /// For what else is drawn into the window.
+    [[nodiscard]] Canvas& canvas() { return canvas_; }
     [[nodiscard]] double scale() const { return lettering_.scale(); }
 
   private:

@@ -108,14 +108,7 @@ void Stage::open(const lab::Lesson& lesson) {
 }
 
 void Stage::reload() {
-    const auto scene = scene_of(name_);
-    // An engine may refuse what the form of the file permits.
-    for (const lab::Contender& contender : contenders_)
-        static_cast<void>(contender.engine->make(scene, contender.settings));
-    if (script_file_) script_ = load_script(*script_file_, *scene);
-    original_ = scene;
-    set_scene();
-    start();
+    take(name_, scene_of(name_));
 }
 
 void Stage::restart() {

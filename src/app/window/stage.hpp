@@ -35,6 +35,10 @@ class Stage {
     void open(const std::string& scene);
     /// A lesson's scene with its contenders.
     void open(const lab::Lesson& lesson);
+    /// A scene that was drawn, from its start, with the contenders as they are, or, of another name than the
+    /// one on show, as it recommends them. Throws InputError, and changes nothing, where an engine refuses
+    /// it.
+    void take(const std::string& name, std::shared_ptr<const Scene> scene);
     /// The scene's file once more, from its start, with the contenders as they are. Throws InputError, and
     /// changes nothing, where it is no good.
     void reload();
@@ -102,6 +106,8 @@ class Stage {
     [[nodiscard]] const std::vector<lab::Contender>& contenders() const { return contenders_; }
     [[nodiscard]] const Scene& scene() const { return *scene_; }
     [[nodiscard]] const std::string& scene_name() const { return name_; }
+    /// Neither a lesson's scene nor one that was drawn and never saved, whose name is "".
+    [[nodiscard]] bool is_from_file() const { return !is_lesson() && !name_.empty(); }
     /// Whether what is on show is a lesson's scene.
     [[nodiscard]] bool is_lesson() const { return before_lesson_.has_value(); }
     /// The longest of the contenders' steps, after which all of them meet, s.

@@ -40,6 +40,10 @@ void scene_chooser(const Panel& panel) {
     }
     tooltip(stage.scene().about.empty() ? "The scene on the table" : printable(stage.scene().about));
     note(panel.places, "Scene");
+    if (panel.button("All scenes", "With pictures and a sentence each (F3)", 0.5))
+        panel.controls.browse_wanted = true;
+    ImGui::SameLine();
+    if (panel.button("Draw", "Move, add and remove parts by hand (F4)")) panel.controls.edit_wanted = true;
 }
 
 void time_controls(const Panel& panel) {

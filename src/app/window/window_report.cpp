@@ -57,6 +57,8 @@ Json still(const Stage& stage, const WindowState& window, const WindowControls& 
     j["letters"] = controls.scale;
     j["artwork"] = controls.look.artwork;
     j["slow"] = window.slow;
+    j["edit"] = window.edit.empty() ? Json() : Json::parse(window.edit);
+    j["browser"] = window.browser;
     j["last_key"] = window.last_key;
     j["last_screenshot"] = window.last_screenshot;
     j["last_export"] = window.last_export;

@@ -25,6 +25,8 @@ struct WindowState {
     std::string last_game;    ///< the replay
     double charge = 0;
     std::string slow;            ///< as in Readings
+    std::string edit;            ///< what is drawn, as JSON; "" outside the edit mode
+    bool browser = false;        ///< all scenes are on show
     std::optional<Card> card;    ///< while one is open
     std::optional<GameEnd> end;  ///< of the game on show, once it is over
 };

@@ -1,0 +1,221 @@
+#include "app/window/browser/scene_browser.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/window/browser/thumbnail.hpp"
+#include "app/window/panel_parts.hpp"
+#include "lab/files/assets.hpp"
+#include "world/input_error.hpp"
+#include "world/json_file.hpp"
+#include "world/printable.hpp"
+#include "world/scene_file.hpp"
+
+namespace flipside::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t most_cards = 300;
+constexpr double card_width = 196, card_height = 268, picture_height = 170;  ///< px on an ordinary display
+
+/// Scenes in a folder by their ending and what they begin with: other JSON files are none.
+std::vector<fs::path> scenes_in(const fs::path& folder) {
+    std::vector<fs::path> files;
+    std::error_code failed;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, failed)) {
+        std::error_code unknown;
+        if (files.size() == most_cards || entry.path().extension() != ".json" ||
+            !entry.is_regular_file(unknown))
+            continue;
+        try {
+            if (read_file(entry.path()).find("\"flipside-scene/1\"") != std::string::npos)
+                files.push_back(entry.path());
+        } catch (const InputError&) {
+            continue;  // it cannot be read, so nobody knows that it is one
+        }
+    }
+    std::ranges::sort(files);
+    return files;
+}
+
+}  // namespace
+
+void SceneBrowser::open(const std::string& current) {
+    open_ = true;
+    warning_.clear();
+    chosen_.reset();
+    list(current);
+}
+
+void SceneBrowser::list(const std::string& current) {
+    cards_.clear();
+    marked_ = 0;
+    follow_ = true;
+    const auto add = [&](std::string scene, fs::path file) {
+        if (scene == current) marked_ = cards_.size();
+        Card card;
+        card.scene = std::move(scene);
+        card.file = std::move(file);
+        cards_.push_back(std::move(card));
+    };
+    const std::vector<std::string> names = lab::scene_names();
+    for (const std::string& name : names) add(name, lab::scene_file(name));
+    const bool known = current.empty() || std::ranges::find(names, current) != names.end();
+    std::error_code unknown;
+    const fs::path folder = known ? fs::current_path(unknown) : fs::absolute(current, unknown).parent_path();
+    for (const fs::path& file : scenes_in(folder)) {
+        const bool listed = std::ranges::any_of(
+            cards_, [&](const Card& card) { return fs::equivalent(card.file, file, unknown); });
+        if (!listed) add(file.string(), file);
+    }
+}
+
+void SceneBrowser::read_one(const Lettering& lettering) {
+    const auto next = std::ranges::find(cards_, false, &Card::read);
+    if (next != cards_.end()) read(*next, lettering);
+}
+
+void SceneBrowser::read(Card& card, const Lettering& lettering) {
+    card.read = true;
+    card.name = card.file.stem().string();
+    try {
+        const std::string text = read_file(card.file);
+        const auto scene = std::make_shared<const Scene>(parse_scene(text, card.file.string()));
+        if (!scene->name.empty()) card.name = scene->name;
+        card.about = scene->about;
+        std::shared_ptr<const sf::Texture>& picture = pictures_[text];
+        if (!picture)
+            picture =
+                thumbnail_of(scene, lettering, static_cast<unsigned>(lettering.scale() * (card_width - 16)),
+                             static_cast<unsigned>(lettering.scale() * picture_height));
+        card.picture = picture;
+    } catch (const std::exception& error) {
+        card.fault = error.what();
+    }
+}
+
+bool SceneBrowser::process(const sf::Event& event) {
+    if (event.type != sf::Event::KeyPressed) return event.type != sf::Event::KeyReleased;
+    if (cards_.empty()) return false;
+    const auto go = [&](std::ptrdiff_t by) {
+        const auto last = static_cast<std::ptrdiff_t>(cards_.size()) - 1;
+        marked_ = static_cast<std::size_t>(
+            std::clamp(static_cast<std::ptrdiff_t>(marked_) + by, std::ptrdiff_t{0}, last));
+        follow_ = true;
+    };
+    const auto row = static_cast<std::ptrdiff_t>(columns_);
+    using Key = sf::Keyboard;
+    switch (event.key.code) {
+        case Key::Left:
+            go(-1);
+            break;
+        case Key::Right:
+            go(1);
+            break;
+        case Key::Up:
+            go(-row);
+            break;
+        case Key::Down:
+            go(row);
+            break;
+        case Key::Enter:
+            chosen_ = marked_;
+            break;
+        case Key::Escape:
+        case Key::F3:
+            close();
+            break;
+        default:
+            return event.key.code != Key::F12;
+    }
+    return true;
+}
+
+bool SceneBrowser::draw_card(std::size_t i, double width, double height, ControlPlaces& places) {
+    const Card& card = cards_[i];
+    const float size = ImGui::GetFontSize(), pad = 0.55F * size;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const bool pressed =
+        ImGui::InvisibleButton(("##card" + std::to_string(i)).c_str(), imgui_vector(width, height));
+    if (ImGui::IsItemHovered() && (ImGui::GetIO().MouseDelta.x != 0 || ImGui::GetIO().MouseDelta.y != 0))
+        marked_ = i;
+    if (marked_ == i && std::exchange(follow_, false)) ImGui::SetScrollHereY(0.5F);
+    note(places, "scene card " + card.scene);
+    const ImVec2 end{corner.x + static_cast<float>(width), corner.y + static_cast<float>(height)};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(corner, end, ImGui::GetColorU32(imgui_color(colour::raised)), 0.3F * size);
+    if (marked_ == i)
+        list.AddRect(corner, end, ImGui::GetColorU32(imgui_color(colour::lit)), 0.3F * size, 0, 2);
+    float y = corner.y + pad;
+    if (card.picture) {
+        const sf::Vector2f pixels(card.picture->getSize());
+        const float left = corner.x + 0.5F * (static_cast<float>(width) - pixels.x);
+        const auto handle = static_cast<std::uintptr_t>(card.picture->getNativeHandle());
+        list.AddImage(reinterpret_cast<ImTextureID>(handle), {left, y}, {left + pixels.x, y + pixels.y});
+        y += pixels.y + 0.5F * pad;
+    }
+    const float room = static_cast<float>(width) - 2 * pad;
+    const std::string name = cut(printable(card.read ? card.name : card.file.stem().string()), room);
+    list.AddText({corner.x + pad, y}, ImGui::GetColorU32(ImGuiCol_Text), name.c_str());
+    y += 1.2F * size;
+    const std::string words = printable(card.fault.empty() ? card.about : card.fault);
+    const ImVec4 clip{corner.x + pad, y, end.x - pad, y + std::floor((end.y - y - 0.3F * pad) / size) * size};
+    list.AddText(ImGui::GetFont(), size, {clip.x, clip.y},
+                 ImGui::GetColorU32(card.fault.empty() ? ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled)
+                                                       : imgui_color(colour::warning)),
+                 words.c_str(), nullptr, room, &clip);
+    tooltip(words);
+    return pressed;
+}
+
+void SceneBrowser::draw_cards(ControlPlaces& places) {
+    const double scale = ImGui::GetFontSize() / (1.17 * small_type);
+    const double gap = 10 * scale, room = ImGui::GetContentRegionAvail().x;
+    columns_ = std::max<std::size_t>(1, static_cast<std::size_t>((room + gap) / (card_width * scale + gap)));
+    const auto columns = static_cast<double>(columns_);
+    const double width =
+        std::min(1.4 * card_width * scale, std::floor((room - gap * (columns - 1)) / columns));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, imgui_vector(gap, gap));
+    for (std::size_t i = 0; i < cards_.size(); ++i) {
+        if (i % columns_ != 0) ImGui::SameLine();
+        if (draw_card(i, width, card_height * scale, places)) chosen_ = marked_ = i;
+    }
+    ImGui::PopStyleVar();
+}
+
+std::optional<std::string> SceneBrowser::draw(const Rect& window, const Lettering& lettering,
+                                              ControlPlaces& places) {
+    read_one(lettering);
+    ImGui::SetNextWindowPos(imgui_vector(window.x, window.y));
+    ImGui::SetNextWindowSize(imgui_vector(window.width, window.height));
+    ImGui::SetNextWindowFocus();
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, imgui_color(colour::around));
+    ImGui::Begin("scenes", nullptr, docked & ~ImGuiWindowFlags_NoScrollbar);
+    ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[1]);
+    ImGui::TextUnformatted("Scenes");
+    ImGui::PopFont();
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("Arrows and Enter, or a click, open one; Esc goes back");
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - 4 * ImGui::GetFontSize());
+    if (ImGui::Button("Back")) close();
+    note(places, "Back");
+    if (!warning_.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(colour::warning));
+        ImGui::TextWrapped("%s", printable(warning_).c_str());
+        ImGui::PopStyleColor();
+    }
+    ImGui::BeginChild("cards", {0, 0}, false);
+    draw_cards(places);
+    ImGui::EndChild();
+    ImGui::End();
+    ImGui::PopStyleColor();
+    const auto chosen = std::exchange(chosen_, std::nullopt);
+    if (!chosen || !cards_[*chosen].fault.empty()) return std::nullopt;
+    return cards_[*chosen].scene;
+}
+
+}  // namespace flipside::app

@@ -1,0 +1,293 @@
+/// Drawing scenes in the real window by real clicks, drags and keys.
+
+#include <fstream>
+
+#include "app/window_fixture.hpp"
+#include "lab/files/assets.hpp"
+#include "world/json_file.hpp"
+
+namespace flipside::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+class EditWindow : public WindowTest {
+  protected:
+    void SetUp() override {
+        std::string name = (fs::temp_directory_path() / "flipside-drawn-XXXXXX").string();
+        ASSERT_NE(mkdtemp(name.data()), nullptr);
+        folder = name;
+    }
+    void TearDown() override {
+        WindowTest::TearDown();
+        fs::remove_all(folder);
+    }
+    /// A copy of a shipped scene, which may be written.
+    std::string copy_of(const std::string& scene) const {
+        const fs::path copy = folder / (scene + ".json");
+        fs::copy_file(lab::scene_file(scene), copy);
+        return copy.string();
+    }
+    Json edit(const std::string& what, const RealWindow::Condition& condition) {
+        return window->wait(what,
+                            [&](const Json& s) { return !s["edit"].is_null() && condition(s["edit"]); });
+    }
+    Json begin_edit() {
+        window->key("F4");
+        return edit("the edit mode", [](const Json&) { return true; });
+    }
+    /// A place of the table on the screen, as it is drawn now.
+    static std::string pixel(const Json& state, double x, double y) {
+        const Json &pane = state["layout"]["panes"][0], &center = state["center"];
+        const double scale = state["scale"];
+        const double px =
+            pane[0].get<double>() + 0.5 * pane[2].get<double>() + scale * (x - center[0].get<double>());
+        const double py =
+            pane[1].get<double>() + 0.5 * pane[3].get<double>() - scale * (y - center[1].get<double>());
+        return std::to_string(std::lround(px)) + ' ' + std::to_string(std::lround(py));
+    }
+    static std::string pixel(const Json& at) {
+        return std::to_string(std::lround(at[0].get<double>())) + ' ' +
+               std::to_string(std::lround(at[1].get<double>()));
+    }
+    void drag(const std::string& from, const std::string& to) const {
+        window->xdotool("mousemove " + from + " mousedown 1 mousemove " + to + " mouseup 1");
+    }
+    /// Presses the key of a tool, and drags from one place to the other.
+    Json draw(const std::string& letter, double ax, double ay, double bx, double by) {
+        window->key(letter);
+        const Json state = settled();
+        const std::size_t before = state["edit"]["parts"];
+        drag(pixel(state, ax, ay), pixel(state, bx, by));
+        return edit("one part more", [&](const Json& e) { return e["parts"] == before + 1; });
+    }
+    void type_into(const std::string& field, const std::string& text) {
+        const Json rect = scroll_to_field(field);
+        window->click(rect);
+        window->key("ctrl+a");
+        window->xdotool("type --delay 20 '" + text + "'");
+        window->key("Return");
+    }
+    Json scroll_to_field(const std::string& field) {
+        for (int i = 0; i < 8; ++i) {
+            const Json state = settled();
+            if (state["controls"].contains(field)) return state["controls"][field];
+            const Json panel = state["layout"]["panel"];
+            window->xdotool("mousemove " + std::to_string(panel[0].get<int>() + 4) + ' ' +
+                            std::to_string(panel[3].get<int>() / 2) + " click 5 click 5");
+        }
+        throw std::runtime_error(field + " is not to be seen");
+    }
+    /// The exit code of another run of the program.
+    static int run_program(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), FLIPSIDE_EXECUTABLE);
+        return Process(arguments).wait(60);
+    }
+    void save_as(const fs::path& file) {
+        window->key("ctrl+shift+s");
+        window->wait("the question for a name",
+                     [](const Json& s) { return s["controls"].contains("Save here"); });
+        type_name(file);
+    }
+    /// Into the field that has the keyboard, in place of what is proposed there.
+    void type_name(const fs::path& file) {
+        window->wait("the field", [](const Json& s) { return s["focus"] == "File"; });
+        window->now();
+        window->xdotool("type --delay 20 '" + file.string() + "'");
+        window->key("Return");
+    }
+
+    fs::path folder;
+};
+
+TEST_F(EditWindow, AnEndThatIsDraggedIsSavedAndNoOtherLetterChanges) {
+    const std::string file = copy_of("toy");
+    const std::string before = read_file(file);
+    open(file);
+    const Json state = begin_edit();
+    window->xdotool("mousemove " + pixel(state, 0.5, 0.032) + " click 1");
+    const Json picked =
+        edit("the floor", [](const Json& e) { return e["thing"].value("name", "") == "floor"; });
+    drag(pixel(picked["edit"]["handles"]["corner 1"]), pixel(picked, 0.9, 0.1));
+    const Json moved = edit("its other end", [](const Json& e) {
+        return e["thing"]["shape"]["b"] == Json{0.9, 0.1};
+    });
+    EXPECT_EQ(moved["edit"]["unsaved"], true);
+    window->key("ctrl+s");
+    edit("the file", [](const Json& e) { return e["unsaved"] == false; });
+    std::string wanted = before;
+    const std::string end = R"("b": [0.992, 0.032])";
+    wanted.replace(wanted.find(end), end.size(), R"("b": [0.9, 0.1])");
+    EXPECT_EQ(read_file(file), wanted);
+
+    window->key("F4");
+    const Json played = window->wait("the table", [](const Json& s) { return s["edit"].is_null(); });
+    EXPECT_EQ(played["panes"].size(), 2U);
+    EXPECT_LT(played["time"], 1);
+}
+
+TEST_F(EditWindow, ASceneIsDrawnFromNothingAndRunsOnAllEngines) {
+    open();
+    begin_edit();
+    click("New");
+    edit("an empty table", [](const Json& e) { return e["name"] == "" && e["parts"] == 0; });
+    // A box whose last corner is its first one.
+    window->key("l");
+    const Json empty = settled();
+    for (const auto& [x, y] : {std::pair{0.02, 0.9}, {0.02, 0.1}, {0.5, 0.1}, {0.5, 0.9}, {0.022, 0.898}})
+        window->xdotool("mousemove " + pixel(empty, x, y) + " click 1");
+    const Json box = edit("a box", [](const Json& e) { return e["parts"] == 1; });
+    EXPECT_EQ(box["edit"]["thing"]["shape"]["points"],
+              Json::parse("[[0.02,0.9],[0.02,0.1],[0.5,0.1],[0.5,0.9]]"));
+    EXPECT_EQ(box["edit"]["thing"]["shape"]["closed"], true);
+    // A wall that joins a corner, an arc, a bumper and a flipper.
+    const Json wall = draw("w", 0.3, 0.2, 0.498, 0.103);
+    EXPECT_EQ(wall["edit"]["thing"]["shape"]["b"], Json::parse("[0.5,0.1]"));
+    draw("a", 0.5, 0.7, 0.4, 0.8);
+    draw("c", 0.25, 0.6, 0.28, 0.6);
+    const Json flipper = draw("f", 0.1, 0.3, 0.17, 0.28);
+    EXPECT_EQ(flipper["edit"]["thing"]["motion"]["side"], "left");
+    window->key("b");
+    window->xdotool("mousemove " + pixel(settled(), 0.24, 0.8) + " click 1");
+    edit("a ball", [](const Json& e) { return e["balls"] == 1; });
+    EXPECT_TRUE(settled()["edit"]["problem"].is_null());
+
+    const fs::path file = folder / "drawn.json";
+    save_as(file);
+    edit("the file", [&](const Json& e) { return e["unsaved"] == false && e["name"] == file.string(); });
+    EXPECT_EQ(run_program({"check", file.string()}), 0);
+    for (const char* engine : {"custom", "box2d", "reference"})
+        EXPECT_EQ(run_program({"run", file.string(), "--engine", engine, "--seconds", "0.5", "--stats",
+                               (folder / "stats.json").string()}),
+                  0)
+            << engine;
+    window->key("F4");
+    const Json played = window->wait("a fall on both", [](const Json& s) {
+        return s["edit"].is_null() && s["time"] > 0.3 && s["panes"][1]["balls"].size() == 1;
+    });
+    EXPECT_EQ(played["scene"], file.string());
+    EXPECT_LT(played["panes"][0]["balls"][0]["velocity"][1], 0);
+    EXPECT_EQ(played["panes"][0]["flippers"].size(), 1U);
+}
+
+TEST_F(EditWindow, WhatIsWrongIsSaidAndUndone) {
+    open("drop");
+    const Json state = begin_edit();
+    // Beyond the bounds, and still in the pane.
+    const Json& pane = state["layout"]["panes"][0];
+    const std::string outside = pixel(Json{pane[0].get<double>() + 5, pane[1].get<double>() + 5});
+    window->key("Tab");
+    window->key("Tab");
+    const Json picked = edit("the ball", [](const Json& e) { return e["selected"][0] == "balls"; });
+    drag(pixel(picked["edit"]["handles"]["centre 0"]), outside);
+    edit("the fault", [](const Json& e) {
+        return !e["problem"].is_null() &&
+               e["problem"].get<std::string>().starts_with("a ball lies outside the bounds");
+    });
+    window->key("F4");
+    const Json refused = window->wait("a notice", [](const Json& s) { return s["notice"] != ""; });
+    EXPECT_FALSE(refused["edit"].is_null());
+    window->click(refused["controls"]["I see"]);
+    window->wait("no notice", [](const Json& s) { return s["notice"] == ""; });
+    window->key("ctrl+s");
+    window->wait("a refusal",
+                 [](const Json& s) { return s["notice"].get<std::string>().starts_with("Not saved"); });
+    window->key("ctrl+z");
+    edit("no fault", [](const Json& e) { return e["problem"].is_null() && e["unsaved"] == false; });
+    window->key("ctrl+shift+z");
+    edit("the fault again", [](const Json& e) { return !e["problem"].is_null(); });
+    window->key("ctrl+z");
+    window->key("Delete");
+    edit("no ball", [](const Json& e) { return e["balls"] == 0; });
+    window->key("F4");
+    window->wait("an empty table", [](const Json& s) {
+        return s["edit"].is_null() && s["panes"][0]["balls"].empty() && s["panes"][1]["balls"].empty();
+    });
+}
+
+TEST_F(EditWindow, NoFileIsWrittenOverThatIsNotItsOwn) {
+    const std::string shipped = read_file(lab::scene_file("drop"));
+    std::ofstream(folder / "other.json") << "somebody's";
+    open("drop");
+    begin_edit();
+    window->key("ctrl+d");
+    window->key("Tab");
+    window->key("ctrl+d");
+    edit("a change", [](const Json& e) { return e["unsaved"] == true; });
+    window->key("ctrl+s");
+    window->wait("the question for a name",
+                 [](const Json& s) { return s["controls"].contains("Save here"); });
+    EXPECT_EQ(read_file(lab::scene_file("drop")), shipped);
+    type_name(folder / "other.json");
+    const Json asked =
+        window->wait("a question", [](const Json& s) { return s["controls"].contains("Replace it"); });
+    EXPECT_EQ(asked["edit"]["unsaved"], true);
+    EXPECT_EQ(read_file(folder / "other.json"), "somebody's");
+    click("Replace it");
+    edit("the file", [](const Json& e) { return e["unsaved"] == false; });
+    EXPECT_EQ(run_program({"check", (folder / "other.json").string()}), 0);
+    // What somebody else writes there then is not lost either.
+    std::ofstream(folder / "other.json") << shipped;
+    window->key("ctrl+d");
+    window->key("ctrl+s");
+    window->wait("a question", [](const Json& s) { return s["controls"].contains("Replace it"); });
+    EXPECT_EQ(read_file(folder / "other.json"), shipped);
+}
+
+TEST_F(EditWindow, NumbersAreTypedExactly) {
+    open(copy_of("toy"));
+    const Json state = begin_edit();
+    window->xdotool("mousemove " + pixel(state, 0.5, 0.032) + " click 1");
+    edit("the floor", [](const Json& e) { return e["thing"].value("name", "") == "floor"; });
+    type_into("From x", "33.25");
+    edit("the number", [](const Json& e) { return e["thing"]["shape"]["a"] == Json{0.03325, 0.032}; });
+    type_into("Name", "bottom");
+    edit("the name", [](const Json& e) { return e["thing"]["name"] == "bottom"; });
+    window->key("ctrl+z");
+    window->key("ctrl+z");
+    edit("all as before", [](const Json& e) { return e["unsaved"] == false; });
+}
+
+TEST_F(EditWindow, UnsavedDrawingsAreNotLostAtOnce) {
+    open(copy_of("drop"));
+    begin_edit();
+    window->key("Tab");
+    window->key("Up");
+    edit("a change", [](const Json& e) { return e["unsaved"] == true; });
+    window->key("F4");
+    window->wait("the table", [](const Json& s) { return s["edit"].is_null(); });
+    window->key("Escape");
+    window->wait("a warning", [](const Json& s) {
+        return s["notice"].get<std::string>().find("not saved") != std::string::npos;
+    });
+    EXPECT_TRUE(window->program().running());
+    window->key("F4");
+    window->wait("the table", [](const Json& s) { return s["edit"].is_null(); });
+    window->key("F4");
+    edit("what was drawn", [](const Json& e) { return e["unsaved"] == true; });
+}
+
+TEST_F(EditWindow, TheBrowserOpensASceneByKeysAndByAClick) {
+    open("bowl");
+    window->key("F3");
+    const Json cards = window->wait("the scenes", [](const Json& s) {
+        return s["browser"] == true && s["controls"].contains("scene card toy");
+    });
+    const double time = cards["time"];
+    window->key("Right");
+    window->key("Return");
+    const Json box =
+        window->wait("box", [](const Json& s) { return s["browser"] == false && s["scene"] == "box"; });
+    EXPECT_LT(box["time"], time + 1);
+    window->key("F3");
+    window->wait("the scenes", [](const Json& s) { return s["controls"].contains("scene card toy"); });
+    window->click(settled()["controls"]["scene card toy"]);
+    window->wait("toy", [](const Json& s) { return s["browser"] == false && s["scene"] == "toy"; });
+    window->key("F3");
+    window->wait("the scenes", [](const Json& s) { return s["browser"] == true; });
+    window->key("Escape");
+    window->wait("toy again", [](const Json& s) { return s["browser"] == false && s["scene"] == "toy"; });
+}
+
+}  // namespace
+}  // namespace flipside::app
