@@ -52,5 +52,11 @@ TEST(Words, AreShortenedByWholeLettersToWhatFits) {
     EXPECT_EQ(shortened("", bytes(0)), "");
 }
 
+TEST(Words, PointsMayBeBelowZero) {
+    EXPECT_EQ(points_in_words(12345), "12,345");
+    EXPECT_EQ(points_in_words(0), "0");
+    EXPECT_EQ(points_in_words(-50), "−50");
+}
+
 }  // namespace
 }  // namespace flipside::app

@@ -103,7 +103,7 @@ void add_render(CLI::App& program, Action& chosen) {
         ->delimiter(',')
         ->allow_extra_args(false)
         ->type_name("A,B,...");
-    command.add_flag("!--no-artwork", options.artwork, "Parts and balls alone, on a plain ground");
+    command.add_flag("!--no-artwork", options.artwork, "Parts, lamps and balls alone, on a plain ground");
     command.add_option("--set", options.settings, "A setting; may be given several times")
         ->allow_extra_args(false)
         ->type_name("E.K=V");

@@ -48,6 +48,7 @@ GameEnd end_of(const Stage& stage) {
 }
 
 void enter_scores(const Stage& stage, HighScores& scores, GameEnd& end) {
+    if (!stage.gravity()) return;
     for (std::size_t i = 0; i < end.scores.size(); ++i) {
         const Run& run = stage.runs()[i];
         if (run.halt() || !run.played_by_hand()) continue;
@@ -61,7 +62,8 @@ namespace {
 
 class EndCard {
   public:
-    EndCard(Canvas& canvas, const GameEnd& end) : canvas_(canvas), end_(end) {}
+    EndCard(Canvas& canvas, const GameEnd& end)
+        : canvas_(canvas), end_(end), shown_(std::min<std::size_t>(3, end.high.size())) {}
 
     void draw(const Layout& layout) {
         const Rect& first = layout.panes.front();
@@ -69,6 +71,8 @@ class EndCard {
         const double left = first.x, right = std::max(first.x + first.width, last.x + last.width);
         const double top = first.y, bottom = last.y + last.height;
         width_ = std::min(canvas_.scaled(400), right - left - canvas_.scaled(16));
+        // In a low window what this game came to goes before those of other days.
+        if (height_of() > bottom - top) shown_ = 0;
         const double height = height_of();
         at_ = {std::round(0.5 * (left + right - width_)), std::round(0.5 * (top + bottom - height))};
         draw_ground(height);
@@ -94,12 +98,11 @@ class EndCard {
         const auto count = [](std::size_t n) { return static_cast<double>(n); };
         double sum = 2 * pad() + height(Type::title) + gap() + count(end_.scores.size()) * row();
         if (!end_.parted.empty()) sum += gap() + height(Type::small);
-        if (!end_.high.empty()) sum += rule_height() + (count(shown()) + 1) * height(Type::small);
+        if (shown_ > 0) sum += rule_height() + (count(shown_) + 1) * height(Type::small);
         return sum + rule_height() + height(Type::large);
     }
     [[nodiscard]] double row() const { return height(Type::large) + canvas_.scaled(6); }
     [[nodiscard]] double rule_height() const { return 2 * gap() + canvas_.scaled(1); }
-    [[nodiscard]] std::size_t shown() const { return std::min<std::size_t>(3, end_.high.size()); }
 
     void draw_ground(double height) {
         const double border = canvas_.scaled(1);
@@ -123,7 +126,7 @@ class EndCard {
             canvas_.rectangle(at_, at_ + Vec2{width_, row() - canvas_.scaled(2)},
                               with_alpha(score.color, 0.16));
         canvas_.rectangle(at_, at_ + Vec2{canvas_.scaled(3), row() - canvas_.scaled(2)}, score.color);
-        const std::string points = grouped(static_cast<std::uint64_t>(std::max(0L, score.points)));
+        const std::string points = points_in_words(score.points);
         const double y = canvas_.scaled(2), taken = canvas_.lettering().width(points, Type::large);
         const std::string name = canvas_.lettering().cut(score.name, Type::large, width_ - taken - 3 * inset);
         canvas_.text(at_ + Vec2{inset, y}, name, Type::large, score.color);
@@ -132,11 +135,11 @@ class EndCard {
         at_.y += row();
     }
     void draw_high_scores() {
-        if (end_.high.empty()) return;
+        if (shown_ == 0) return;
         rule();
         const bool enters = std::ranges::any_of(end_.scores, &GameEnd::Score::enters);
         line(enters ? "New high score" : "High scores", Type::small, enters ? colour::lit : colour::quiet);
-        for (std::size_t i = 0; i < shown(); ++i) {
+        for (std::size_t i = 0; i < shown_; ++i) {
             const HighScore& high = end_.high[i];
             const bool own = std::ranges::any_of(end_.scores, [&](const GameEnd::Score& score) {
                 return score.enters && score.points == high.score;
@@ -146,14 +149,15 @@ class EndCard {
             canvas_.text(at_ + Vec2{inset, 0}, std::to_string(i + 1) + "   " + high.date, Type::small,
                          own ? colour::lit : colour::quiet);
             canvas_.text(at_ + Vec2{0.5 * width_, 0}, high.engine, Type::small, color);
-            canvas_.text(at_ + Vec2{width_ - inset, 0}, grouped(static_cast<std::uint64_t>(high.score)),
-                         Type::small, color, Align::right);
+            canvas_.text(at_ + Vec2{width_ - inset, 0}, points_in_words(high.score), Type::small, color,
+                         Align::right);
             at_.y += height(Type::small);
         }
     }
 
     Canvas& canvas_;
     const GameEnd& end_;
+    std::size_t shown_;  ///< high scores
     Vec2 at_;
     double width_ = 0;
 };

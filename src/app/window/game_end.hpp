@@ -28,8 +28,8 @@ struct GameEnd {
 [[nodiscard]] bool is_over(const Stage& stage);
 /// Without high scores.
 [[nodiscard]] GameEnd end_of(const Stage& stage);
-/// A game enters the high scores where nothing but keys played it, at full speed, without going back. The
-/// reference's games are no less games.
+/// A game enters the high scores where nothing but keys played it, on the scene as it is, without going back.
+/// The reference's games are no less games.
 void enter_scores(const Stage& stage, HighScores& scores, GameEnd& end);
 
 /// In the middle of all panes.

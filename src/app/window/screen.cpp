@@ -117,11 +117,10 @@ void Screen::draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect&
 
 void Screen::draw_ground(sf::RenderTarget& target, const Camera& camera, const Run& run, const Look& look,
                          bool dimmed) {
-    if (look.artwork &&
-        ground_.draw(target, canvas_, run.session().shared_scene(), camera, dimmed || has_overlays(look)))
-        draw_inserts(canvas_, camera, ground_.inserts(), run);
-    else
-        draw_bare_ground(canvas_, camera, run.session().scene());
+    const std::shared_ptr<const Scene> scene = run.session().shared_scene();
+    if (!look.artwork || !ground_.draw(target, canvas_, scene, camera, dimmed || has_overlays(look)))
+        draw_bare_ground(canvas_, camera, *scene);
+    draw_inserts(canvas_, camera, ground_.inserts(scene), run);
 }
 
 /// What the rules have to tell, or else what the player can do. Where several runs are on one table each

@@ -109,7 +109,7 @@ void draw_see_tab(const Panel& panel) {
         panel.toggle(
             "Artwork", panel.controls.look.artwork,
             "Chart on the ground: the first line is where a ball's centre lies as it touches, each one\n"
-            "on is a radius farther. Lamps, shadows, trails and sparks; overlays dim it");
+            "on is a radius farther. Shadows, trails and sparks; overlays dim it");
         if (panel.controls.look.artwork && panel.controls.artwork_left_out)
             ImGui::TextWrapped("Artwork is left out for now: drawing takes too long");
         panel.toggle("Random colours", panel.controls.look.random_colours,

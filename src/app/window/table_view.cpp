@@ -8,6 +8,7 @@
 #include "app/window/contender_colour.hpp"
 #include "app/window/draw_shapes.hpp"
 #include "app/window/playfield/kickers.hpp"
+#include "app/window/playfield/plunger.hpp"
 
 namespace flipside::app {
 
@@ -26,7 +27,8 @@ ShapeStyle style_of(const Canvas& canvas, const Run& run, PartIndex index, const
         return {blend(colour::sensor, colour::lit, glow), with_alpha(colour::lit, 0.35 * glow), thin};
     }
     if (part.target && session.world().parts()[index].down)
-        return {with_alpha(colour::part, 0.35), with_alpha(colour::solid, 0.3), thin};
+        return {with_alpha(blend(colour::part, colour::lit, light), 0.35 + 0.65 * light),
+                with_alpha(blend(colour::solid, colour::lit, light), 0.3 + 0.7 * light), thin};
     if (scene.materials[part.material].kick > 0)
         return {blend(colour::kicker, colour::lit, light), blend(colour::solid, colour::kicker, 0.25 + light),
                 thick, light};
@@ -139,6 +141,7 @@ void draw_launcher(Canvas& canvas, const Camera& camera, const Run& run, const L
         canvas.disc(at, radius, colour::raised);
         canvas.ring(at, radius, canvas.scaled(1.2), colour::quiet);
     }
+    if (look.artwork && launcher.plunger) draw_plunger(canvas, camera, launcher, look.charge);
     const double reach = std::max(canvas.scaled(70), 8 * radius);
     if (look.charge > 0) {
         const Vec2 foot = at + (radius + canvas.scaled(5)) * perp(way);

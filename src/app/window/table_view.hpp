@@ -24,7 +24,7 @@ struct Sling {
 struct Look {
     Shows shows{1U << static_cast<unsigned>(Show::lights)};
     bool random_colours = false;    ///< each ball tinted by its number
-    bool artwork = true;            ///< chart, lamps, caps, shadows, trails and sparks
+    bool artwork = true;            ///< chart, caps, shadows, trails and sparks
     bool advice = true;             ///< to the player, who is absent from a film
     double charge = 0;              ///< 0…1, of the launch that is being held
     std::optional<Other> picked{};  ///< stands out

@@ -14,6 +14,11 @@ std::string grouped(std::uint64_t number) {
     return digits;
 }
 
+std::string points_in_words(long points) {
+    const auto size = static_cast<std::uint64_t>(points);
+    return points < 0 ? "−" + grouped(0 - size) : grouped(size);
+}
+
 std::string with_unit(double value, int digits, const std::string& unit, bool sign) {
     char number[64];
     std::snprintf(number, sizeof number, "%.*f", digits, std::abs(value));

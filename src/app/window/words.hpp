@@ -10,6 +10,8 @@ namespace flipside::app {
 
 /// "1,234,567".
 [[nodiscard]] std::string grouped(std::uint64_t number);
+/// "1,234", "−50".
+[[nodiscard]] std::string points_in_words(long points);
 /// `value` with `digits` after the point and a unit: "−0.25 m/s"; `sign` writes a plus too.
 [[nodiscard]] std::string with_unit(double value, int digits, const std::string& unit, bool sign = false);
 /// Three figures and the unit with the prefix that suits (p … k): "12.3 µs", "1.07 kJ", "0 J".

@@ -54,6 +54,7 @@ void Game::applied(const Control& control, double time) {
     if (answer == Tilt::Answer::warning) tell(CaptionKind::tilt_warning);
     if (answer != Tilt::Answer::tilted) return;
     drop_flippers_ = true;
+    held_[0] = held_[1] = false;
     turns_.forfeit();
     tell(CaptionKind::tilt);
 }
@@ -211,8 +212,8 @@ double Game::spinning(PartIndex spinner) const {
 }
 
 void Game::tell(CaptionKind kind, long value, long of) {
+    if (captions_.size() == most_captions) captions_.erase(captions_.begin());
     captions_.push_back({kind, time_, value, of});
-    if (captions_.size() > most_captions) captions_.pop_front();
 }
 
 }  // namespace flipside::lab

@@ -4,7 +4,6 @@
 /// Turns, groups of parts, spinners, tilt and ball search are files of their own; this one lets them play
 /// together.
 
-#include <deque>
 #include <memory>
 #include <optional>
 #include <span>
@@ -58,7 +57,7 @@ class Game {
     [[nodiscard]] int times() const { return times_; }
     [[nodiscard]] int searches() const { return search_.begun(); }
     /// The last ones, oldest first.
-    [[nodiscard]] const std::deque<Caption>& captions() const { return captions_; }
+    [[nodiscard]] const std::vector<Caption>& captions() const { return captions_; }
 
   private:
     /// What a ball's hit of a part, or its way over a sensor, means.
@@ -97,7 +96,7 @@ class Game {
     bool over_ = false;
     bool held_[2] = {false, false};  ///< flippers that were raised from outside, by Side
     bool drop_flippers_ = false;     ///< the tilt has yet to let them fall
-    std::deque<Caption> captions_;
+    std::vector<Caption> captions_;
 };
 
 }  // namespace flipside::lab

@@ -1,7 +1,6 @@
 #pragma once
 /// Lanes and targets: which parts were hit, and which groups are complete.
 
-#include <span>
 #include <vector>
 
 #include "world/scene.hpp"

@@ -25,6 +25,7 @@ void Turns::start_multiball(int balls, double time) {
 void Turns::forfeit() {
     save_until_ = -1;
     to_bring_ = 0;
+    fresh_ = false;
 }
 
 void Turns::brought(double time) {

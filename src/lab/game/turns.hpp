@@ -47,7 +47,6 @@ class Turns {
     /// The turn that is under way, or else the next one, from 1.
     [[nodiscard]] int number() const;
     [[nodiscard]] int turns() const { return turns_; }
-    [[nodiscard]] bool under_way() const { return open_; }
     [[nodiscard]] bool multiball() const { return multiball_; }
     /// Whether a ball that drains now is saved.
     [[nodiscard]] bool saves(double time) const { return time <= save_until_; }

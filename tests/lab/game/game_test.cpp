@@ -397,6 +397,16 @@ TEST_F(GameRules, NoBallIsSoughtThatAHeldFlipperOrTheLauncherHolds) {
     EXPECT_EQ(game.searches(), 0);
 }
 
+// The tilt let the flipper fall, whatever the player's finger does.
+TEST_F(GameRules, ABallIsSoughtAfterATiltThoughAKeyIsHeld) {
+    launch();
+    game.applied(control::Flip{Side::right, true}, time);
+    for (const double at : {0.1, 0.2, 0.3}) game.applied(control::Nudge{}, at);
+    see({}, 0.3);
+    see({}, 4.1);
+    EXPECT_EQ(game.searches(), 1);
+}
+
 TEST_F(GameRules, ATargetThatIsDownInAStateCountsAsHit) {
     State state;
     state.parts.resize(6);

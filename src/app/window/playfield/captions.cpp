@@ -21,10 +21,6 @@ double seconds_of(CaptionKind kind) {
     return kind < CaptionKind::lanes_complete ? short_seconds : long_seconds;
 }
 
-std::string points(long number) {
-    return (number < 0 ? "−" : "") + grouped(static_cast<std::uint64_t>(std::abs(number)));
-}
-
 std::string of_all(const char* what, const Caption& caption) {
     return what + std::to_string(caption.value) + " of " + std::to_string(caption.of);
 }
@@ -32,12 +28,12 @@ std::string of_all(const char* what, const Caption& caption) {
 /// Counts up, once for each time that it is paid.
 CaptionWords bonus(const Caption& caption, double age) {
     const long counted = std::clamp(1 + static_cast<long>(age / count_seconds), 1L, caption.of);
-    return {"Bonus " + points(counted * caption.value),
-            points(caption.value) + " × " + std::to_string(counted)};
+    return {"Bonus " + points_in_words(counted * caption.value),
+            points_in_words(caption.value) + " × " + std::to_string(counted)};
 }
 
 CaptionWords words_of(const Caption& caption, double age) {
-    const std::string paid = "+" + points(caption.value);
+    const std::string paid = "+" + points_in_words(caption.value);
     switch (caption.kind) {
         case CaptionKind::lane:
             return {of_all("Lanes ", caption), ""};

@@ -20,8 +20,12 @@ class Ground {
     /// it is `dimmed`. False, and nothing is drawn, where there is no picture of that size to be had.
     bool draw(sf::RenderTarget& target, Canvas& canvas, const std::shared_ptr<const Scene>& scene,
               const Camera& camera, bool dimmed);
-    /// Of the scene that was drawn last.
-    [[nodiscard]] std::span<const Insert> inserts() const { return inserts_; }
+    /// Of a scene, whether or not its ground is drawn.
+    [[nodiscard]] std::span<const Insert> inserts(const std::shared_ptr<const Scene>& scene) {
+        if (!scene->rules) return {};
+        if (scene != scene_) survey(scene);
+        return inserts_;
+    }
 
   private:
     void survey(const std::shared_ptr<const Scene>& scene);
