@@ -49,11 +49,12 @@ void Hearing::roll(const Stage& stage, bool moving, double speed, Mixer& mixer) 
     const auto& runs = stage.runs();
     for (std::size_t i = 0; i < Mixer::most_rolling; ++i) {
         Roll roll;
-        if (moving && i < runs.size() && i < listeners_.size() && !runs[i].halt())
+        if (moving && i < std::min(runs.size(), listeners_.size()) && !runs[i].halt()) {
             roll = listeners_[i].ear.roll(runs[i].session());
-        roll.speed *= share(runs.size());
-        roll.pitch = pitch_of_speed(speed);
-        roll.pan = pan_of(roll.pan, i, std::max(runs.size(), i + 1), stage.view());
+            roll.speed *= share(runs.size());
+            roll.pitch = pitch_of_speed(speed);
+            roll.pan = pan_of(roll.pan, i, runs.size(), stage.view());
+        }
         mixer.roll(i, roll);
     }
 }

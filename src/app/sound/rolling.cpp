@@ -11,7 +11,7 @@ namespace flipside::app::sound {
 
 namespace {
 
-constexpr double loudness = 0.012, loudest = 0.06;       ///< at 1 m/s, and at most; root mean square
+constexpr double loudness = 0.018, loudest = 0.09;       ///< at 1 m/s, and at most; root mean square
 constexpr double lowest = 60, higher = 90;               ///< Hz at rest, and more at 1 m/s
 constexpr double fastest = 8;                            ///< m/s, from where on the pitch stays
 constexpr double radius = 0.99;                          ///< of the poles: a broad band

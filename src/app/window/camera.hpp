@@ -1,7 +1,7 @@
 #pragma once
 /// Metres to pixels of a pane and back. Pixels count from the pane's top left corner, y down.
 
-#include "world/vec2.hpp"
+#include "world/scene.hpp"
 
 namespace flipside::app {
 
@@ -26,5 +26,10 @@ struct Camera {
 
     friend bool operator==(const Camera&, const Camera&) = default;
 };
+
+/// What a scene wants to be seen of it.
+[[nodiscard]] inline const Box& sight_of(const Scene& scene) {
+    return scene.camera ? *scene.camera : scene.bounds;
+}
 
 }  // namespace flipside::app

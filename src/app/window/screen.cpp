@@ -31,10 +31,6 @@ sf::View view_of(const sf::RenderTarget& target, const Rect& place) {
 
 }  // namespace
 
-const Box& sight_of(const Scene& scene) {
-    return scene.camera ? *scene.camera : scene.bounds;
-}
-
 Layout layout_of(const Stage& stage, double width, double height, double scale, Column column, bool step_bar,
                  double strip) {
     const int runs = static_cast<int>(stage.runs().size());

@@ -22,8 +22,6 @@ namespace flipside::app {
                                bool step_bar = false, double strip = 0);
 /// Around a table that fills its pane, px on an ordinary display.
 inline constexpr double pane_margin = 12;
-/// What a scene wants to be seen of it.
-[[nodiscard]] const Box& sight_of(const Scene& scene);
 
 /// Figures of the window itself that go with the stage.
 struct Readings {

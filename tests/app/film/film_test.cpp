@@ -128,6 +128,33 @@ TEST(Film, TheSoundOfALaunchIsAtItsTimeAtEveryRateAndTheSameTwice) {
     EXPECT_GT(sound::peak_of(samples), 1000);
 }
 
+TEST(Film, ARunThatHaltedInTheGameHaltsInTheFilmAndTheOthersGoOn) {
+    // Balls that press on each other are what the reference cannot go on with.
+    const std::string file = testing::TempDir() + "flipside-film-pile-" + std::to_string(getpid()) + ".json";
+    std::ofstream(file) << R"({"format": "flipside-scene/1", "name": "pile",
+        "bounds": {"min": [-1, -1], "max": [1, 1]}, "gravity": [0, -9.81],
+        "balls": [{"position": [0, 0.1], "radius": 0.1, "mass": 1},
+                  {"position": [0, 0.4], "radius": 0.1, "mass": 1}],
+        "materials": {"soft": {"restitution": 0}},
+        "parts": [{"name": "floor", "material": "soft",
+                   "shape": {"type": "segment", "a": [-1, 0], "b": [1, 0]}}]})";
+    Stage stage(file, "custom", View::split, {}, {}, {"custom=custom", "exact=reference"});
+    std::filesystem::remove(file);
+    stage.run_until(0.5);
+    const auto* exact = stage.exact();
+    ASSERT_TRUE(exact->halt());
+    const lab::Replay replay = stage.game();
+    ReplayStage again(replay, View::split, nullptr);
+    while (again.step()) {
+    }
+    EXPECT_EQ(again.parted(), nullptr);
+    ASSERT_TRUE(again.stage().exact()->halt());
+    EXPECT_EQ(again.stage().exact()->halt()->reason, exact->halt()->reason);
+    EXPECT_EQ(again.stage().exact()->halt()->time, exact->halt()->time);
+    EXPECT_FALSE(again.stage().lead().halt());
+    EXPECT_EQ(again.stage().time(), stage.time());
+}
+
 TEST(Film, AReplayWithoutStepsIsOneFrame) {
     Stage stage("drop", "custom", View::split, {}, {});
     const Shown film = shown(stage.game(), 60);

@@ -88,7 +88,7 @@ TEST(Mixer, NothingIsAllocatedWhileItPlays) {
     Samples samples(8192);
     const std::uint64_t before = lab::allocations();
     for (int i = 0; i < 100; ++i) {
-        for (int hit = 0; hit < 100; ++hit) mixer.strike({sources[hit % source_count], 1}, 0.01);
+        for (std::size_t hit = 0; hit < 100; ++hit) mixer.strike({sources[hit % source_count], 1}, 0.01);
         mixer.roll(0, {1, 0, 1});
         mixer.render(samples);
     }

@@ -28,7 +28,10 @@ class SoundWindow : public WindowTest {
             << "[general]\ndrivers = " << driver << "\n[wave]\nfile = " << wave().string() << "\n";
         setenv("ALSOFT_CONF", (folder / "openal.conf").c_str(), 1);
     }
-    void start() { window = std::make_unique<RealWindow>(std::vector<std::string>{"pinball"}, folder); }
+    void start() {
+        if (window) WindowTest::TearDown();
+        window = std::make_unique<RealWindow>(std::vector<std::string>{"pinball"}, folder);
+    }
     void end() {
         window->key("Escape");
         EXPECT_EQ(window->program().wait(60), 0);
@@ -86,7 +89,6 @@ TEST_F(SoundWindow, QMutesItAndItStaysMutedAtTheNextStart) {
     window->wait("some time", [](const Json& s) { return s["time"] > 2; });
     end();
     EXPECT_EQ(loudest(), 0);
-    WindowTest::TearDown();
     start();
     EXPECT_TRUE(window->now()["muted"]);
     click("Mute");

@@ -13,8 +13,8 @@ namespace flipside::app {
 struct Chart {
     /// Of a line of equal depth, between two sides of a cell.
     struct Stroke {
-        Vec2 a, b;  ///< m; on the line to rounding, where one part is nearest to both
-        int level;  ///< in intervals, from 1
+        Vec2 a, b;      ///< m; on the line to rounding, where one part is nearest to both
+        int level = 0;  ///< in intervals, from 1
     };
 
     static constexpr int levels = 12;
