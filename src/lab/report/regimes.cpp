@@ -207,10 +207,11 @@ std::string exceptions(const std::vector<Row>& rows, const std::string& usual, A
         if (best == nullptr || best->kind.engine == usual) continue;
         const Result* const mine = cheapest(
             row, [&](const Result& result) { return result.kind.engine == usual && is_good(result); });
-        text += (text.empty() ? "" : "; ") + row.with_balls() + ": " + best->kind.name;
+        text += (text.empty() ? "" : "; ") + row.with_balls() + " (" + best->kind.name;
         if (mine != nullptr)
-            text += " at " + with_interval(ratio_of(*best, *mine)) + " the cost of " + mine->kind.name +
-                    " (overlap " + digits(best->deepest) + " instead of " + digits(mine->deepest) + " radii)";
+            text += " at " + with_interval(ratio_of(*best, *mine)) + " the cost, overlap " +
+                    digits(best->deepest) + " instead of " + digits(mine->deepest) + " radii";
+        text += ")";
     }
     return text;
 }
