@@ -161,7 +161,8 @@ class ContinuousSolver {
     void tick(double time);
     void let_creep(double time);
     void solve_members(double time, double duration);
-    void take_in_overlapped(double time);
+    void take_in(BallIndex i, double time);
+    void take_in_pushed(double time);
     void gather(double time, double duration);
     void press_balls(BallIndex i, BallIndex j, double time, double duration);
     void press_parts(BallIndex i, double time, double duration);
@@ -257,7 +258,7 @@ class ContinuousSolver {
     bool any_awake_ = false;
     std::uint64_t events_ = 0, search_steps_ = 0;
     double next_tick_ = 0;
-    bool any_pressed_ = false;
+    bool any_pressed_ = false, any_creeps_ = false;
     std::uint32_t batch_ = 0;
 
     // Scratch, kept to save allocations.

@@ -30,14 +30,14 @@ void ContinuousSolver::tick(double time) {
     members_.clear(), creeping_.clear();
     const bool regular = time == next_tick_;
     next_tick_ = next_tick(time);
-    any_pressed_ = false;
+    any_pressed_ = any_creeps_ = false;
     std::uint64_t pressed = 0;
     for (BallIndex i = 0; i < movers_.size(); ++i) {
         Mover& mover = movers_[i];
         if (!flying_[i].pressed || mover.lost) continue;
         ++pressed;
         if (flying_[i].creeps && !mover.crushed && mover.way.until > time) {
-            any_pressed_ = true;
+            any_pressed_ = any_creeps_ = true;
             continue;
         }
         if (regular) mover.crushed = false;
@@ -53,16 +53,18 @@ void ContinuousSolver::tick(double time) {
         solve_members(time, duration);
         for (BallIndex k = 0; k < members_.size(); ++k) hop(members_[k], time, contact_solver_.bodies()[k]);
     }
-    members_.insert(members_.end(), creeping_.begin(), creeping_.end());
+    std::ranges::copy_if(creeping_, std::back_inserter(members_),
+                         [&](BallIndex i) { return flying_[i].creeps; });
     if (time > 0) predict_together(members_, time);
 }
 
 /// Solves the contacts of all members, over a tick of this length.
 void ContinuousSolver::solve_members(double time, double duration) {
     for (const BallIndex i : members_) flying_[i].solved = true;
+    take_in_pushed(time);
     gather(time, duration);
     while (!overlapped_.empty()) {
-        take_in_overlapped(time);
+        for (const BallIndex j : overlapped_) take_in(j, time);
         gather(time, duration);
     }
     contact_solver_.solve(duration, scene_.gravity);
@@ -95,23 +97,40 @@ void ContinuousSolver::let_creep(double time) {
         }
     }
     members_.resize(kept);
+    any_creeps_ = !creeping_.empty();
 }
 
-/// Moving members apart may press one into a ball that flies: no event undoes that, so it becomes a member.
-void ContinuousSolver::take_in_overlapped(double time) {
-    for (const BallIndex j : overlapped_) {
-        if (flying_[j].solved) continue;
-        move_to(j, time);
-        join(j, time);
-        flying_[j].creeps = false;
-        flying_[j].solved = true;
-        members_.push_back(j);
+/// Makes a ball a member that is solved now.
+void ContinuousSolver::take_in(BallIndex i, double time) {
+    if (flying_[i].solved) return;
+    move_to(i, time);
+    join(i, time);
+    flying_[i].creeps = false;
+    flying_[i].solved = true;
+    members_.push_back(i);
+}
+
+/// What creeps and is pushed by a member, faster than it may creep, creeps no more.
+void ContinuousSolver::take_in_pushed(double time) {
+    if (!any_creeps_) return;
+    for (std::size_t seen = 0; seen < members_.size(); ++seen) {
+        const Ball& ball = bodies_[members_[seen]];
+        cells_.each_near(members_[seen], [&](BallIndex j) {
+            if (!flying_[j].creeps || !layers_meet(ball, bodies_[j])) return;
+            const Ball& other = bodies_[j];
+            const Vec2 between = ball.position - movers_[j].way.path.position(time);
+            const double distance = length(between), gap = distance - ball.radius - other.radius;
+            const double near = press_distance * std::min(ball.radius, other.radius);
+            const double closing = -dot(ball.velocity - other.velocity, between) / distance;
+            if (gap < -near || (gap < near + slow_ * tick_length && !creeps_at(closing, other)))
+                take_in(j, time);
+        });
     }
-    std::ranges::sort(members_);
 }
 
 /// The bodies of all members, and the contacts that may press within the tick.
 void ContinuousSolver::gather(double time, double duration) {
+    std::ranges::sort(members_);
     contact_solver_.start();
     const TimeInterval interval(drive_.drag, duration);
     for (const BallIndex i : members_) {
@@ -152,8 +171,6 @@ void ContinuousSolver::press_balls(BallIndex i, BallIndex j, double time, double
     const bool deep = gap < -press_distance * std::min(a.radius, b.radius);
     const Vec2 other_velocity = b.asleep ? Vec2{} : b.velocity;
     const double closing = -dot(a.velocity - other_velocity, normal);
-    // What is pushed creeps no more.
-    if (creeps && (deep || !creeps_at(closing, b))) overlapped_.push_back(j);
     if (flies) {
         if (deep) overlapped_.push_back(j);
         return;
