@@ -130,6 +130,3 @@ sleep 1
 xdotool key Escape
 wait
 mv "$folder"/*.png docs/panel.png
-
-"$flipside" report --quick --out "$folder" >/dev/null
-cp "$folder/figures/work-pinball-1.png" docs/report.png
