@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <ranges>
 
 #include "lab/files/csv.hpp"
 #include "lab/files/csv_table.hpp"
@@ -255,7 +256,7 @@ Figure cost_figure(const std::vector<Row>& rows) {
         "what the balls do. Pointing at a mark tells its interval, its error and the deepest overlap: a "
         "ball that is let sink into another is cheap.",
         true};
-    for (auto row = rows.rbegin(); row != rows.rend(); ++row) figure.y.things.push_back(row->name());
+    for (const Row& row : rows | std::views::reverse) figure.y.things.push_back(row.name());
     std::map<std::string, std::size_t> of_engine;
     for (const Kind& kind : regimes::kinds()) {
         Series series = series_of(kind, of_engine[kind.engine]++);
