@@ -57,7 +57,7 @@ done
 echo "| regime | balls | contender | Debian's build, ns | without assertions, ns | ratio |"
 echo '|---|---|---|---|---|---|'
 awk -F ' *[|] *' '
-    $4 !~ /^Box2D/ { next }
+    $4 !~ /^box2d/ { next }
     { key = "| " $2 " | " $3 " | " $4 " |"; time = $6 + 0 }
     FILENAME ~ /with$/ { if (!(key in with)) keys[++n] = key; if (!(key in with) || time < with[key]) with[key] = time; next }
     !(key in without) || time < without[key] { without[key] = time }

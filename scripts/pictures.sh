@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Remakes the pictures of README.md in docs/ from the Release build, four by `flipside render`, one by the window
-# itself and one by `flipside report`; and docs/lessons, a picture of every lesson as the window shows it and an
+# Remakes the pictures of README.md in docs/ from the Release build, four by `flipside render` and one by the
+# window itself; and docs/lessons, a picture of every lesson as the window shows it and an
 # index of them, and docs/engine, the figures of docs/engine.md: the tables of some lessons without the lesson.
 # `scripts/pictures.sh lessons` makes the pictures of lessons alone, `scripts/pictures.sh lessons 05` one of them,
 # `scripts/pictures.sh engine` the figures alone. Needs no display.
@@ -130,6 +130,3 @@ sleep 1
 xdotool key Escape
 wait
 mv "$folder"/*.png docs/panel.png
-
-"$flipside" report --quick --out "$folder" >/dev/null
-cp "$folder/figures/work-pinball-1.png" docs/report.png

@@ -50,7 +50,7 @@ void add_report(CLI::App& program, Action& chosen) {
                     "Folders of one sweep (its shards), to be shown instead of measuring one")
         ->type_name("DIR...");
     add_libraries(command, options->engines);
-    command.add_flag("--quick", options->quick, "In two minutes instead of a quarter of an hour");
+    command.add_flag("--quick", options->quick, "In two minutes instead of half an hour");
     command.add_flag(
         "--redraw", options->redraw,
         "Measure nothing: draw the page and its figures again from the data in DIR, whichever build "

@@ -113,9 +113,10 @@ BorderRun ball_at_ball(double radii_per_step) {
 BorderRun step_of(double milliseconds) {
     BorderRun run = box(12 * r, 40 * r, 0.5, g);
     run.dt = milliseconds / 1000;
-    for (int i = 0; i < 20; ++i)
-        add_ball(run.scene, {(2 + 2.2 * (i % 4) + 0.3 * (i / 4 % 2)) * r, (12 + 2.5 * (i / 4)) * r}, {}, r,
-                 1);
+    for (int i = 0; i < 20; ++i) {
+        const int row = i / 4;
+        add_ball(run.scene, {(2 + 2.2 * (i % 4) + 0.3 * (row % 2)) * r, (12 + 2.5 * row) * r}, {}, r, 1);
+    }
     return run;
 }
 

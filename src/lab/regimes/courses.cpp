@@ -25,11 +25,15 @@ Course rain(int balls, std::vector<Regime> regimes) {
 Scene balls_at_rest(int balls) {
     Scene scene = empty_scene({0, -9.81});
     constexpr int in_a_row = 100;
-    for (int i = 0; i < balls; ++i) add_ball(scene, {0.3 * (i % in_a_row), 0.1 + i / in_a_row});
+    for (int i = 0; i < balls; ++i) {
+        const int row = i / in_a_row;
+        add_ball(scene, {0.3 * (i % in_a_row), 0.1 + row});
+    }
     const double width = 0.3 * in_a_row;
     for (int row = 0; row <= (balls - 1) / in_a_row; ++row)
         add_part(scene, segment({-1, static_cast<double>(row)}, {width, static_cast<double>(row)}));
-    scene.bounds = {{-2, -2}, {width + 1, 2.0 + balls / in_a_row}};
+    const int rows = balls / in_a_row;
+    scene.bounds = {{-2, -2}, {width + 1, 2.0 + rows}};
     return scene;
 }
 
@@ -41,7 +45,8 @@ Scene pinball_scene(int balls, double turn) {
     for (int i = 0; i < balls; ++i) {
         Ball ball = scene.launcher->ball;
         ball.number = static_cast<BallNumber>(i);
-        ball.position = middle + Vec2{0.031 * (i % 4) - 0.05, 0.1 + 0.031 * (i / 4)};
+        const int row = i / 4;
+        ball.position = middle + Vec2{0.031 * (i % 4) - 0.05, 0.1 + 0.031 * row};
         ball.velocity = 1.5 * from_angle(1 + i + turn);
         scene.balls.push_back(ball);
     }

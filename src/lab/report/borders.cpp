@@ -1,7 +1,7 @@
 #include "lab/borders/borders.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <ranges>
 
 #include "lab/files/csv.hpp"
 #include "lab/files/csv_table.hpp"
@@ -80,8 +80,7 @@ Figure reach_figure(const std::vector<Reaches>& all) {
         "better. Pointing at a mark tells where it breaks and how. A mark at the left edge holds nowhere.",
         true};
     const auto experiments = borders();
-    for (auto border = experiments.rbegin(); border != experiments.rend(); ++border)
-        figure.y.things.emplace_back(border->title);
+    for (const Border& border : experiments | std::views::reverse) figure.y.things.emplace_back(border.title);
     figure.x.floor = 1;
     for (const Reaches& one : all) {
         Series series = series_of(one.contender);

@@ -11,7 +11,8 @@ namespace flipside::lab::report {
 struct Effort {
     std::string name;     ///< data of one effort do not mix with those of another
     std::string warning;  ///< "" or what is to be known before anything is believed
-    std::string runs;     ///< what is run, in a sentence
+    std::string windows;  ///< what of a sweep is run, and
+    std::string runs;     ///< what else, in words
     std::vector<sweep::Variant> variants;
     bool quick_sweep;                   ///< as `flipside sweep --quick`
     double sweep_seconds;               ///< CPU time it takes, about
@@ -40,9 +41,8 @@ struct Effort {
 [[nodiscard]] inline Effort full_effort() {
     return {.name = "full",
             .warning = "",
-            .runs =
-                "every engine on up to 500 windows of each scene at steps from 1/30 to 1/7680 s, all hard "
-                "cases, regimes, borders and growth to 100,000 balls.",
+            .windows = "up to 500 windows of each scene at steps from 1/30 to 1/7680 s",
+            .runs = "all hard cases, regimes of up to 1,000 balls, borders, and growth to 100,000 balls.",
             .variants = sweep::standard_variants(),
             .quick_sweep = false,
             .sweep_seconds = 400,
@@ -51,9 +51,9 @@ struct Effort {
             .case_seconds = 30,
             .case_steps = {1. / 30, 1. / 60, 1. / 120, 1. / 240, 1. / 480, 1. / 960, 1. / 1920},
             .tuned = sweep::standard_variants(),
-            .tuning_windows = 10,
+            .tuning_windows = 25,
             .tuning_finest = 480,
-            .tuning_seconds = 30,
+            .tuning_seconds = 150,
             .most_regime_balls = 1000,
             .regime_repeats = 6,
             .energy_seconds = 6,
@@ -68,35 +68,36 @@ struct Effort {
             .most_pair_balls = 100'000};
 }
 [[nodiscard]] inline Effort quick_effort() {
-    return {.name = "quick",
-            .warning =
-                "A quick report: intervals are wide and times rough. Decide by a full one (without --quick).",
-            .runs =
-                "every engine on up to 40 windows of each scene at steps from 1/30 to 1/960 s, the hard "
-                "cases in short form, regimes, borders and growth to 3,200 balls.",
-            .variants = sweep::standard_variants(),
-            .quick_sweep = true,
-            .sweep_seconds = 60,
-            .cases = {},
-            .quick_cases = true,
-            .case_seconds = 2,
-            .case_steps = {1. / 30, 1. / 120, 1. / 480},
-            .tuned = {sweep::standard_variants().front()},
-            .tuning_windows = 10,
-            .tuning_finest = 480,
-            .tuning_seconds = 2,
-            .most_regime_balls = 500,
-            .regime_repeats = 3,
-            .energy_seconds = 3,
-            .gas_balls = 100,
-            .divergence_seconds = 5,
-            .rain_balls = 100,
-            .rain_seconds = 3,
-            .growth_balls = {100, 320, 1000, 3200},
-            .growth_seconds = 0.5,
-            .growth_limit = 3,
-            .pair_seconds = 10,
-            .most_pair_balls = 32'000};
+    return {
+        .name = "quick",
+        .warning =
+            "A quick report: intervals are wide and times rough. Decide by a full one (without --quick).",
+        .windows = "up to 40 windows of each scene at steps from 1/30 to 1/960 s",
+        .runs =
+            "the hard cases in short form, regimes of up to 500 balls, borders, and growth to 3,200 balls.",
+        .variants = sweep::standard_variants(),
+        .quick_sweep = true,
+        .sweep_seconds = 60,
+        .cases = {},
+        .quick_cases = true,
+        .case_seconds = 2,
+        .case_steps = {1. / 30, 1. / 120, 1. / 480},
+        .tuned = {sweep::standard_variants().front()},
+        .tuning_windows = 25,
+        .tuning_finest = 480,
+        .tuning_seconds = 2,
+        .most_regime_balls = 500,
+        .regime_repeats = 3,
+        .energy_seconds = 3,
+        .gas_balls = 100,
+        .divergence_seconds = 5,
+        .rain_balls = 100,
+        .rain_seconds = 3,
+        .growth_balls = {100, 320, 1000, 3200},
+        .growth_seconds = 0.5,
+        .growth_limit = 3,
+        .pair_seconds = 10,
+        .most_pair_balls = 32'000};
 }
 
 }  // namespace flipside::lab::report

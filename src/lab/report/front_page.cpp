@@ -1,5 +1,7 @@
 #include "lab/report/front_page.hpp"
 
+#include <cctype>
+
 #include "lab/report/html.hpp"
 #include "lab/report/markup.hpp"
 
@@ -7,9 +9,17 @@ namespace flipside::lab::report {
 
 namespace {
 
+/// No line ends within a number such as 4e-14.
+std::string unbroken(std::string text) {
+    for (std::size_t at = text.find("e-"); at != std::string::npos; at = text.find("e-", at + 1))
+        if (at > 0 && std::isdigit(static_cast<unsigned char>(text[at - 1])) != 0)
+            text.replace(at + 1, 1, "\u2011");
+    return text;
+}
+
 /// On a narrow screen a row becomes a card, and each cell needs its column's name.
 std::string pick_cell(const char* column, const std::string& text) {
-    return element("td", text, std::string("data-column=\"") + column + "\"");
+    return element("td", unbroken(text), std::string("data-column=\"") + column + "\"");
 }
 
 std::string picks_html(const Page& page) {

@@ -122,7 +122,7 @@ std::string link_to(const std::string& id, std::string_view text) {
 }
 
 std::string table_html(const Table& table) {
-    const std::string html = scrolling_table(table);
+    std::string html = scrolling_table(table);
     if (table.rows.size() <= most_open_rows) return html;
     return "<details>" +
            element("summary", table.title + ": " + std::to_string(table.rows.size()) + " rows") + "\n" +

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <ranges>
 
 #include "lab/files/csv.hpp"
 #include "lab/files/csv_table.hpp"
@@ -207,10 +208,11 @@ std::string exceptions(const std::vector<Row>& rows, const std::string& usual, A
         if (best == nullptr || best->kind.engine == usual) continue;
         const Result* const mine = cheapest(
             row, [&](const Result& result) { return result.kind.engine == usual && is_good(result); });
-        text += (text.empty() ? "" : "; ") + row.with_balls() + ": " + best->kind.name;
+        text += (text.empty() ? "" : "; ") + row.with_balls() + " (" + best->kind.name;
         if (mine != nullptr)
-            text += " at " + with_interval(ratio_of(*best, *mine)) + " the cost of " + mine->kind.name +
-                    " (overlap " + digits(best->deepest) + " instead of " + digits(mine->deepest) + " radii)";
+            text += " at " + with_interval(ratio_of(*best, *mine)) + " the cost, overlap " +
+                    digits(best->deepest) + " instead of " + digits(mine->deepest) + " radii";
+        text += ")";
     }
     return text;
 }
@@ -254,7 +256,7 @@ Figure cost_figure(const std::vector<Row>& rows) {
         "what the balls do. Pointing at a mark tells its interval, its error and the deepest overlap: a "
         "ball that is let sink into another is cheap.",
         true};
-    for (auto row = rows.rbegin(); row != rows.rend(); ++row) figure.y.things.push_back(row->name());
+    for (const Row& row : rows | std::views::reverse) figure.y.things.push_back(row.name());
     std::map<std::string, std::size_t> of_engine;
     for (const Kind& kind : regimes::kinds()) {
         Series series = series_of(kind, of_engine[kind.engine]++);

@@ -95,6 +95,12 @@ PageChapter drawn(const Chapter& chapter, const Data& data, const fs::path& pict
     return shown;
 }
 
+std::string list_of(const std::vector<fs::path>& folders) {
+    std::string list;
+    for (const fs::path& folder : folders) list += (list.empty() ? "" : ", ") + folder.string();
+    return list;
+}
+
 Page empty_page(const ReportInput& input, const Data& data, const std::string& commit) {
     Page page;
     page.title = "Flipside: which physics engine, which step, and how sure?";
@@ -108,8 +114,7 @@ Page empty_page(const ReportInput& input, const Data& data, const std::string& c
         "tell, overlapping by less than that.";
     page.facts = facts_of(data);
     const std::string date = page.facts.back().second;
-    std::string from;
-    for (const fs::path& folder : input.from) from += (from.empty() ? "" : ", ") + folder.string();
+    const std::string from = list_of(input.from);
     page.facts.emplace_back("Drawn with", gnuplot_version() + ", by commit " + build_commit());
     page.facts.emplace_back("Effort", input.effort.name + (from.empty() ? "" : "; sweep from " + from));
     page.cite =
@@ -119,10 +124,12 @@ Page empty_page(const ReportInput& input, const Data& data, const std::string& c
 }
 
 /// What was run and how long, as the data say.
-std::string work_done(const Data& data, const Effort& effort) {
+std::string work_done(const Data& data, const ReportInput& input, const std::string& from) {
+    const Effort& effort = input.effort;
     const Spent spent = data.spent();
-    return "Effort " + effort.name + ": " + effort.runs + " It took " + time_text(spent.cpu_seconds) +
-           " of CPU time on one thread" +
+    return "Effort " + effort.name + ": every engine on " +
+           (from.empty() ? effort.windows : "the windows of the sweep in " + from) + "; " + effort.runs +
+           " It took " + time_text(spent.cpu_seconds) + " of CPU time on one thread" +
            (spent.most_load > 0
                 ? ", with at most " + short_number(spent.most_load) +
                       " programs running at once on the machine's " +
@@ -135,7 +142,6 @@ std::string work_done(const Data& data, const Effort& effort) {
 
 std::vector<Chapter> chapters(const Effort& effort, const std::vector<fs::path>& from) {
     return {work_precision_chapter(effort, from),
-            tuning_chapter(effort),
             regime_chapter(effort),
             hard_case_chapter(effort),
             case_work_chapter(effort),
@@ -144,7 +150,8 @@ std::vector<Chapter> chapters(const Effort& effort, const std::vector<fs::path>&
             divergence_chapter(effort),
             penetration_chapter(effort),
             growth_chapter(effort),
-            broad_phase_chapter(effort)};
+            broad_phase_chapter(effort),
+            tuning_chapter(effort)};  // takes longest
 }
 
 void make_report(const ReportInput& input, const Watch& watch, const Notice& notice) {
@@ -173,7 +180,7 @@ void make_report(const ReportInput& input, const Watch& watch, const Notice& not
             notice(std::string(error.what()) + "; the chapter '" + chapter.title + "' is left out");
         }
     }
-    page.was_run = work_done(data, input.effort);
+    page.was_run = work_done(data, input, list_of(input.from));
     write_whole_file(input.out / "index.html", html_of(page));
 }
 

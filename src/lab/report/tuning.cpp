@@ -114,7 +114,8 @@ Content show_tuning(const Data& data, const std::vector<sweep::Variant>& variant
               ""};
     for (const sweep::Variant& variant : variants)
         for (const Engine* engine : to_be_tuned())
-            tell(told, CsvTable(data.path(file_of(variant, *engine)), data.read(file_of(variant, *engine))));
+            if (const std::string file = file_of(variant, *engine); data.has(file))
+                tell(told, CsvTable(data.path(file), data.read(file)));
     if (told.table.rows.empty()) return {};
     std::string finding = "Against the cheapest settings that a search finds for an error of at most " +
                           two_digits(good_enough) + " radii, beside ours as it comes:";
