@@ -5,6 +5,13 @@
 
 namespace flipside::reference {
 
+namespace {
+
+/// Surfaces nearer than this many radii count as touching.
+constexpr double touch_distance = 1e-4;
+
+}  // namespace
+
 template <class R>
 void Simulation<R>::read(std::vector<Ball>& balls) const {
     balls.clear();

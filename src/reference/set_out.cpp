@@ -57,7 +57,7 @@ template <class R>
 void Simulation<R>::come_out(Place i) {
     Mover& mover = movers_[i];
     // Radii; what is less is left to the flight, or to the heap.
-    const double deep = leans(i) ? touch_overlap : 1e-3;
+    const double deep = leans(i) ? heap_overlap : 1e-3;
     constexpr int most_rounds = 8;
     for (int round = 0; round < most_rounds; ++round) {
         Closest<R> deepest;

@@ -29,11 +29,9 @@
 
 namespace flipside::reference {
 
-/// Surfaces nearer than this many radii count as touching,
-constexpr double touch_distance = 1e-4;
-/// and so do balls at rest that overlap by less than this, as engines that only approximate leave their
-/// heaps.
-constexpr double touch_overlap = 1e-2;
+/// Balls of a heap touch what they rest on where they are no farther apart and no deeper in it, in radii: so
+/// far off do engines that approximate leave their heaps at rest.
+constexpr double heap_gap = 2e-3, heap_overlap = 1e-2;
 
 template <class R>
 class Simulation final : public Exact {
@@ -82,8 +80,9 @@ class Simulation final : public Exact {
         R until = infinity<R>();  ///< the path is good until then
         bool lets_go = false;     ///< and ends because the contact does
         FeatureIndex held[2] = {nothing, nothing};
-        V<R> held_normal;                   ///< of held[0], in the pose in which its part sees it
-        R held_force[2]{}, held_friction[2]{};  ///< N, where two parts hold it: normal, and along perp of that
+        V<R> held_normal;  ///< of held[0], in the pose in which its part sees it
+        R held_force[2]{},
+            held_friction[2]{};  ///< N, where two parts hold it: normal, and along perp of that
         std::optional<std::size_t> noted_rest;  ///< and its place in the certificate
         std::array<Glide, 4> glides{};          ///< what it flies along, held by nothing; more are ignored
         std::size_t glide_count = 0;
@@ -201,9 +200,8 @@ class Simulation final : public Exact {
 
     // Its path (set_out.cpp).
     void set_out(Place i);
-    /// Whether a gap is touching (m, of a ball with the radius): within 1e-4 radii apart and 1e-2 of overlap.
     [[nodiscard]] static bool in_touch(const R& gap, const R& radius) {
-        return gap <= touch_distance * radius && gap >= -touch_overlap * radius;
+        return gap <= heap_gap * radius && gap >= -heap_overlap * radius;
     }
     void find_path(Mover& mover);
     void come_out(Place i);

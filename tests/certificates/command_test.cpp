@@ -19,7 +19,8 @@ TEST_F(Certify, WritesWhatTheCheckerAccepts) {
     expect_good("certify drop --seconds 1 --out " + file("run.json"));
     EXPECT_EQ(check(file("run.json")), 0);
     // 1 m/9.81 m/s² falls for 0.452 s; the next impact is at 1.174 s.
-    EXPECT_NE(app::text_of(file("says")).find("accepted: 1 s, 1 balls, 2 segments (0 in contact, 0 at rest), 1 impacts"),
+    EXPECT_NE(app::text_of(file("says"))
+                  .find("accepted: 1 s, 1 balls, 2 segments (0 in contact, 0 at rest), 1 impacts"),
               std::string::npos)
         << app::text_of(file("says"));
     expect_good("certify rain --balls 20 --seconds 0.2 --set precision=53 --out " + file("rain.json"));

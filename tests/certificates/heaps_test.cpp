@@ -95,8 +95,8 @@ TEST(HeapCertificates, WithOtherDamageAreRejected) {
     expect(says([](HeapJson& r) { r["rests"] = HeapJson::array(); }), "flies by the equation of motion");
     expect(says([](HeapJson& r) { r["rests"][0]["until"] = 0.4; }), "rests as long as forces hold it");
     expect(says([](HeapJson& r) { r["balls"][1]["legs"][0]["velocity"] = {0, 1e-3}; }), "rests as long as");
-    // Farther apart than what counts as touching, 1e-4 radii, and deeper than 1e-2.
-    for (const double dy : {2e-5, -2e-3})
+    // Farther apart than what counts as touching, 2e-3 radii, and deeper than 1e-2.
+    for (const double dy : {3e-4, -2e-3})
         expect(says([&](HeapJson& r) {
                    HeapJson& y = r["balls"].back()["legs"][0]["position"][1];
                    y = y.get<double>() + dy;
@@ -119,6 +119,24 @@ TEST(HeapCertificates, ForcesActOnBothSides) {
     for (HeapJson& force : forces)
         if (force["other"] == -1) force["normal"] = heap_gravity;
     EXPECT_EQ(check_certificate(run.dump()).code, 1);
+    // Nor by a rest of its own beside that of the upper one.
+    HeapJson own = certified(column(2));
+    HeapJson rest = own["rests"][0];
+    rest["forces"] = {
+        {{"ball", 0}, {"other", -1}, {"primitive", 0}, {"normal", heap_gravity}, {"friction", 0.0}}};
+    own["rests"].insert(own["rests"].begin(), rest);
+    const Checked checked = check_certificate(own.dump());
+    EXPECT_EQ(checked.code, 1);
+    EXPECT_NE(checked.says.find("rests by one set of forces"), std::string::npos) << checked.says;
+}
+
+TEST(HeapCertificates, OnWhatCannotBeTouchedAreRejected) {
+    HeapJson run = certified(column(2));
+    run["parts"][0]["sensor"] = true;
+    EXPECT_NE(check_certificate(run.dump()).says.find("can be touched"), std::string::npos);
+    HeapJson layers = certified(column(2));
+    layers["balls"][1]["collides_with"] = 0;
+    EXPECT_NE(check_certificate(layers.dump()).says.find("can be touched"), std::string::npos);
 }
 
 }  // namespace

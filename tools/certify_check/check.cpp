@@ -12,7 +12,7 @@ constexpr double far = std::numeric_limits<double>::infinity();
 constexpr int order = 10, gap_order = 3;  // of expansions; what is far off needs no high one
 constexpr double gate_clearance = 1e-9;   // radii; how far off a gate lets go of a ball: the scenes' rules
 /// So far, in radii, balls of a heap may be off what they press on, or in it.
-constexpr double heap_gap = 1e-4, heap_overlap = 1e-2;
+constexpr double heap_gap = 2e-3, heap_overlap = 1e-2;
 
 /// Whether the layers of two are in each other's masks.
 bool meets(const auto& a, const auto& b) {
@@ -126,7 +126,8 @@ class Checker {
     }
     const Ball& ball_named(std::size_t number) const {
         const auto found = std::ranges::find(run_.balls, number, &Ball::number);
-        if (found == run_.balls.end()) reject("the ball that it touches is there", leg().start, 0);
+        if (found == run_.balls.end() || !meets(*ball_, *found))
+            reject("the ball that it touches can be touched", leg().start, 0);
         return *found;
     }
     Lie lie(const Leg& mine, const Other& other, const Jet& t) const {
@@ -145,6 +146,8 @@ class Checker {
                   const Vec* normal = {}) const {
         Other best;
         double least = far;
+        const Part& part = run_.parts.at(run_.primitives.at(primitive).part);
+        if (part.sensor || !meets(*ball_, part)) reject("the part that it touches can be touched", t, 0);
         for (const Feature& feature : features_.at(primitive)) {
             const Other one = feature_of(primitive, feature, turns);
             const Lie at = lie(mine, one, t);
@@ -334,14 +337,20 @@ class Checker {
         if (mu > 0) stays_above("slips one way", speed_, [&](const Jet& t) { return sign * slip(t); });
         stays_zero("friction against the slip", scale, spare(sign));
     }
-    /// The rest that names the ball at the time of the segment.
+    /// The one rest that names the ball at the time of the segment.
     const Rest* rest_of(const Leg& at) const {
-        for (const Rest& rest : run_.rests)
-            if ((rest.from < at.end && at.start < rest.until) ||
-                (is_still(at) && rest.from <= at.start && at.end <= rest.until))
-                for (const Force& force : rest.forces)
-                    if (force.ball == ball_->number || is(force.other, ball_->number)) return &rest;
-        return nullptr;
+        const Rest* found = nullptr;
+        for (const Rest& rest : run_.rests) {
+            const bool overlaps = rest.from < at.end && at.start < rest.until;
+            const bool covers = is_still(at) && rest.from <= at.start && at.end <= rest.until;
+            const bool names = std::ranges::any_of(rest.forces, [this](const Force& force) {
+                return force.ball == ball_->number || is(force.other, ball_->number);
+            });
+            if (!names || !(overlaps || covers)) continue;
+            if (found != nullptr && overlaps) reject("rests by one set of forces", at.start, 0);
+            if (found == nullptr) found = &rest;
+        }
+        return found;
     }
     static bool is_heap(const Rest& rest) {
         return std::ranges::any_of(rest.forces, [](const Force& force) { return force.other >= 0; });
