@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t most_cards = 300;
+constexpr std::size_t most_cards = 300, most_pictured = 50'000;
+constexpr std::uintmax_t largest_file = 4U << 20U;  ///< bytes, of what may be a scene
 constexpr double card_width = 196, card_height = 268, picture_height = 170;  ///< px on an ordinary display
 
 /// Scenes in a folder by their ending and what they begin with: other JSON files are none.
@@ -31,7 +32,7 @@ std::vector<fs::path> scenes_in(const fs::path& folder) {
             !entry.is_regular_file(unknown))
             continue;
         try {
-            if (read_file(entry.path()).find("\"flipside-scene/1\"") != std::string::npos)
+            if (read_file(entry.path(), largest_file).find("\"flipside-scene/1\"") != std::string::npos)
                 files.push_back(entry.path());
         } catch (const InputError&) {
             continue;  // it cannot be read, so nobody knows that it is one
@@ -87,7 +88,7 @@ void SceneBrowser::read(Card& card, const Lettering& lettering) {
         if (!scene->name.empty()) card.name = scene->name;
         card.about = scene->about;
         std::shared_ptr<const sf::Texture>& picture = pictures_[text];
-        if (!picture)
+        if (!picture && scene->parts.size() + scene->balls.size() <= most_pictured)
             picture =
                 thumbnail_of(scene, lettering, static_cast<unsigned>(lettering.scale() * (card_width - 16)),
                              static_cast<unsigned>(lettering.scale() * picture_height));
