@@ -313,7 +313,8 @@ TEST_F(EditWindow, NothingIsCutOffOrLiesOverAnotherInASmallWindow) {
     window->key("F3");
     window->wait("the scenes", [](const Json& s) { return s["browser"] == true; });
     Json cards = Json::object();
-    for (const auto& [name, rect] : settled()["controls"].items())
+    const Json browser = settled();
+    for (const auto& [name, rect] : browser["controls"].items())
         if (name.starts_with("scene card") || name == "Back") cards[name] = rect;
     EXPECT_GT(cards.size(), 4U);
     expect_apart({{"layout", table["layout"]}, {"controls", cards}});
