@@ -267,6 +267,59 @@ TEST_F(EditWindow, UnsavedDrawingsAreNotLostAtOnce) {
     edit("what was drawn", [](const Json& e) { return e["unsaved"] == true; });
 }
 
+/// Of what is picked; "" of what is no part.
+std::string shape_of(const Json& edited) {
+    return edited["thing"].value("/shape/type"_json_pointer, "");
+}
+
+/// Controls lie in the window, side by side.
+void expect_apart(const Json& state) {
+    const Json& window = state["layout"]["window"];
+    for (const auto& [name, a] : state["controls"].items()) {
+        EXPECT_GE(a[0], 0) << name;
+        EXPECT_LE(a[0].get<double>() + a[2].get<double>(), window[0].get<double>() + 0.5) << name;
+        for (const auto& [other, b] : state["controls"].items()) {
+            const auto meet = [&](std::size_t i) {
+                constexpr double touch = 0.5;
+                return a[i].get<double>() + touch < b[i].get<double>() + b[i + 2].get<double>() &&
+                       b[i].get<double>() + touch < a[i].get<double>() + a[i + 2].get<double>();
+            };
+            EXPECT_FALSE(name < other && meet(0) && meet(1)) << name << " and " << other;
+        }
+    }
+}
+
+TEST_F(EditWindow, NothingIsCutOffOrLiesOverAnotherInASmallWindow) {
+    open("pinball", "split", "custom", {"--width", "1024", "--height", "640"});
+    begin_edit();
+    const Json table = settled();
+    expect_apart(table);
+    for (const std::string_view kind : {"gate", "circle", "polygon", "flipper"}) {
+        for (Json edited = settled()["edit"]; shape_of(edited) != kind;) {
+            window->key("Tab");
+            edited = edit("the next thing",
+                          [&](const Json& e) { return e["selected"] != edited["selected"]; })["edit"];
+        }
+        const Json picked = settled();
+        expect_apart(picked);
+        for (const auto& [name, at] : picked["edit"]["handles"].items()) {
+            const Json& pane = picked["layout"]["panes"][0];
+            for (const std::size_t k : {0U, 1U}) {
+                EXPECT_GT(at[k].get<double>(), pane[k].get<double>()) << name;
+                EXPECT_LT(at[k].get<double>(), pane[k].get<double>() + pane[k + 2].get<double>()) << name;
+            }
+        }
+    }
+    window->key("F3");
+    window->wait("the scenes", [](const Json& s) { return s["browser"] == true; });
+    Json cards = Json::object();
+    const Json browser = settled();
+    for (const auto& [name, rect] : browser["controls"].items())
+        if (name.starts_with("scene card") || name == "Back") cards[name] = rect;
+    EXPECT_GT(cards.size(), 4U);
+    expect_apart({{"layout", table["layout"]}, {"controls", cards}});
+}
+
 TEST_F(EditWindow, TheBrowserOpensASceneByKeysAndByAClick) {
     open("bowl");
     window->key("F3");

@@ -26,6 +26,7 @@ bool App::may_discard(const std::string& to_do) {
     discarding_ = asked;
     controls_.notice = "\"" + editor_.draft().sketch().name +
                        "\" is not saved. Save it (Ctrl S), or do the same again to give it up.";
+    controls_.panel_open = true;  // where it is to be read
     browser_.warn(controls_.notice);
     return false;
 }
@@ -42,7 +43,7 @@ void App::begin_edit() {
     try {
         editor_.begin(stage_);
         editor_panel_.reset();
-        controls_.help_open = false;
+        controls_.help_open = controls_.by_keys = false;
         hand_ = {};
         mouse_.fit();
     } catch (const std::exception& error) {

@@ -6,6 +6,7 @@
 
 #include "lab/editor/reshape.hpp"
 #include "lab/editor/shape_json.hpp"
+#include "world/surface.hpp"
 
 namespace flipside::lab {
 
@@ -26,6 +27,14 @@ void set_arc(OrderedJson& arc, Vec2 a, Vec2 b, double sweep) {
     arc["radius"] = length_json(length(a - center));
     arc["from_deg"] = degrees_json(from);
     arc["to_deg"] = degrees_json(from + sweep);
+}
+
+bool is_end(const Handle& handle) {
+    return handle.role == Role::corner || handle.role == Role::arc_end;
+}
+
+bool lie_together(const Handle& a, const Handle& b) {
+    return length(a.at - b.at) <= joint_distance;
 }
 
 void append_corners(const OrderedJson& shape, std::vector<Handle>& handles) {
@@ -153,6 +162,32 @@ void pull_radius(OrderedJson& thing, Vec2 to) {
     shape["radius"] = length_json(radius);
 }
 
+/// Of the shapes of a compound, but not of compounds among them. Of ends that lie together one is enough.
+void append_members(const OrderedJson& members, std::vector<Handle>& handles) {
+    for (std::size_t i = 0; i < members.size(); ++i)
+        for (Handle handle : handles_of(members[i])) {
+            const bool seen = is_end(handle) && std::ranges::any_of(handles, [&](const Handle& other) {
+                                  return is_end(other) && lie_together(other, handle);
+                              });
+            handle.member = i;
+            if (!seen && type_of(members[i]) != "compound") handles.push_back(handle);
+        }
+}
+
+OrderedJson pulled_member(const OrderedJson& thing, const Handle& handle, Vec2 to) {
+    OrderedJson result = thing;
+    OrderedJson& members = shape_in(result)["of"];
+    for (std::size_t i = 0; i < members.size(); ++i)
+        for (Handle own : handles_of(members[i])) {
+            const bool same = own.is(handle.role, handle.index) && i == *handle.member;
+            if (!same && !(is_end(handle) && is_end(own) && lie_together(own, handle))) continue;
+            own.member.reset();
+            members[i] = pulled(members[i], own, to);
+            break;
+        }
+    return result;
+}
+
 }  // namespace
 
 double arrow_begin(const OrderedJson& ball) {
@@ -185,6 +220,8 @@ std::vector<Handle> handles_of(const OrderedJson& thing) {
         handles.push_back({Role::radius, 0, center + Vec2{value_of(shape, "radius"), 0}, center});
     } else if (type == "flipper") {
         append_flipper(thing, shape, handles);
+    } else if (type == "compound") {
+        append_members(shape.at("of"), handles);
     } else {
         append_corners(shape, handles);
         if (type == "capsule") {
@@ -198,6 +235,7 @@ std::vector<Handle> handles_of(const OrderedJson& thing) {
 }
 
 OrderedJson pulled(const OrderedJson& thing, const Handle& handle, Vec2 to) {
+    if (handle.member) return pulled_member(thing, handle, to);
     OrderedJson result = thing;
     OrderedJson& shape = shape_in(result);
     switch (handle.role) {
@@ -237,13 +275,15 @@ OrderedJson pulled(const OrderedJson& thing, const Handle& handle, Vec2 to) {
     return result;
 }
 
-OrderedJson with_sweep(const OrderedJson& thing, double degrees) {
+OrderedJson with_whole_sweep(const OrderedJson& thing, const Handle& handle, double degrees) {
     OrderedJson result = thing;
     OrderedJson& shape = shape_in(result);
-    if (type_of(shape) != "arc") return result;
-    const double from = angle_in(shape, "from_deg"), to = angle_in(shape, "to_deg");
-    if (to - from < whole * pi / 180)
-        set_arc(shape, arc_point(shape, from), arc_point(shape, to), degrees * pi / 180);
+    OrderedJson& arc = handle.member ? shape["of"][*handle.member] : shape;
+    const double from = angle_in(arc, "from_deg"), to = angle_in(arc, "to_deg");
+    if (to - from > whole * pi / 180) return result;
+    const double unit = degrees * pi / 180;
+    const double sweep = unit * std::clamp(std::round((to - from) / unit), 1.0, std::ceil(2 * pi / unit) - 1);
+    set_arc(arc, arc_point(arc, from), arc_point(arc, to), sweep);
     return result;
 }
 

@@ -25,17 +25,19 @@ struct Handle {
     Role role;
     std::size_t index = 0;
     Vec2 at;
-    std::optional<Vec2> anchor{};  ///< from which angles are measured
+    std::optional<Vec2> anchor{};         ///< from which angles are measured
+    std::optional<std::size_t> member{};  ///< of a compound, whose handle it is
 
     [[nodiscard]] bool is(Role of, std::size_t at_index) const { return role == of && index == at_index; }
 };
 
 /// Of a thing at one of these places of a document: "parts", "balls", "launcher" or "bounds".
 [[nodiscard]] std::vector<Handle> handles_of(const OrderedJson& thing);
-/// The thing when that handle of it is pulled there. What cannot be pulled so far gives way as far as it can.
+/// The thing when that handle of it is pulled there. In a compound the ends that lie there move along. What
+/// cannot be pulled so far gives way as far as it can.
 [[nodiscard]] OrderedJson pulled(const OrderedJson& thing, const Handle& handle, Vec2 to);
-/// An arc that turns by so many degrees between the same ends; anything else as it is.
-[[nodiscard]] OrderedJson with_sweep(const OrderedJson& thing, double degrees);
+/// The arc whose handle that is turns by the nearest multiple of so many degrees between the same ends.
+[[nodiscard]] OrderedJson with_whole_sweep(const OrderedJson& thing, const Handle& handle, double degrees);
 /// Without a corner, where enough of them are left.
 [[nodiscard]] OrderedJson without_corner(const OrderedJson& thing, std::size_t corner);
 

@@ -216,6 +216,27 @@ std::string spaced(const OrderedJson& json) {
     return json.is_object() ? "{" + text + "}" : "[" + text + "]";
 }
 
+std::string laid_out(const OrderedJson& json) {
+    const auto in_lines = [](const OrderedJson& container, const std::string& indent, const auto& write) {
+        std::string text;
+        for (const auto& entry : container.items()) {
+            text += (text.empty() ? "" : ",") + ("\n" + indent + "  ");
+            if (container.is_object()) text += json_text(OrderedJson(entry.key())) + ": ";
+            text += write(entry.value());
+        }
+        return container.is_object() ? "{" + text + "\n" + indent + "}" : "[" + text + "\n" + indent + "]";
+    };
+    const auto holds_things = [](const OrderedJson& value) {
+        return value.is_structured() && !value.empty() && value.front().is_structured() &&
+               !value.front().is_array();
+    };
+    return in_lines(json, "",
+                    [&](const OrderedJson& value) {
+                        return holds_things(value) ? in_lines(value, "  ", spaced) : spaced(value);
+                    }) +
+           "\n";
+}
+
 OrderedJson number(double value) {
     constexpr double exact = 1e15;  // all whole numbers below are doubles
     if (value == std::floor(value) && std::abs(value) < exact) return static_cast<std::int64_t>(value);

@@ -47,6 +47,9 @@ struct Splice {
 
 /// On one line, with a space after commas and colons; in ASCII.
 [[nodiscard]] std::string spaced(const OrderedJson& json);
+/// An object as a file for people: its entries in lines, and in those that hold several things, each of
+/// these.
+[[nodiscard]] std::string laid_out(const OrderedJson& json);
 /// A whole number is written as one.
 [[nodiscard]] OrderedJson number(double value);
 

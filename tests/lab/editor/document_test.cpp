@@ -103,6 +103,24 @@ TEST(Document, ForgetsTheOldestSteps) {
     EXPECT_EQ(document.json().at("x"), 9);
 }
 
+TEST(Document, IsLaidOutAsPeopleWriteIt) {
+    const OrderedJson json = OrderedJson::parse(
+        R"({"bounds":{"max":[1,1]},"materials":{"m":{"kick":1}},"parts":[{"name":"a"},{"name":"b"}],"balls":[]})");
+    EXPECT_EQ(laid_out(json), R"({
+  "bounds": {"max": [1, 1]},
+  "materials": {
+    "m": {"kick": 1}
+  },
+  "parts": [
+    {"name": "a"},
+    {"name": "b"}
+  ],
+  "balls": []
+}
+)");
+    EXPECT_EQ(OrderedJson::parse(laid_out(json)), json);
+}
+
 /// Every path into a document.
 void append_paths(const OrderedJson& json, const Path& path, std::vector<Path>& paths) {
     if (!path.empty()) paths.push_back(path);

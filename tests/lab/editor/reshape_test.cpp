@@ -1,4 +1,3 @@
-#include "lab/editor/handles.hpp"
 #include "lab/editor/reshape.hpp"
 
 #include <cmath>
@@ -7,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "lab/editor/handles.hpp"
 #include "lab/editor/palette.hpp"
 #include "lab/session/pick.hpp"
 #include "world/scene_file.hpp"
@@ -145,7 +145,11 @@ TEST(Reshape, TheBulgeOfAnArcKeepsItsEnds) {
     const OrderedJson inward = pulled(arc, middle, {0.4, 0.4});
     EXPECT_LT(length(joints_of(inward)[0] - Vec2{0, 1}), 1e-6) << "its ends change places";
     EXPECT_LT(length(joints_of(inward)[1] - Vec2{1, 0}), 1e-6);
-    const std::vector<Vec2> ends = joints_of(with_sweep(arc, 60));
+    const OrderedJson rounded = with_whole_sweep(pulled(arc, middle, {0.75, 0.73}), middle, 15);
+    const OrderedJson& shape = rounded.at("shape");
+    const double steps = (shape.at("to_deg").get<double>() - shape.at("from_deg").get<double>()) / 15;
+    EXPECT_NEAR(steps, std::round(steps), 1e-6);
+    const std::vector<Vec2> ends = joints_of(rounded);
     EXPECT_LT(length(ends[0] - Vec2{1, 0}) + length(ends[1] - Vec2{0, 1}), 1e-6);
 }
 
@@ -160,6 +164,26 @@ TEST(Reshape, AFlippersRaiseTurnsWithIt) {
         return p.at("motion").at("raised_deg").get<double>() - p.at("shape").at("rest_deg").get<double>();
     };
     EXPECT_NEAR(way(after), way(part), 1e-9);
+}
+
+TEST(Reshape, EndsThatLieTogetherInACompoundMoveTogether) {
+    const OrderedJson guide = OrderedJson::parse(R"({"name": "guide", "shape": {"type": "compound", "of": [
+        {"type": "segment", "a": [0, 0], "b": [0, 1]},
+        {"type": "arc", "center": [1, 1], "radius": 1, "from_deg": 90, "to_deg": 180},
+        {"type": "circle", "center": [0, 0], "radius": 0.1}]}})");
+    const std::vector<Handle> handles = handles_of(guide);
+    const auto joint = std::ranges::find_if(handles, [](const Handle& handle) {
+        return handle.role == Role::corner && length(handle.at - Vec2{0, 1}) < 1e-9;
+    });
+    ASSERT_NE(joint, handles.end());
+    EXPECT_EQ(
+        std::ranges::count_if(handles, [&](const Handle& h) { return length(h.at - joint->at) < 1e-9; }), 1);
+    const OrderedJson after = pulled(guide, *joint, {0.1, 0.8});
+    const OrderedJson& members = after.at("shape").at("of");
+    EXPECT_EQ(vector_of(members[0].at("b")), (Vec2{0.1, 0.8}));
+    EXPECT_LT(length(joints_of(members[1])[1] - Vec2{0.1, 0.8}), 1e-6);
+    EXPECT_LT(length(joints_of(members[1])[0] - Vec2{1, 2}), 1e-6);
+    EXPECT_EQ(members[2], guide.at("shape").at("of")[2]);
 }
 
 TEST(Reshape, KeysThatItDoesNotKnowStay) {

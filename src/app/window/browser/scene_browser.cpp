@@ -18,8 +18,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t most_cards = 300;
-constexpr double card_width = 196, card_height = 268, picture_height = 170;  ///< px on an ordinary display
+constexpr std::size_t most_cards = 300, most_pictured = 50'000;
+constexpr std::uintmax_t largest_file = 4U << 20U;  ///< bytes, of what may be a scene
+constexpr double card_width = 290, card_height = 336, picture_height = 196;  ///< px on an ordinary display
 
 /// Scenes in a folder by their ending and what they begin with: other JSON files are none.
 std::vector<fs::path> scenes_in(const fs::path& folder) {
@@ -31,7 +32,7 @@ std::vector<fs::path> scenes_in(const fs::path& folder) {
             !entry.is_regular_file(unknown))
             continue;
         try {
-            if (read_file(entry.path()).find("\"flipside-scene/1\"") != std::string::npos)
+            if (read_file(entry.path(), largest_file).find("\"flipside-scene/1\"") != std::string::npos)
                 files.push_back(entry.path());
         } catch (const InputError&) {
             continue;  // it cannot be read, so nobody knows that it is one
@@ -39,6 +40,22 @@ std::vector<fs::path> scenes_in(const fs::path& folder) {
     }
     std::ranges::sort(files);
     return files;
+}
+
+/// As many lines as fit above `bottom`, px; what does not ends in an ellipsis.
+void write_lines(ImDrawList& list, ImVec2 at, float room, float bottom, const std::string& words,
+                 ImU32 color) {
+    const float height = ImGui::GetFontSize();
+    const char* begin = words.c_str();
+    const char* const end = begin + words.size();
+    for (; begin < end && at.y + height <= bottom; at.y += height) {
+        const bool last = at.y + 2 * height > bottom;
+        const char* wrap = ImGui::GetFont()->CalcWordWrapPositionA(1, begin, end, room);
+        if (wrap == begin) ++wrap;
+        const std::string line = last ? cut({begin, end}, room) : std::string(begin, wrap);
+        list.AddText(at, color, line.c_str());
+        for (begin = last ? end : wrap; begin < end && *begin == ' ';) ++begin;
+    }
 }
 
 }  // namespace
@@ -87,7 +104,7 @@ void SceneBrowser::read(Card& card, const Lettering& lettering) {
         if (!scene->name.empty()) card.name = scene->name;
         card.about = scene->about;
         std::shared_ptr<const sf::Texture>& picture = pictures_[text];
-        if (!picture)
+        if (!picture && scene->parts.size() + scene->balls.size() <= most_pictured)
             picture =
                 thumbnail_of(scene, lettering, static_cast<unsigned>(lettering.scale() * (card_width - 16)),
                              static_cast<unsigned>(lettering.scale() * picture_height));
@@ -162,11 +179,9 @@ bool SceneBrowser::draw_card(std::size_t i, double width, double height, Control
     list.AddText({corner.x + pad, y}, ImGui::GetColorU32(ImGuiCol_Text), name.c_str());
     y += 1.2F * size;
     const std::string words = printable(card.fault.empty() ? card.about : card.fault);
-    const ImVec4 clip{corner.x + pad, y, end.x - pad, y + std::floor((end.y - y - 0.3F * pad) / size) * size};
-    list.AddText(ImGui::GetFont(), size, {clip.x, clip.y},
-                 ImGui::GetColorU32(card.fault.empty() ? ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled)
-                                                       : imgui_color(colour::warning)),
-                 words.c_str(), nullptr, room, &clip);
+    const ImU32 color = ImGui::GetColorU32(
+        card.fault.empty() ? ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled) : imgui_color(colour::warning));
+    write_lines(list, {corner.x + pad, y}, room, end.y - 0.3F * pad, words, color);
     tooltip(words);
     return pressed;
 }

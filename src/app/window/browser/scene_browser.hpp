@@ -31,8 +31,6 @@ class SceneBrowser {
     std::optional<std::string> draw(const Rect& window, const Lettering& lettering, ControlPlaces& places);
     /// What stands in the way of the choice, to be read here.
     void warn(std::string words) { warning_ = std::move(words); }
-    [[nodiscard]] std::size_t marked() const { return marked_; }
-    [[nodiscard]] std::size_t size() const { return cards_.size(); }
 
   private:
     struct Card {

@@ -33,13 +33,14 @@ void Editor::show(lab::Draft draft) {
 }
 
 void Editor::begin(const Stage& stage) {
-    if (draft_ && name_ == stage.scene_name() && unsaved()) {
+    const bool as_it_was = unsaved() || (draft_ && (own_ ? !file_changed() : name_.empty()));
+    if (as_it_was && name_ == stage.scene_name()) {
         on_ = true;
         return;
     }
     if (stage.is_from_file()) return begin_file(stage.scene_name());
     const std::string name = stage.scene_name();
-    show(lab::Draft(*stage.scene().document, name));
+    show(lab::Draft(lab::laid_out(lab::OrderedJson::parse(*stage.scene().document)), name));
     name_ = name;
     own_.reset();
 }
@@ -161,7 +162,7 @@ void Editor::keep_selection_valid() {
 
 void Editor::undo() {
     drag_.reset();
-    pen_.clear();
+    if (!pen_.empty()) return pen_.pop_back();
     draft_->undo();
     keep_selection_valid();
 }

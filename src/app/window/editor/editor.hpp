@@ -41,7 +41,6 @@ class Editor {
     bool process(const sf::Event& event, const Pointing& pointing);
 
     [[nodiscard]] const lab::Draft& draft() const { return *draft_; }
-    [[nodiscard]] bool has_draft() const { return draft_.has_value(); }
     /// Of the panel: within the step that is open.
     [[nodiscard]] lab::Draft& draft() { return *draft_; }
     /// The bounds, which is to say the table, where nothing is picked.

@@ -42,7 +42,7 @@ void corner_fields(const FieldSet& fields, const lab::Path& points) {
 void shape_fields(const FieldSet& fields, const lab::Path& shape) {
     const std::string type = *fields.find(shape / "type");
     if (type == "compound") {
-        ImGui::TextDisabled("Several shapes, moved as one.");
+        ImGui::TextDisabled("Several shapes as one; pull at their ends.");
         return;
     }
     if (type == "point") fields.pair(shape / "at", place_spec("At", "x and y, mm"));

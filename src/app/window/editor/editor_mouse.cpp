@@ -217,10 +217,7 @@ lab::OrderedJson Editor::pulled_to(Vec2 at, const lab::SnapRules& rules) {
         case lab::Role::arc_bulge: {
             const lab::OrderedJson arc = lab::pulled(drag_->before, handle, at);
             if (!rules.on) return arc;
-            const lab::OrderedJson& shape = arc.at("shape");
-            const double sweep = shape.at("to_deg").get<double>() - shape.at("from_deg").get<double>();
-            const double steps = std::clamp(std::round(sweep / lab::snap_degrees), 1.0, 23.0);
-            return lab::with_sweep(arc, steps * lab::snap_degrees);
+            return lab::with_whole_sweep(arc, handle, lab::snap_degrees);
         }
         default:
             target_ = lab::snap(at, drag_->ends, handle.anchor, rules);

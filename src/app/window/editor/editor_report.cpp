@@ -26,7 +26,8 @@ std::string state_of(const Editor& editor, const Rect& pane, const Camera& camer
     j["thing"] = thing == nullptr ? lab::OrderedJson() : *thing;
     j["handles"] = lab::OrderedJson::object();
     for (const lab::Handle& handle : editor.handles(camera, 1))
-        j["handles"][std::string(role_name(handle.role)) + ' ' + std::to_string(handle.index)] =
+        j["handles"][(handle.member ? "member " + std::to_string(*handle.member) + ' ' : "") +
+                     role_name(handle.role) + ' ' + std::to_string(handle.index)] =
             pixel(camera.to_pixels(handle.at));
     if (const auto turn = editor.turn_handle(camera, 1)) j["handles"]["turn"] = pixel(turn->at);
     const Scene& scene = editor.draft().sketch();

@@ -180,8 +180,9 @@ void draw_editor(sf::RenderTarget& target, Canvas& canvas, const Editor& editor,
     target.clear(colour::around);
     const Rect& pane = layout.panes.front();
     target.setView(view_of_pane(target, pane));
-    const bool good = !editor.draft().problem();
-    const Box bounds = good ? editor.draft().scene()->bounds : editor.draft().sketch().bounds;
+    // What the document does not list is generated.
+    const bool listed = editor.draft().find({Kind::bounds, 0}) != nullptr;
+    const Box bounds = listed ? editor.draft().sketch().bounds : editor.draft().scene()->bounds;
     const Vec2 low = camera.to_pixels(bounds.min), high = camera.to_pixels(bounds.max);
     canvas.rectangle({low.x, high.y}, {high.x, low.y}, colour::table);
     draw_grid(canvas, camera, bounds, editor.pitch);
