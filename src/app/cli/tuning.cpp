@@ -11,8 +11,8 @@ namespace flipside::app {
 
 namespace {
 
-using lab::tune::Judged;
 using lab::Median;
+using lab::tune::Judged;
 using lab::tune::Tuning;
 
 void print_judged(const char* role, const Judged& judged, double target, const std::optional<Median>& ratio) {
