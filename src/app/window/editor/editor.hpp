@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <SFML/Window/Event.hpp>
@@ -29,7 +30,9 @@ struct Pointing {
 /// What the mouse does while its button is down.
 struct EditDrag {
     enum class What { move, pull, turn };
-    What what = What::move;
+    EditDrag(What kind, lab::OrderedJson thing) : what(kind), before(std::move(thing)) {}
+
+    What what;
     lab::OrderedJson before;  ///< the thing
     lab::Handle handle;
     Vec2 from;   ///< m, where it was pressed

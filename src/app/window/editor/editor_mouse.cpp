@@ -91,9 +91,7 @@ bool Editor::press(Vec2 pixel, const Pointing& pointing) {
 }
 
 void Editor::begin_drag(EditDrag::What what, Vec2 pixel, const Pointing& pointing) {
-    drag_.emplace();
-    drag_->what = what;
-    drag_->before = *draft_->find(selected_);
+    drag_.emplace(what, *draft_->find(selected_));
     drag_->from = metres_at(pixel, pointing);
     drag_->pixel = pixel;
     drag_->ends = ends_but_of(selected_);
