@@ -316,7 +316,7 @@ TEST_F(EditWindow, NothingIsCutOffOrLiesOverAnotherInASmallWindow) {
     const Json browser = settled();
     for (const auto& [name, rect] : browser["controls"].items())
         if (name.starts_with("scene card") || name == "Back") cards[name] = rect;
-    EXPECT_GT(cards.size(), 4U);
+    EXPECT_GE(cards.size(), 4U) << "a row, and the way back";
     expect_apart({{"layout", table["layout"]}, {"controls", cards}});
 }
 

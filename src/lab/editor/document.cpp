@@ -10,9 +10,9 @@ Document::Document(std::string text) : text_(std::move(text)) {
 
 void Document::apply(std::vector<Splice> splices) {
     // From the last to the first, so that each finds its place.
-    for (auto splice = splices.rbegin(); splice != splices.rend(); ++splice) {
-        text_.replace(splice->at, splice->removed.size(), splice->inserted);
-        open_.push_back(std::move(*splice));
+    for (std::size_t i = splices.size(); i-- > 0;) {
+        text_.replace(splices[i].at, splices[i].removed.size(), splices[i].inserted);
+        open_.push_back(std::move(splices[i]));
     }
     if (!splices.empty()) read();
 }
@@ -55,8 +55,8 @@ void Document::run(const Step& step) {
 }
 
 void Document::run_back(const Step& step) {
-    for (auto splice = step.rbegin(); splice != step.rend(); ++splice)
-        text_.replace(splice->at, splice->inserted.size(), splice->removed);
+    for (std::size_t i = step.size(); i-- > 0;)
+        text_.replace(step[i].at, step[i].inserted.size(), step[i].removed);
     read();
 }
 

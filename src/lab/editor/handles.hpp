@@ -22,7 +22,7 @@ enum class Role {
 };
 
 struct Handle {
-    Role role;
+    Role role = Role::corner;
     std::size_t index = 0;
     Vec2 at;
     std::optional<Vec2> anchor{};         ///< from which angles are measured

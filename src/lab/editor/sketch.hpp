@@ -11,7 +11,7 @@ namespace flipside::lab {
 /// the schema.
 [[nodiscard]] Scene sketch_of(const OrderedJson& document);
 /// One shape of it.
-[[nodiscard]] Shape sketch_of_shape(const OrderedJson& shape);
+[[nodiscard]] Shape sketch_of_shape(const OrderedJson& json);
 
 [[nodiscard]] Vec2 vector_of(const OrderedJson& pair);
 [[nodiscard]] OrderedJson to_pair(Vec2 v);

@@ -42,19 +42,21 @@ std::vector<fs::path> scenes_in(const fs::path& folder) {
     return files;
 }
 
-/// As many lines as fit above `bottom`, px; what does not ends in an ellipsis.
+/// Broken between words. As many lines as fit above `bottom`, px; what does not ends in an ellipsis.
 void write_lines(ImDrawList& list, ImVec2 at, float room, float bottom, const std::string& words,
                  ImU32 color) {
     const float height = ImGui::GetFontSize();
-    const char* begin = words.c_str();
-    const char* const end = begin + words.size();
-    for (; begin < end && at.y + height <= bottom; at.y += height) {
+    for (std::size_t begin = 0; begin < words.size() && at.y + height <= bottom; at.y += height) {
         const bool last = at.y + 2 * height > bottom;
-        const char* wrap = ImGui::GetFont()->CalcWordWrapPositionA(1, begin, end, room);
-        if (wrap == begin) ++wrap;
-        const std::string line = last ? cut({begin, end}, room) : std::string(begin, wrap);
-        list.AddText(at, color, line.c_str());
-        for (begin = last ? end : wrap; begin < end && *begin == ' ';) ++begin;
+        std::size_t end = std::min(words.find(' ', begin), words.size());
+        for (std::size_t next = end; !last && next < words.size();) {
+            next = std::min(words.find(' ', next + 1), words.size());
+            if (ImGui::CalcTextSize(words.data() + begin, words.data() + next).x > room) break;
+            end = next;
+        }
+        if (last) end = words.size();
+        list.AddText(at, color, cut(words.substr(begin, end - begin), room).c_str());
+        begin = end + 1;
     }
 }
 

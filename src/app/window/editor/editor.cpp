@@ -1,6 +1,7 @@
 #include "app/window/editor/editor.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 #include "lab/files/assets.hpp"
 #include "lab/files/whole_file.hpp"
@@ -39,9 +40,8 @@ void Editor::begin(const Stage& stage) {
         return;
     }
     if (stage.is_from_file()) return begin_file(stage.scene_name());
-    const std::string name = stage.scene_name();
-    show(lab::Draft(lab::laid_out(lab::OrderedJson::parse(*stage.scene().document)), name));
-    name_ = name;
+    show(lab::Draft(lab::laid_out(lab::OrderedJson::parse(*stage.scene().document)), stage.scene_name()));
+    name_ = stage.scene_name();
     own_.reset();
 }
 
@@ -104,9 +104,11 @@ std::optional<Editor::TurnHandle> Editor::turn_handle(const Camera& camera, doub
     for (const lab::Handle& handle : lab::handles_of(*thing))
         far = std::max(far, length(camera.to_pixels(handle.at) - about) + scale * turn_beyond);
     const double reach = std::min(far, scale * 120);
-    // Across its direction, where no handle is.
+    // Across its direction, where no handle is: not on the side to which a flipper goes.
+    const auto* flip = std::get_if<motion::Flip>(&draft_->sketch().parts[selected_.index].motion);
     const double direction = lab::direction_of(*thing).value_or(0);
-    const Vec2 way = from_angle(direction + 1.5707963267948966);
+    const double side = flip != nullptr && flip->raised > direction ? -0.5 : 0.5;
+    const Vec2 way = from_angle(direction + side * std::numbers::pi);
     return TurnHandle{about, about + reach * Vec2{way.x, -way.y}};
 }
 

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <SFML/Window/Event.hpp>
@@ -24,6 +25,20 @@ struct Pointing {
     double scale = 1;        ///< of letters and controls
     bool unsnapped = false;  ///< Ctrl is held
     double now = 0;          ///< wall time, s
+};
+
+/// What the mouse does while its button is down.
+struct EditDrag {
+    enum class What { move, pull, turn };
+    EditDrag(What kind, lab::OrderedJson thing) : what(kind), before(std::move(thing)) {}
+
+    What what;
+    lab::OrderedJson before;  ///< the thing
+    lab::Handle handle;
+    Vec2 from;   ///< m, where it was pressed
+    Vec2 pixel;  ///< of the window
+    bool moved = false;
+    std::vector<Vec2> ends;  ///< to which it may join
 };
 
 class Editor {
@@ -88,16 +103,6 @@ class Editor {
     bool save_wanted = false, save_as_wanted = false;
 
   private:
-    struct Drag {
-        enum class What { move, pull, turn } what;
-        lab::OrderedJson before;  ///< the thing
-        lab::Handle handle{lab::Role::corner, 0, {}};
-        Vec2 from;   ///< m, where it was pressed
-        Vec2 pixel;  ///< of the window
-        bool moved = false;
-        std::vector<Vec2> ends;  ///< to which it may join
-    };
-
     void show(lab::Draft draft);
     bool press(Vec2 pixel, const Pointing& pointing);
     void move(Vec2 pixel, const Pointing& pointing);
@@ -115,7 +120,7 @@ class Editor {
     void drag_to(Vec2 at, const Pointing& pointing);
     [[nodiscard]] lab::OrderedJson pulled_to(Vec2 at, const lab::SnapRules& rules);
     [[nodiscard]] lab::OrderedJson turned_to(Vec2 at, bool snapping) const;
-    void begin_drag(Drag::What what, Vec2 pixel, const Pointing& pointing);
+    void begin_drag(EditDrag::What what, Vec2 pixel, const Pointing& pointing);
     [[nodiscard]] std::optional<lab::Handle> handle_at(Vec2 pixel, const Camera& camera, double scale) const;
     [[nodiscard]] std::optional<lab::Item> item_at(Vec2 at, double reach) const;
     [[nodiscard]] std::vector<Vec2> ends_but_of(const std::optional<lab::Item>& item) const;
@@ -131,7 +136,7 @@ class Editor {
     std::size_t tool_ = 0;  ///< of lab::tools()
     std::vector<Vec2> pen_;
     lab::Snapped target_;
-    std::optional<Drag> drag_;
+    std::optional<EditDrag> drag_;
     bool pressed_ = false;    ///< the left button, in the pane
     Vec2 pressed_pixel_;      ///< of the window
     double pressed_at_ = -1;  ///< s

@@ -72,28 +72,26 @@ bool Editor::press(Vec2 pixel, const Pointing& pointing) {
     }
     const Vec2 at = metres_at(pixel, pointing), in_pane = pixel - Vec2{pointing.pane.x, pointing.pane.y};
     if (const auto handle = handle_at(in_pane, pointing.camera, pointing.scale)) {
-        begin_drag(Drag::What::pull, pixel, pointing);
+        begin_drag(EditDrag::What::pull, pixel, pointing);
         drag_->handle = *handle;
         return true;
     }
     const auto turn = turn_handle(pointing.camera, pointing.scale);
     if (turn && length(turn->at - in_pane) < pointing.scale * close_pixels) {
-        begin_drag(Drag::What::turn, pixel, pointing);
+        begin_drag(EditDrag::What::turn, pixel, pointing);
         return true;
     }
     if (const auto item = item_at(at, pointing.scale * click_pixels / pointing.camera.scale)) {
         selected_ = *item;
-        begin_drag(Drag::What::move, pixel, pointing);
+        begin_drag(EditDrag::What::move, pixel, pointing);
         return true;
     }
     ground_ = true;
     return false;
 }
 
-void Editor::begin_drag(Drag::What what, Vec2 pixel, const Pointing& pointing) {
-    drag_.emplace();
-    drag_->what = what;
-    drag_->before = *draft_->find(selected_);
+void Editor::begin_drag(EditDrag::What what, Vec2 pixel, const Pointing& pointing) {
+    drag_.emplace(what, *draft_->find(selected_));
     drag_->from = metres_at(pixel, pointing);
     drag_->pixel = pixel;
     drag_->ends = ends_but_of(selected_);
@@ -165,10 +163,10 @@ void Editor::drag_to(Vec2 at, const Pointing& pointing) {
     const lab::SnapRules snapping = rules(pointing);
     lab::OrderedJson thing;
     switch (drag_->what) {
-        case Drag::What::pull:
+        case EditDrag::What::pull:
             thing = pulled_to(at, snapping);
             break;
-        case Drag::What::turn:
+        case EditDrag::What::turn:
             thing = turned_to(at, snapping.on);
             break;
         default: {
@@ -215,7 +213,7 @@ lab::OrderedJson Editor::pulled_to(Vec2 at, const lab::SnapRules& rules) {
             return lab::pulled(drag_->before, handle, anchor + (begin + far) * way);
         }
         case lab::Role::arc_bulge: {
-            const lab::OrderedJson arc = lab::pulled(drag_->before, handle, at);
+            lab::OrderedJson arc = lab::pulled(drag_->before, handle, at);
             if (!rules.on) return arc;
             return lab::with_whole_sweep(arc, handle, lab::snap_degrees);
         }

@@ -8,8 +8,8 @@ namespace flipside::app {
 
 /// Of a number: how it is shown, and what the form of the scene file permits of it.
 struct FieldSpec {
-    const char* label;
-    const char* meaning;
+    const char* label = "";
+    const char* meaning = "";
     const char* unit = "";
     double per_unit = 1;  ///< shown over stored: 1000 for mm
     double least = -1e9, most = 1e9;

@@ -14,8 +14,8 @@ namespace {
 struct Icon {
     ImDrawList& list;
     ImVec2 middle;
-    float unit;
-    ImU32 color;
+    float unit = 1;  ///< px
+    ImU32 color = 0;
 
     [[nodiscard]] ImVec2 at(float x, float y) const { return {middle.x + unit * x, middle.y + unit * y}; }
     void line(float ax, float ay, float bx, float by, float width = 2) const {
