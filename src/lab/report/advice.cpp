@@ -52,7 +52,7 @@ std::string leads(std::span<const Best> all) {
         list += kind_of(best.variant);
     }
     if (!text.empty()) text = " The best setting tried of any other engine costs " + text + ".";
-    if (!none.empty()) text += " No setting tried of another engine gets there on " + none + ".";
+    if (!none.empty()) text += " No setting tried of another engine surely gets there on " + none + ".";
     return text;
 }
 
@@ -75,7 +75,7 @@ Pick pick_of(const std::vector<sweep::Figures>& all, const Best& best) {
                 "",
                 ""};
     const sweep::Figures& f = *best.take;
-    const std::string none = "none comes within " + radii(good_enough) + " radii";
+    const std::string none = "none is surely within " + radii(good_enough) + " radii";
     return {kind_of(best.variant),
             f.contender + " at " + step_text(f.dt) + (ignores_step(all, f) ? " or any other step" : ""),
             colour_of(f.engine),

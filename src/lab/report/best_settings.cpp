@@ -74,7 +74,7 @@ bool ignores_step(std::span<const sweep::Figures> all, const sweep::Figures& one
         longest = std::max(longest, f.dt), shortest = std::min(shortest, f.dt);
     }
     constexpr double wide = 7.5;  // from 1/30 to 1/240 s, and rounding
-    return longest > wide * shortest && most <= 10 * least;
+    return longest > wide * shortest && most <= std::max(2 * least, sweep::exact_radii);
 }
 
 bool is_telling(const sweep::Figures& one, std::span<const Best> best) {

@@ -30,8 +30,8 @@ struct Best {
 /// refuses what it cannot do exactly.
 [[nodiscard]] std::vector<Best> best_settings(std::span<const sweep::Figures> all);
 
-/// Whether the error of this contender stays as it is, within a factor of ten, from its longest step to its
-/// shortest, which is an eighth of that or less.
+/// Whether the error of this contender is exact, or stays as it is within a factor of two, from its longest
+/// step to its shortest, which is an eighth of that or less.
 [[nodiscard]] bool ignores_step(std::span<const sweep::Figures> all, const sweep::Figures& one);
 
 /// What a figure shows at once: the first contender of each engine, and those that are best.
