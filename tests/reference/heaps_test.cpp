@@ -135,6 +135,20 @@ TEST(ReferenceHeaps, AreLookedAtAgainWhenABallGoes) {
     expect_says(refusal_of(*alone), "press on each other");
 }
 
+TEST(ReferenceHeaps, AreJoinedByABallThatIsLaidOnThem) {
+    const auto world = make_world(column(2));
+    run(*world, 0.1);
+    EXPECT_EQ(world->statistics().asleep, 2U);
+    Ball top = world->balls()[0];
+    top.position.y = 0.5;
+    world->add(top);
+    EXPECT_EQ(refusal_of(*world), "");
+    EXPECT_EQ(world->statistics().asleep, 3U);
+    top.position.y = 0.7 + 1e-2;  // falls on them
+    world->add(top);
+    expect_says(refusal_of(*world), "ball 3 hits ball 2 in a heap of 3 balls");
+}
+
 TEST(ReferenceHeaps, AreLookedAtAgainWhenWhatTheyLieOnMoves) {
     Scene scene = column(3);
     scene.parts.clear();
