@@ -13,7 +13,7 @@ namespace {
 constexpr double heap_g = 9.81;
 
 Scene with_floor(double friction) {
-    Scene scene = empty_scene({0, -g});
+    Scene scene = empty_scene({0, -heap_g});
     scene.materials[0].friction = friction;
     add_part(scene, segment({-9, 0}, {9, 0}), {"", 0.5, friction, 0});
     return scene;
@@ -34,7 +34,7 @@ Scene column(int balls, double gap = 0) {
 }
 /// Rows of balls in a V of 60° to each side, so that balls lie in a hexagonal grid against both walls.
 Scene groove(int rows, double friction) {
-    Scene scene = empty_scene({0, -g});
+    Scene scene = empty_scene({0, -heap_g});
     scene.materials[0].friction = friction;
     const double rise = std::sqrt(0.75);
     add_part(scene, {shape::Polyline{{{-1.5, 3 * rise}, {0, 0}, {1.5, 3 * rise}}, false}},
