@@ -6,7 +6,6 @@
 // parts alone are no heap.
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "reference/simulation.hpp"

@@ -109,7 +109,7 @@ RC_GTEST_PROP(Equilibrium, IsFoundWhereThereIsOne, ()) {
             weights[i] -= push;
             if (other != i) weights[other] += push;
         }
-    for (const Vec2& weight : weights) RC_PRE(length(weight) > 1e-3);
+    for (const Vec2& one : weights) RC_PRE(length(one) > 1e-3);
     const Imbalance left = find_equilibrium(weights, supports);
     RC_ASSERT(left.share <= balance_tolerance);
     RC_ASSERT(left_over(weights, supports) <= 2 * balance_tolerance);

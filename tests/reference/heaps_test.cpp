@@ -13,7 +13,7 @@ namespace {
 constexpr double heap_g = 9.81;
 
 Scene with_floor(double friction) {
-    Scene scene = empty_scene({0, -g});
+    Scene scene = empty_scene({0, -heap_g});
     scene.materials[0].friction = friction;
     add_part(scene, segment({-9, 0}, {9, 0}), {"", 0.5, friction, 0});
     return scene;
@@ -34,7 +34,7 @@ Scene column(int balls, double gap = 0) {
 }
 /// Rows of balls in a V of 60° to each side, so that balls lie in a hexagonal grid against both walls.
 Scene groove(int rows, double friction) {
-    Scene scene = empty_scene({0, -g});
+    Scene scene = empty_scene({0, -heap_g});
     scene.materials[0].friction = friction;
     const double rise = std::sqrt(0.75);
     add_part(scene, {shape::Polyline{{{-1.5, 3 * rise}, {0, 0}, {1.5, 3 * rise}}, false}},
@@ -133,6 +133,20 @@ TEST(ReferenceHeaps, AreLookedAtAgainWhenABallGoes) {
     run(*alone, 0.1);
     alone->remove(0);
     expect_says(refusal_of(*alone), "press on each other");
+}
+
+TEST(ReferenceHeaps, AreJoinedByABallThatIsLaidOnThem) {
+    const auto world = make_world(column(2));
+    run(*world, 0.1);
+    EXPECT_EQ(world->statistics().asleep, 2U);
+    Ball top = world->balls()[0];
+    top.position.y = 0.5;
+    world->add(top);
+    EXPECT_EQ(refusal_of(*world), "");
+    EXPECT_EQ(world->statistics().asleep, 3U);
+    top.position.y = 0.7 + 1e-2;  // falls on them
+    world->add(top);
+    expect_says(refusal_of(*world), "ball 3 hits ball 2 in a heap of 3 balls");
 }
 
 TEST(ReferenceHeaps, AreLookedAtAgainWhenWhatTheyLieOnMoves) {

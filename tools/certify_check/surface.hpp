@@ -96,7 +96,7 @@ inline std::vector<Feature> features_of(const Primitive& primitive, const Run& r
             const V n = (c * way + side * sqrt(squared - c * c) * perp(way)) / squared;
             features.push_back(line(at(0) + radius(0) * n, at(1) + radius(1) * n, true, true));
         }
-        for (const std::size_t i : {0, 1}) features.push_back(round(at(i), radius(i)));
+        for (const std::size_t i : {0U, 1U}) features.push_back(round(at(i), radius(i)));
     }
     if (features.empty()) throw std::runtime_error("a primitive of type '" + primitive.type + "'");
     return features;

@@ -71,8 +71,7 @@ TEST_P(EveryCaseWithAnOrder, passesOnTheReference) {
     const CaseResult result = run_case(*GetParam(), contender("reference"));
     const int number = GetParam()->number;
     // What it cannot do exactly it refuses, and says why.
-    if (result.verdict == Verdict::refused &&
-        (number == deep_overlap || number == crushed_ball)) {
+    if (result.verdict == Verdict::refused && (number == deep_overlap || number == crushed_ball)) {
         EXPECT_NE(result.reason.find("reference: "), std::string::npos) << result.reason;
         for (const CaseRow& row : result.rows) EXPECT_NE(row.verdict, Verdict::fail) << row.quantity;
         return;
