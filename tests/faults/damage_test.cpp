@@ -154,7 +154,7 @@ TEST_F(Damages, OfAReportAreNamedAndMeasuredAgain) {
     const auto unwatched = [](double) {};
     fs::create_directories(folder);
     Notices notices;
-    const Data data(folder, "tiny", notices.take());
+    const Data data(folder, "tiny", "unknown", notices.take());
     int tried = 0;
     for (const Chapter& chapter : chapters(tiny_effort(), {base / "whole" / "sweep-1"})) {
         if (chapter.measurements.empty()) continue;
