@@ -98,5 +98,22 @@ TEST_F(StageEdit, GivesTheSameRunAgain) {
         EXPECT_TRUE(std::ranges::equal(balls_of(stage.runs()[i]), balls_of(other.runs()[i])));
 }
 
+TEST_F(StageEdit, ASceneThatWasDrawnIsStartedOnAllContenders) {
+    ASSERT_TRUE(stage.is_from_file());
+    auto drawn = std::make_shared<Scene>(stage.scene());
+    drawn->balls[0].position = {0.25, 1};
+    stage.take("drop", drawn);
+    EXPECT_EQ(stage.time(), 0);
+    for (const auto& run : stage.runs()) EXPECT_EQ(balls_of(run)[0].position, (Vec2{0.25, 1})) << run.name();
+    ASSERT_EQ(stage.runs().size(), 3U);
+    // One that is in no file yet: its contenders are those of before.
+    stage.take("", drawn);
+    EXPECT_FALSE(stage.is_from_file());
+    EXPECT_EQ(stage.runs().size(), 3U);
+    EXPECT_EQ(stage.runs()[1].name(), "b");
+    stage.open("drop");
+    EXPECT_TRUE(stage.is_from_file());
+}
+
 }  // namespace
 }  // namespace flipside::app
