@@ -13,6 +13,7 @@
 #include "lab/regimes/measure.hpp"
 #include "lab/report/facts.hpp"
 #include "lab/statistics/median.hpp"
+#include "plugin/worker.hpp"
 
 namespace {
 
@@ -50,6 +51,7 @@ void show(const regimes::Course& course, const std::string& only, std::span<cons
 }  // namespace
 
 int main(int argc, char** argv) try {
+    if (flipside::plugin::is_engine_process(argc, argv)) flipside::plugin::run_engine_process(argv[2]);
     CLI::App app("Speed by regime, as a Markdown table");
     std::string only;
     std::vector<std::string> libraries;
