@@ -1,7 +1,6 @@
 #include "lab/borders/borders.hpp"
 
 #include <algorithm>
-#include <ranges>
 
 #include "lab/files/csv.hpp"
 #include "lab/files/csv_table.hpp"
@@ -80,7 +79,8 @@ Figure reach_figure(const std::vector<Reaches>& all) {
         "better. Pointing at a mark tells where it breaks and how. A mark at the left edge holds nowhere.",
         true};
     const auto experiments = borders();
-    for (const Border& border : experiments | std::views::reverse) figure.y.things.emplace_back(border.title);
+    for (const Border& border : experiments) figure.y.things.emplace_back(border.title);
+    std::ranges::reverse(figure.y.things);  // the first at the top
     figure.x.floor = 1;
     for (const Reaches& one : all) {
         Series series = series_of(one.contender);

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
-#include <ranges>
 
 #include "lab/files/csv.hpp"
 #include "lab/files/csv_table.hpp"
@@ -256,7 +255,8 @@ Figure cost_figure(const std::vector<Row>& rows) {
         "what the balls do. Pointing at a mark tells its interval, its error and the deepest overlap: a "
         "ball that is let sink into another is cheap.",
         true};
-    for (const Row& row : rows | std::views::reverse) figure.y.things.push_back(row.name());
+    for (const Row& row : rows) figure.y.things.push_back(row.name());
+    std::ranges::reverse(figure.y.things);  // the first at the top
     std::map<std::string, std::size_t> of_engine;
     for (const Kind& kind : regimes::kinds()) {
         Series series = series_of(kind, of_engine[kind.engine]++);
