@@ -114,8 +114,7 @@ void ReferenceWorld::begin_statistics() {
 
 void ReferenceWorld::restore(const State& state) {
     table_.restore(state);
-    balls_ = state.balls;
-    for (Ball& ball : balls_) ball.asleep = false;
+    balls_ = state.balls;  // which of them sleep is found in the next step
     events_.clear();
     begin_statistics();
     load();

@@ -325,11 +325,12 @@ TEST(Stage, WhatIsDoneInThePastForgetsWhatCameAfter) {
 class RefusedStage : public testing::Test {
   protected:
     void SetUp() override {
-        std::ofstream(file) << R"({"format": "flipside-scene/1", "name": "pile", "about": "One on the other.",
+        std::ofstream(file)
+            << R"({"format": "flipside-scene/1", "name": "pile", "about": "One on two, smooth: they slide apart.",
             "bounds": {"min": [-1, -1], "max": [1, 1]}, "gravity": [0, -9.81],
-            "balls": [{"position": [0, 0.1], "radius": 0.1, "mass": 1},
-                      {"position": [0, 0.4], "radius": 0.1, "mass": 1},
-                      {"position": [0, 0.9], "radius": 0.1, "mass": 1}],
+            "balls": [{"position": [-0.1, 0.1], "radius": 0.1, "mass": 1, "material": "soft"},
+                      {"position": [0.1, 0.1], "radius": 0.1, "mass": 1, "material": "soft"},
+                      {"position": [0, 0.4], "radius": 0.1, "mass": 1, "material": "soft"}],
             "materials": {"soft": {"restitution": 0}},
             "parts": [{"name": "floor", "material": "soft",
                        "shape": {"type": "segment", "a": [-1, 0], "b": [1, 0]}}]})";

@@ -10,8 +10,8 @@
 #include <span>
 #include <vector>
 
-#include "lab/scenes/dice.hpp"
 #include "lab/game/game.hpp"
+#include "lab/scenes/dice.hpp"
 #include "world/table.hpp"
 
 namespace flipside::lab::bot {

@@ -6,6 +6,7 @@
 
 #include "lab/editor/reshape.hpp"
 #include "lab/editor/shape_json.hpp"
+#include "world/math.hpp"
 #include "world/surface.hpp"
 
 namespace flipside::lab {
@@ -21,7 +22,7 @@ void set_arc(OrderedJson& arc, Vec2 a, Vec2 b, double sweep) {
     const Vec2 chord = b - a;
     const double half = 0.5 * sweep;
     // From the middle of the chord to the left of it, as far as the centre is.
-    const Vec2 center = 0.5 * (a + b) + 0.5 / std::tan(half) * perp(chord);
+    const Vec2 center = 0.5 * (a + b) + 0.5 * math::cos(half) / math::sin(half) * perp(chord);
     const double from = angle_of(a - center);
     arc["center"] = place_json(center);
     arc["radius"] = length_json(length(a - center));
@@ -117,7 +118,7 @@ void pull_bulge(OrderedJson& arc, Vec2 to) {
     const Vec2 a = arc_point(arc, from), b = arc_point(arc, from + sweep);
     // Height over the chord, to its right; four times the half angle's tangent is the sweep.
     const double height = dot(to - 0.5 * (a + b), -perp(unit(b - a)));
-    const double wanted = 4 * std::atan2(height, 0.5 * length(b - a));
+    const double wanted = 4 * math::atan2(height, 0.5 * length(b - a));
     constexpr double least = pi / 180;
     if (wanted >= 0) return set_arc(arc, a, b, std::clamp(wanted, least, 2 * pi - least));
     set_arc(arc, b, a, std::clamp(-wanted, least, 2 * pi - least));  // it bulges to the other side

@@ -43,7 +43,7 @@ void Data::write(const std::string& file, const std::string& text) const {
 Spent Data::spent() const {
     if (!has(spent_file)) return {};
     const CsvTable table(path(spent_file), read(spent_file));
-    return {table.finite(0, "cpu_seconds"), table.finite(0, "most_load")};
+    return {table.finite(0, "cpu_seconds"), table.finite(0, "cpu_most_load")};
 }
 
 void Data::spend(double cpu_seconds) const {
@@ -52,7 +52,7 @@ void Data::spend(double cpu_seconds) const {
     if (getloadavg(&load, 1) == 1) all.most_load = std::max(all.most_load, load);
     TextStream file;
     CsvRow row;
-    row.add("cpu_seconds").add("most_load").write(file);
+    row.add("cpu_seconds").add("cpu_most_load").write(file);
     row.add(all.cpu_seconds + cpu_seconds).add(all.most_load).write(file);
     write(spent_file, file.str());
 }

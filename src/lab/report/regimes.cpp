@@ -30,12 +30,12 @@ std::string file_of(std::size_t course) {
     return "regimes-" + std::to_string(course + 1) + ".csv";
 }
 
-/// CSV, a row per repeat: regime,balls,contender,failure,ns,own_ns,error,deepest,drift,lost.
+/// CSV, a row per repeat: regime,balls,contender,failure,cpu_ns,cpu_own_ns,error,deepest,drift,lost.
 std::string to_csv(const std::vector<Result>& results) {
     TextStream file;
     CsvRow row;
-    for (const char* column :
-         {"regime", "balls", "contender", "failure", "ns", "own_ns", "error", "deepest", "drift", "lost"})
+    for (const char* column : {"regime", "balls", "contender", "failure", "cpu_ns", "cpu_own_ns", "error",
+                               "deepest", "drift", "lost"})
         row.add(column);
     row.write(file);
     const double none = std::nan("");
@@ -88,13 +88,13 @@ std::vector<Result> read_results(const Data& data, const std::string& file, cons
                                *kind,
                                table.text(row, "failure"),
                                {},
-                               table.finite(row, "own_ns"),
+                               table.finite(row, "cpu_own_ns"),
                                std::isnan(error) ? std::nullopt : std::optional(error),
                                table.finite(row, "deepest"),
                                std::isnan(drift) ? std::nullopt : std::optional(drift),
                                table.count(row, "lost")});
         }
-        if (results.back().failure.empty()) results.back().nanoseconds.push_back(table.finite(row, "ns"));
+        if (results.back().failure.empty()) results.back().nanoseconds.push_back(table.finite(row, "cpu_ns"));
     }
     return results;
 }

@@ -32,8 +32,8 @@ class Drawing {
         constexpr int pieces = 32;
         for (int i = 0; i <= pieces; ++i) {
             const double angle = arc.from + (arc.to - arc.from) * i / pieces;
-            out_ << (i == 0 ? 'M' : 'L') << arc.center.x + arc.radius * std::cos(angle) << ' '
-                 << -(arc.center.y + arc.radius * std::sin(angle));
+            out_ << (i == 0 ? 'M' : 'L') << arc.center.x + arc.radius * math::cos(angle) << ' '
+                 << -(arc.center.y + arc.radius * math::sin(angle));
         }
         out_ << "\"/>\n";
     }

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "lab/sweep/contenders.hpp"
 #include "lab/statistics/median.hpp"
+#include "lab/sweep/contenders.hpp"
 #include "lab/tune/tuner.hpp"
 
 namespace flipside::lab::tune {

@@ -129,12 +129,13 @@ TEST(Film, TheSoundOfALaunchIsAtItsTimeAtEveryRateAndTheSameTwice) {
 }
 
 TEST(Film, ARunThatHaltedInTheGameHaltsInTheFilmAndTheOthersGoOn) {
-    // Balls that press on each other are what the reference cannot go on with.
+    // Balls that press on each other and move are what the reference cannot go on with.
     const std::string file = testing::TempDir() + "flipside-film-pile-" + std::to_string(getpid()) + ".json";
     std::ofstream(file) << R"({"format": "flipside-scene/1", "name": "pile",
         "bounds": {"min": [-1, -1], "max": [1, 1]}, "gravity": [0, -9.81],
-        "balls": [{"position": [0, 0.1], "radius": 0.1, "mass": 1},
-                  {"position": [0, 0.4], "radius": 0.1, "mass": 1}],
+        "balls": [{"position": [-0.1, 0.1], "radius": 0.1, "mass": 1, "material": "soft"},
+                  {"position": [0.1, 0.1], "radius": 0.1, "mass": 1, "material": "soft"},
+                  {"position": [0, 0.4], "radius": 0.1, "mass": 1, "material": "soft"}],
         "materials": {"soft": {"restitution": 0}},
         "parts": [{"name": "floor", "material": "soft",
                    "shape": {"type": "segment", "a": [-1, 0], "b": [1, 0]}}]})";

@@ -1,6 +1,7 @@
 #include "lab/regimes/measure.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -59,10 +60,11 @@ TEST(Regimes, TheCourseStopsWhereTheWatchSays) {
 }
 
 TEST(Regimes, AKindThatCannotRunTheCourseSaysWhyAndTheOthersGoOn) {
-    // The reference refuses two balls that lie on each other.
+    // The reference refuses a smooth pyramid, which slides apart.
     Scene scene = empty_scene({0, -9.81});
-    add_ball(scene, {0, 0.1});
-    add_ball(scene, {0, 0.3});
+    add_ball(scene, {-0.1, 0.1});
+    add_ball(scene, {0.1, 0.1});
+    add_ball(scene, {0, 0.1 + 0.1 * std::sqrt(3.0)});
     add_part(scene, segment({-5, 0}, {5, 0}));
     const auto shared = std::make_shared<const Scene>(scene);
     const Course course{
