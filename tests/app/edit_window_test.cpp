@@ -62,9 +62,10 @@ class EditWindow : public WindowTest {
         return edit("one part more", [&](const Json& e) { return e["parts"] == before + 1; });
     }
     void type_into(const std::string& field, const std::string& text) {
-        const Json rect = scroll_to_field(field);
-        window->click(rect);
-        window->key("ctrl+a");
+        window->click(scroll_to_field(field));
+        // A click picks all that is there; what is typed takes its place.
+        window->wait("the field", [&](const Json& s) { return s["focus"] == field; });
+        window->now();
         window->xdotool("type --delay 20 '" + text + "'");
         window->key("Return");
     }

@@ -21,7 +21,8 @@ void FieldSet::value(const char* id, const std::string& name, double before, con
                      std::size_t at, const FieldSpec& spec) const {
     double shown = before * spec.per_unit;
     const std::string format = std::string("%.7g") + (*spec.unit == '\0' ? "" : " ") + spec.unit;
-    if (ImGui::InputDouble(id, &shown, 0, 0, format.c_str()) && std::isfinite(shown)) {
+    if (ImGui::InputDouble(id, &shown, 0, 0, format.c_str(), ImGuiInputTextFlags_AutoSelectAll) &&
+        std::isfinite(shown)) {
         constexpr double per_unit = 1e9;  // what was typed in mm stays short in m
         const double typed = std::round(shown / spec.per_unit * per_unit) / per_unit;
         lab::OrderedJson written = lab::number(std::clamp(typed, spec.least, spec.most) + 0.0);
