@@ -36,7 +36,7 @@ std::string without_times(const std::string& csv) {
 /// have its end.
 bool is_of_times(const std::string& name) {
     for (const char* timed : {"figures/work-", "figures/case-", "figure-work-", "figure-case-", "growth-time",
-                              "pairs-time", "index.html"})
+                              "figures/regimes", "figure-regimes", "pairs-time", "index.html"})
         if (name.find(timed) != std::string::npos) return true;
     return false;
 }
