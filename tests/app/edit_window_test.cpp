@@ -273,6 +273,13 @@ std::string shape_of(const Json& edited) {
     return edited["thing"].value("/shape/type"_json_pointer, "");
 }
 
+/// Whether two rectangles meet along an axis: 0 for x, 1 for y.
+bool meet(const Json& a, const Json& b, std::size_t axis) {
+    constexpr double touch = 0.5;
+    return a[axis].get<double>() + touch < b[axis].get<double>() + b[axis + 2].get<double>() &&
+           b[axis].get<double>() + touch < a[axis].get<double>() + a[axis + 2].get<double>();
+}
+
 /// Controls lie in the window, side by side.
 void expect_apart(const Json& state) {
     const Json& window = state["layout"]["window"];
@@ -280,12 +287,7 @@ void expect_apart(const Json& state) {
         EXPECT_GE(a[0], 0) << name;
         EXPECT_LE(a[0].get<double>() + a[2].get<double>(), window[0].get<double>() + 0.5) << name;
         for (const auto& [other, b] : state["controls"].items()) {
-            const auto meet = [&](std::size_t i) {
-                constexpr double touch = 0.5;
-                return a[i].get<double>() + touch < b[i].get<double>() + b[i + 2].get<double>() &&
-                       b[i].get<double>() + touch < a[i].get<double>() + a[i + 2].get<double>();
-            };
-            EXPECT_FALSE(name < other && meet(0) && meet(1)) << name << " and " << other;
+            EXPECT_FALSE(name < other && meet(a, b, 0) && meet(a, b, 1)) << name << " and " << other;
         }
     }
 }

@@ -16,10 +16,12 @@ void add_manual(CLI::App& program, const std::string& released, Action& chosen) 
 }
 
 void add_completion(CLI::App& program, Action& chosen) {
-    auto shell = std::make_shared<std::string>();
     CLI::App& command = *program.add_subcommand(
         "completion", "Print a script that completes commands, options, scenes and settings in a shell");
-    command.add_option("shell", *shell, "The shell; for bash: `source <(flipside completion bash)`")
+    // There is one shell, so nothing depends on which it is.
+    command
+        .add_option_function<std::string>(
+            "shell", [](const std::string&) {}, "The shell; for bash: `source <(flipside completion bash)`")
         ->required()
         ->check(CLI::IsMember(std::vector<std::string>{"bash"}))
         ->type_name("SHELL");

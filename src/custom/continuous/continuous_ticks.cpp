@@ -113,9 +113,10 @@ void ContinuousSolver::take_in(BallIndex i, double time) {
 /// What creeps and is pushed by a member, faster than it may creep, creeps no more.
 void ContinuousSolver::take_in_pushed(double time) {
     if (!any_creeps_) return;
-    for (std::size_t seen = 0; seen < members_.size(); ++seen) {
-        const Ball& ball = bodies_[members_[seen]];
-        cells_.each_near(members_[seen], [&](BallIndex j) {
+    for (std::size_t seen = 0; seen < members_.size();) {
+        const BallIndex i = members_[seen++];
+        const Ball& ball = bodies_[i];
+        cells_.each_near(i, [&](BallIndex j) {
             if (!flying_[j].creeps || !layers_meet(ball, bodies_[j])) return;
             const Ball& other = bodies_[j];
             const Vec2 between = ball.position - movers_[j].way.path.position(time);
