@@ -21,7 +21,8 @@ std::vector<ContactForce> some_forces(double normal) {
 RC_GTEST_PROP(RememberedForces, FindsWhatALookAtEachFinds, ()) {
     const std::vector<ContactForce> forces = some_forces(1);
     RememberedForces known;
-    for (auto force = forces.rbegin(); force != forces.rend(); ++force) known.add(*force);
+    const std::vector<ContactForce> backwards(forces.rbegin(), forces.rend());
+    for (const ContactForce& force : backwards) known.add(force);
     known.settle();
     known.start();
     for (BallNumber b = 0; b < 12; b += *rc::gen::inRange<BallNumber>(1, 4)) {
