@@ -34,7 +34,7 @@ class Player {
     /// A flipper and the hand that works it.
     struct Finger {
         shape::Flipper flipper;
-        Side side;
+        Side side = Side::left;
         Vec2 along, up;           ///< units: from pivot to tip at rest; towards where it is raised to
         double aim = 0;           ///< distance from the pivot at which the next ball shall be hit, m
         double release_at = -1;   ///< s; negative while it is down
