@@ -176,7 +176,8 @@ RC_GTEST_PROP(DraftProperty, WhateverIsDrawnIsUndoneToTheByteAndSeenAsItIsRun, (
             problem = error.what();
         }
         RC_ASSERT(draft.problem().has_value() == !problem.empty());
-        RC_ASSERT(problem.empty() || problem.ends_with(draft.problem()->words));
+        RC_ASSERT(
+            (problem.empty() || problem.ends_with(draft.problem()->words)));  // in brackets, so that || stops
         // Its form stays that of the schema: only the meaning of what a hand draws can be at fault.
         RC_ASSERT(problem.find("schema") == std::string::npos);
     }
