@@ -63,7 +63,12 @@ TEST_F(TypingWindow, ControlsAreWorkedByKeysAlone) {
         return [control](const Json& s) { return s["focus"] == control; };
     };
     const auto walk_to = [&](const std::string& control, const std::string& key) {
-        for (int i = 0; i < 30 && window->now()["focus"] != control; ++i) window->key(key);
+        for (int i = 0; i < 30 && window->now()["focus"] != control; ++i) {
+            window->key(key);
+            // Until the key has been acted on and the report tells of it, however slow the machine is.
+            const long frame = window->now()["frame"];
+            window->wait("the key", [&](const Json& s) { return s["frame"] > frame + 3; });
+        }
         window->wait(control, focused(control));
     };
     walk_to("Pause", "Down");
