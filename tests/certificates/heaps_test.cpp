@@ -5,24 +5,18 @@
 #include <nlohmann/json.hpp>
 
 #include "checking.hpp"
+#include "heap_scenes.hpp"
 #include "world/scene_builder.hpp"
 
 namespace flipside {
 namespace {
 
 using HeapJson = nlohmann::json;
-constexpr double heap_gravity = 9.81;
 
 /// Balls in a groove of 60°, row by row, with a heavy one on top.
 Scene groove(int rows, double friction) {
-    Scene scene = empty_scene({0, -heap_gravity});
-    scene.materials[0].friction = friction;
-    const double rise = std::sqrt(0.75);
-    add_part(scene, {shape::Polyline{{{-1.5, 3 * rise}, {0, 0}, {1.5, 3 * rise}}, false}},
-             {"", 0.5, friction, 0});
-    for (int row = 0; row < rows; ++row)
-        for (int k = 0; k <= row; ++k) add_ball(scene, {0.1 * (2 * k - row), 0.2 + 0.2 * rise * row});
-    add_ball(scene, {0, 0.2 + 0.2 * rise * rows}, {}, 0.1, 50);
+    Scene scene = heap_in_groove(rows, friction);
+    add_ball(scene, {0, 0.2 + 0.2 * std::sqrt(0.75) * rows}, {}, 0.1, 50);
     scene.balls.back().position.x = rows % 2 == 0 ? 0 : 0.1;
     return scene;
 }

@@ -4,16 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include "heap_scenes.hpp"
 #include "reference/support.hpp"
 #include "world/refusal.hpp"
 
 namespace flipside::reference::test {
 namespace {
 
-constexpr double heap_g = 9.81;
-
 Scene with_floor(double friction) {
-    Scene scene = empty_scene({0, -heap_g});
+    Scene scene = empty_scene({0, -heap_gravity});
     scene.materials[0].friction = friction;
     add_part(scene, segment({-9, 0}, {9, 0}), {"", 0.5, friction, 0});
     return scene;
@@ -30,17 +29,6 @@ Scene column(int balls, double gap = 0) {
     Scene scene = with_floor(0);
     for (int i = 0; i < balls; ++i)
         add_ball(scene, {0, 0.1 + (0.2 + gap) * i}, {}, 0.1, i % 2 == 0 ? 1 : 1000);
-    return scene;
-}
-/// Rows of balls in a V of 60° to each side, so that balls lie in a hexagonal grid against both walls.
-Scene groove(int rows, double friction) {
-    Scene scene = empty_scene({0, -heap_g});
-    scene.materials[0].friction = friction;
-    const double rise = std::sqrt(0.75);
-    add_part(scene, {shape::Polyline{{{-1.5, 3 * rise}, {0, 0}, {1.5, 3 * rise}}, false}},
-             {"", 0.5, friction, 0});
-    for (int row = 0; row < rows; ++row)
-        for (int k = 0; k <= row; ++k) add_ball(scene, {0.1 * (2 * k - row), 0.2 + 0.2 * rise * row});
     return scene;
 }
 
@@ -70,9 +58,9 @@ TEST(ReferenceHeaps, StayWhereTheyAreInEquilibrium) {
     EXPECT_EQ(refusal_of(column(2)), "");
     EXPECT_EQ(refusal_of(column(10)), "");  // heavy on light
     EXPECT_EQ(refusal_of(pyramid(0.3)), "");
-    EXPECT_EQ(refusal_of(groove(2, 0)), "");  // a ball on two that rest in a groove
-    EXPECT_EQ(refusal_of(groove(6, 0)), "");
-    EXPECT_EQ(refusal_of(groove(6, 0.4)), "");
+    EXPECT_EQ(refusal_of(heap_in_groove(2, 0)), "");  // a ball on two that rest in a groove
+    EXPECT_EQ(refusal_of(heap_in_groove(6, 0)), "");
+    EXPECT_EQ(refusal_of(heap_in_groove(6, 0.4)), "");
 }
 
 TEST(ReferenceHeaps, StayInBothPrecisionsAndTheTwinAgrees) {
@@ -106,7 +94,7 @@ TEST(ReferenceHeaps, TouchWithinTheirTolerances) {
 }
 
 TEST(ReferenceHeaps, GoOnFromAState) {
-    const Scene scene = groove(4, 0.2);
+    const Scene scene = heap_in_groove(4, 0.2);
     const auto first = make_world(scene), second = make_world(scene);
     run(*first, 0.5);
     second->restore(first->save());
