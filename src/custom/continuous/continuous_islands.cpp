@@ -7,8 +7,6 @@ namespace flipside::custom {
 
 namespace {
 
-/// So long without a load, s, and a ball leaves its island: at the third tick.
-constexpr double longest_unloaded = 2.5 / 240;
 /// A ball that moves no farther than this in a long tick creeps, in radii.
 constexpr double creep_distance = 0.02;
 /// So many touches of balls, each within a tick of the last, and a ball rattles.

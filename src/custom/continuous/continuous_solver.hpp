@@ -75,6 +75,8 @@ class ContinuousSolver {
     /// s: so long the forces between balls that press on each other are held constant.
     static constexpr double tick_length = 1.0 / 240;
     static constexpr double long_tick_length = 4 * tick_length;  ///< for those that creep
+    /// s without a load, and a ball leaves its island: at the third tick.
+    static constexpr double longest_unloaded = 2.5 * tick_length;
 
     /// What the prediction of another ball reads of one: a cache line.
     struct alignas(64) Flying {
@@ -168,6 +170,7 @@ class ContinuousSolver {
     void press_parts(BallIndex i, double time, double duration);
     void press(ContactSolver::Contact& contact, const RememberedForces& known, double duration);
     void note_forces(double time, double duration);
+    void store_forces();
 
     // Gates (continuous_gates.cpp).
     void settle_gates();

@@ -55,6 +55,7 @@ void ContinuousSolver::tick(double time) {
     }
     std::ranges::copy_if(creeping_, std::back_inserter(members_),
                          [&](BallIndex i) { return flying_[i].creeps; });
+    store_forces();
     if (time > 0) predict_together(members_, time);
 }
 
@@ -266,6 +267,10 @@ void ContinuousSolver::note_forces(double time, double duration) {
                   contact.impulse.tangent / duration});
     }
     ball_forces_.settle(), part_forces_.settle();
+}
+
+/// Writes the forces between balls where a saved state finds them.
+void ContinuousSolver::store_forces() {
     std::vector<ContactForce>& known = table_->memory().forces;
     known.clear();
     for (const ContactForce& force : ball_forces_.all())
