@@ -73,7 +73,7 @@ bool Player::in_reach(const Finger& finger, const Ball& ball) {
 }
 
 void Player::flip(double time, std::vector<Control>& does) {
-    const Sight& sight = seen_.front();
+    const Observation& observed = seen_.front();
     for (Finger& finger : fingers_) {
         if (finger.release_at >= 0) {
             if (time < finger.release_at) continue;
@@ -84,9 +84,9 @@ void Player::flip(double time, std::vector<Control>& does) {
             continue;
         }
         if (time < finger.busy_until) continue;
-        const double since = std::max(0.0, time - sight.time + finger.misjudgement);
+        const double since = std::max(0.0, time - observed.time + finger.misjudgement);
         const auto comes = [&](const Ball& ball) { return in_reach(finger, believed(ball, since)); };
-        if (std::ranges::none_of(sight.balls, comes)) continue;
+        if (std::ranges::none_of(observed.balls, comes)) continue;
         does.emplace_back(control::Flip{finger.side, true});
         finger.release_at = time + held + dice_.below(held);
     }
@@ -95,9 +95,9 @@ void Player::flip(double time, std::vector<Control>& does) {
 /// A ball that will come down out of reach of every flipper is pushed towards the nearest one.
 void Player::save_by_nudge(double time, std::vector<Control>& does) {
     if (time < nudges_again_ || fingers_.empty()) return;
-    const Sight& sight = seen_.front();
-    for (const Ball& seen : sight.balls) {
-        const Ball ball = believed(seen, time - sight.time);
+    const Observation& observed = seen_.front();
+    for (const Ball& seen : observed.balls) {
+        const Ball ball = believed(seen, time - observed.time);
         const Finger* nearest = nullptr;
         double gap = 0;
         for (const Finger& finger : fingers_) {

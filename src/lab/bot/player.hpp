@@ -41,7 +41,7 @@ class Player {
         double busy_until = 0;    ///< s
         double misjudgement = 0;  ///< s, of the next ball
     };
-    struct Sight {
+    struct Observation {
         double time;
         std::vector<Ball> balls;
     };
@@ -57,9 +57,9 @@ class Player {
     std::shared_ptr<const Scene> scene_;
     Dice dice_;
     std::vector<Finger> fingers_;
-    std::deque<Sight> seen_;       ///< what is still younger than the reaction time, and one before that
-    std::optional<double> fires_;  ///< when the ball on the plunger will be fired, s
-    double nudges_again_ = 0;      ///< s
+    std::deque<Observation> seen_;  ///< what is still younger than the reaction time, and one before that
+    std::optional<double> fires_;   ///< when the ball on the plunger will be fired, s
+    double nudges_again_ = 0;       ///< s
 };
 
 }  // namespace flipside::lab::bot
