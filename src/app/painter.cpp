@@ -16,7 +16,7 @@ sf::Image Painter::paint(const Stage& stage, const Look& look) {
     const Layout layout = layout_of(stage, size.x, size.y, screen_.scale(), Column::none);
     Camera camera;
     camera.size = {layout.panes.front().width, layout.panes.front().height};
-    camera.fit(sight_of(stage.scene()), screen_.scale() * pane_margin);
+    camera.fit(view_bounds(stage.scene()), screen_.scale() * pane_margin);
     Readings readings;
     for (const Run& run : stage.runs()) readings.scores.push_back(run.session().game().score());
     const GameEnd end = end_of(stage);

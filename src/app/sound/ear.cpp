@@ -26,8 +26,8 @@ double middle(const Box& box) {
 }  // namespace
 
 double Ear::place(double x) const {
-    const Box& sight = sight_of(*scene_);
-    return std::clamp((x - middle(sight)) / (0.5 * (sight.max.x - sight.min.x)), -1.0, 1.0);
+    const Box& view = view_bounds(*scene_);
+    return std::clamp((x - middle(view)) / (0.5 * (view.max.x - view.min.x)), -1.0, 1.0);
 }
 
 void Ear::add(double time, Source source, double strength, double x, double pitch) {
@@ -138,7 +138,7 @@ void Ear::hear_spinners(const lab::Session& session, double from) {
             std::min(most_ticks, static_cast<int>(std::floor(before_.spins[i]) - std::floor(now)));
         const double span = session.world().time() - from;
         for (int tick = 0; tick < ticks; ++tick)
-            add(from + span * tick / ticks, Source::rollover, 0.8, middle(sight_of(*scene_)), 0.8);
+            add(from + span * tick / ticks, Source::rollover, 0.8, middle(view_bounds(*scene_)), 0.8);
     }
 }
 
@@ -146,7 +146,7 @@ void Ear::hear_spinners(const lab::Session& session, double from) {
 /// it.
 void Ear::hear_rules(const lab::Session& session, std::span<const Event> events, double from) {
     const lab::Game& game = session.game();
-    const double center = middle(sight_of(*scene_));
+    const double center = middle(view_bounds(*scene_));
     if (game.tilted() && !before_.tilted) add(from, Source::tilt, 1, center);
     for (const auto* groups : {&scene_->rules->lanes, &scene_->rules->targets})
         for (const Rules::Group& group : *groups)

@@ -256,7 +256,7 @@ void App::arrange() {
         shown_scene_ = stage_.scene_name();
         scene_file_.watch(stage_.is_from_file() ? lab::scene_file(shown_scene_) : "");
     }
-    if (mouse_.fitted()) camera_.fit(sight_of(stage_.scene()), scale_ * pane_margin);
+    if (mouse_.fitted()) camera_.fit(view_bounds(stage_.scene()), scale_ * pane_margin);
 }
 
 void App::draw() {

@@ -115,7 +115,7 @@ void App::arrange_edit() {
     layout_ = edit_layout(state_.width, state_.height, scale_, controls_.panel_open);
     camera_.size = {layout_.panes.front().width, layout_.panes.front().height};
     constexpr double margin = 30;  // px, with room for handles
-    if (mouse_.fitted()) camera_.fit(sight_of(editor_), scale_ * margin);
+    if (mouse_.fitted()) camera_.fit(view_bounds(editor_), scale_ * margin);
 }
 
 void App::draw_edit() {

@@ -28,7 +28,7 @@ struct Camera {
 };
 
 /// What a scene wants to be seen of it.
-[[nodiscard]] inline const Box& sight_of(const Scene& scene) {
+[[nodiscard]] inline const Box& view_bounds(const Scene& scene) {
     return scene.camera ? *scene.camera : scene.bounds;
 }
 

@@ -33,7 +33,7 @@ Vec2 metres(const Camera& camera, const Rect& pane, Vec2 pixel) {
 Ball new_ball(const Stage& stage, const std::optional<Other>& picked, Vec2 at) {
     const Scene& scene = stage.scene();
     Ball ball;
-    ball.radius = 0.02 * (sight_of(scene).max.x - sight_of(scene).min.x);
+    ball.radius = 0.02 * (view_bounds(scene).max.x - view_bounds(scene).min.x);
     ball.mass = 1;
     if (!scene.balls.empty()) ball = scene.balls.front();
     if (scene.launcher) ball = scene.launcher->ball;

@@ -8,6 +8,7 @@
 #include "app/window/contender_colour.hpp"
 #include "app/window/header.hpp"
 #include "app/window/overlays.hpp"
+#include "app/window/pane_view.hpp"
 #include "app/window/pick_view.hpp"
 #include "app/window/playfield/captions.hpp"
 #include "app/window/playfield/effects.hpp"
@@ -17,27 +18,13 @@
 
 namespace flipside::app {
 
-namespace {
-
-/// Lets through what lies in `place` only, with its top left corner as the origin.
-sf::View view_of(const sf::RenderTarget& target, const Rect& place) {
-    const auto f = [](double v) { return static_cast<float>(v); };
-    const sf::Vector2f all(target.getSize());
-    sf::View view({0, 0, f(place.width), f(place.height)});
-    view.setViewport(
-        {f(place.x) / all.x, f(place.y) / all.y, f(place.width) / all.x, f(place.height) / all.y});
-    return view;
-}
-
-}  // namespace
-
 Layout layout_of(const Stage& stage, double width, double height, double scale, Column column, bool step_bar,
                  double strip) {
     const int runs = static_cast<int>(stage.runs().size());
-    const Vec2 sight = sight_of(stage.scene()).max - sight_of(stage.scene()).min;
+    const Vec2 extent = view_bounds(stage.scene()).max - view_bounds(stage.scene()).min;
     const int panes = stage.view() == View::split ? runs : 1;
     return lay_out(width, height, scale,
-                   {panes, runs, sight.x / sight.y, column, step_bar, column != Column::none, strip});
+                   {panes, runs, extent.x / extent.y, column, step_bar, column != Column::none, strip});
 }
 
 void Screen::draw(sf::RenderTarget& target, const Stage& stage, const Layout& layout, const Camera& camera,
@@ -66,7 +53,7 @@ void Screen::draw(sf::RenderTarget& target, const Stage& stage, const Layout& la
 void Screen::draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect& place,
                        std::span<const Run> runs, const Camera& camera, const Look& look,
                        const Microscope* inside) {
-    target.setView(view_of(target, place));
+    target.setView(view_of_pane(target, place));
     const bool alone = runs.size() == 1;
     const Run& front = alone ? runs.front() : stage.lead();
     draw_ground(target, camera, front, look, inside != nullptr);

@@ -33,7 +33,7 @@ std::shared_ptr<const sf::Texture> thumbnail_of(const std::shared_ptr<const Scen
     Camera camera;
     camera.size = {double(width), double(height)};
     constexpr double margin = 6;  // px
-    camera.fit(sight_of(*scene), margin);
+    camera.fit(view_bounds(*scene), margin);
     const Run run = run_at_start(scene);
     Canvas canvas(lettering);
     Ground ground;

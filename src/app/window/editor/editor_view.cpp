@@ -6,6 +6,7 @@
 
 #include "app/window/draw_shapes.hpp"
 #include "app/window/editor/editor_marks.hpp"
+#include "app/window/pane_view.hpp"
 #include "app/window/words.hpp"
 #include "world/printable.hpp"
 
@@ -110,15 +111,6 @@ void draw_things(Canvas& canvas, const Camera& camera, const Editor& editor) {
     }
 }
 
-sf::View view_of_pane(const sf::RenderTarget& target, const Rect& place) {
-    const auto f = [](double v) { return static_cast<float>(v); };
-    const sf::Vector2f all(target.getSize());
-    sf::View view({0, 0, f(place.width), f(place.height)});
-    view.setViewport(
-        {f(place.x) / all.x, f(place.y) / all.y, f(place.width) / all.x, f(place.height) / all.y});
-    return view;
-}
-
 std::string millimetres(double metres) {
     return with_unit(1000 * metres, 1, "mm");
 }
@@ -170,7 +162,7 @@ Layout edit_layout(double width, double height, double scale, bool panel_open) {
     return layout;
 }
 
-Box sight_of(const Editor& editor) {
+Box view_bounds(const Editor& editor) {
     const Scene& scene = *editor.draft().scene();
     return scene.camera ? *scene.camera : scene.bounds;
 }

@@ -10,7 +10,7 @@ namespace flipside::app {
 /// A header, the table and a line of advice (in place of the plots); no other panes.
 [[nodiscard]] Layout edit_layout(double width, double height, double scale, bool panel_open);
 /// What is seen of the scene as a whole.
-[[nodiscard]] Box sight_of(const Editor& editor);
+[[nodiscard]] Box view_bounds(const Editor& editor);
 /// All but the control column.
 void draw_editor(sf::RenderTarget& target, Canvas& canvas, const Editor& editor, const Layout& layout,
                  const Camera& camera);
