@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lab/scenes/clear_starts.hpp"
 #include "world/input_error.hpp"
 #include "world/scene_file.hpp"
 #include "world/scene_json.hpp"

@@ -1,10 +1,5 @@
 #include "lab/hunt/random_scene.hpp"
 
-#include <memory>
-
-#include "lab/contenders/engines.hpp"
-#include "lab/session/run_settings.hpp"
-
 namespace flipside::lab {
 
 Scene RandomScene::make() {
@@ -73,17 +68,6 @@ void RandomScene::add_part_to(Scene& scene) {
             const Shape still = shape();
             add_part(scene, still, material());
         }
-    }
-}
-
-void clear_starts(Scene& scene) {
-    const Engine& engine = engine_named("custom");
-    for (;;) {
-        const auto world = engine.make(std::make_shared<const Scene>(scene), settings_for(engine, scene));
-        if (world->contacts().empty()) return;
-        const BallNumber touching = world->contacts().front().ball;
-        std::erase_if(scene.balls, [&](const Ball& ball) { return ball.number == touching; });
-        for (BallNumber i = 0; i < scene.balls.size(); ++i) scene.balls[i].number = i;
     }
 }
 

@@ -14,7 +14,7 @@ class RandomScene {
   public:
     explicit RandomScene(std::uint64_t seed) : random_(seed) {}
 
-    /// Balls may overlap each other and parts: see clear_starts().
+    /// Balls may overlap each other and parts: see lab/scenes/clear_starts.hpp.
     Scene make();
     /// In or out of the box's middle, with a motion or without.
     void add_part_to(Scene& scene);
@@ -38,8 +38,5 @@ class RandomScene {
   private:
     std::mt19937_64 random_;
 };
-
-/// Takes away the balls that begin in touch with something.
-void clear_starts(Scene& scene);
 
 }  // namespace flipside::lab

@@ -1,6 +1,7 @@
 #include "lab/regimes/courses.hpp"
 
 #include "lab/files/assets.hpp"
+#include "lab/scenes/clear_starts.hpp"
 #include "lab/scenes/elastic_scenes.hpp"
 #include "world/scene_builder.hpp"
 #include "world/scene_file.hpp"
@@ -53,15 +54,41 @@ Scene pinball_scene(int balls, double turn) {
     return scene;
 }
 
+/// Balls all over the table of the classic toy, each on a free place of a grid, as fast as its launcher
+/// makes them at most.
+Scene toy_scene(int balls, double turn) {
+    Scene scene = load_scene(scene_file("toy"));
+    const Launcher launcher = *scene.launcher;
+    const double width = 4 * launcher.ball.radius;
+    const Box inner{scene.bounds.min + Vec2{width / 2, width / 2}, scene.bounds.max};
+    scene.balls.clear();
+    for (double y = inner.min.y; y < inner.max.y; y += width)
+        for (double x = inner.min.x; x < inner.max.x; x += width) {
+            scene.balls.push_back(launcher.ball);
+            scene.balls.back().position = {x, y};
+            scene.balls.back().number = static_cast<BallNumber>(scene.balls.size() - 1);
+        }
+    clear_starts(scene);
+    const std::vector<Ball> free = std::move(scene.balls);
+    scene.balls.clear();
+    for (int i = 0; i < balls; ++i) {
+        scene.balls.push_back(
+            free[static_cast<std::size_t>(i) * free.size() / static_cast<std::size_t>(balls)]);
+        scene.balls.back().number = static_cast<BallNumber>(i);
+        scene.balls.back().velocity = launcher.fastest * from_angle(1 + i + turn);
+    }
+    return scene;
+}
+
 /// The mean of ten starts: what a table costs depends on where its balls come to roll.
-Course pinball(int balls) {
+Course table(const char* name, int balls, Scene (*scene)(int balls, double turn)) {
     const auto starts = [=] {
         std::vector<std::shared_ptr<const Scene>> all;
         for (int start = 0; start < 10; ++start)
-            all.push_back(std::make_shared<const Scene>(pinball_scene(balls, 0.1 * start)));
+            all.push_back(std::make_shared<const Scene>(scene(balls, 0.1 * start)));
         return all;
     };
-    return {balls, starts, {{"pinball", 0.5, 3}}, false};
+    return {balls, starts, {{name, 0.5, 3}}, false};
 }
 
 /// What rain does in its course.
@@ -80,7 +107,8 @@ std::vector<Course> courses() {
         all.push_back(rain(balls, of_rain(balls)));
         all.push_back({balls, [=] { return one(balls_at_rest(balls)); }, {{"asleep", 2, 2}}});
     }
-    for (const int balls : {1, 8}) all.push_back(pinball(balls));
+    for (const int balls : {1, 8}) all.push_back(table("pinball", balls, pinball_scene));
+    for (const int balls : {1, 100}) all.push_back(table("toy", balls, toy_scene));
     return all;
 }
 

@@ -29,7 +29,7 @@ struct Course {
     bool keeps_energy = false;    ///< nothing is inelastic
 };
 
-/// Gas, rain that falls, heaps up and lies in heaps, sleepers, pinball.
+/// Gas, rain that falls, heaps up and lies in heaps, sleepers, pinball, the toy.
 [[nodiscard]] std::vector<Course> courses();
 /// Gas and rain at 1,000 to 100,000 balls, the fewest first.
 [[nodiscard]] std::vector<Course> growth();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "lab/session/run.hpp"
 #include "lab/sweep/windows.hpp"
@@ -32,23 +33,23 @@ std::string attempt(Act act) {
     return "";
 }
 
-/// A kind on its way through one scene of a course.
+/// A kind on its way through a course.
 struct Runner {
-    std::optional<Contender> contender;
+    std::vector<Contender> contenders;  ///< one per scene
     std::string failure;
 };
 
-/// What one repeat brought of one kind in one regime: times and steps over all scenes, the rest of the last.
+/// What one repeat brought of one kind in one regime, over all scenes.
 struct Sum {
     double seconds = 0, own = 0, first_energy = 0;
     std::uint64_t ball_steps = 0;
-    std::size_t first_balls = 0;
+    std::vector<std::size_t> first_balls;  ///< of each scene
 };
 
 class CourseRun {
   public:
     CourseRun(const Course& course, std::span<const Kind> kinds, const Measuring& how)
-        : course_(course), kinds_(kinds), how_(how) {
+        : course_(course), kinds_(kinds), how_(how), scenes_(course.scenes()) {
         for (const Regime& regime : course.regimes)
             for (const Kind& kind : kinds)
                 results_.push_back(
@@ -58,13 +59,9 @@ class CourseRun {
     }
 
     std::vector<Result> take() {
-        const auto scenes = course_.scenes();
         for (int repeat = 0; repeat < how_.repeats; ++repeat) {
             sums_.assign(results_.size(), {});
-            for (std::size_t i = 0; i < scenes.size(); ++i) {
-                done_ = (repeat + static_cast<double>(i) / static_cast<double>(scenes.size())) / how_.repeats;
-                run_scene(scenes[i], repeat == 0 && i == 0);
-            }
+            run(repeat);
             for (std::size_t k = 0; k < results_.size(); ++k) note_cost(results_[k], sums_[k]);
         }
         return std::move(results_);
@@ -88,37 +85,47 @@ class CourseRun {
             if (results_[index(r, kind)].failure.empty()) results_[index(r, kind)].failure = why;
     }
 
-    void run_scene(const std::shared_ptr<const Scene>& scene, bool is_first) {
+    void run(int repeat) {
         std::vector<Runner> runners(kinds_.size());
+        std::vector<std::size_t> order(kinds_.size());
         for (std::size_t k = 0; k < kinds_.size(); ++k) {
-            const std::string why = attempt([&] { runners[k].contender.emplace(kinds_[k], scene); });
-            if (!why.empty()) runners[k].failure = why, fail(k, why);
+            order[k] = k;
+            runners[k].failure = attempt([&] {
+                for (const auto& scene : scenes_) runners[k].contenders.emplace_back(kinds_[k], scene);
+            });
+            if (!runners[k].failure.empty()) fail(k, runners[k].failure);
         }
+        // Caches and branch predictors suit best whoever runs code like that of the one before.
+        std::mt19937 random(static_cast<unsigned>(repeat));
         for (int at = 0; at < end_; at += slice_steps) {
-            if (how_.watch) how_.watch(done_ + at / (static_cast<double>(end_) * how_.repeats) * 0.99);
+            if (how_.watch) how_.watch((repeat + at / static_cast<double>(end_)) / how_.repeats * 0.99);
             for (std::size_t r = 0; r < course_.regimes.size(); ++r)
                 if (steps_in(course_.regimes[r].from) == at)
-                    begin(r, runners, scene, is_first && how_.with_errors);
-            for (std::size_t k = 0; k < kinds_.size(); ++k)
+                    begin(r, runners, repeat == 0 && how_.with_errors);
+            std::ranges::shuffle(order, random);
+            for (const std::size_t k : order)
                 if (runners[k].failure.empty()) run_slice(k, runners[k], at);
         }
     }
 
-    void begin(std::size_t regime, std::vector<Runner>& runners, const std::shared_ptr<const Scene>& scene,
-               bool with_errors) {
+    void begin(std::size_t regime, std::vector<Runner>& runners, bool with_errors) {
         for (std::size_t k = 0; k < kinds_.size(); ++k) {
             if (!runners[k].failure.empty()) continue;
             Sum& sum = sums_[index(regime, k)];
-            sum.first_energy = runners[k].contender->energy();
-            sum.first_balls = runners[k].contender->balls();
+            for (const Contender& contender : runners[k].contenders) {
+                sum.first_energy += contender.energy();
+                sum.first_balls.push_back(contender.balls());
+            }
         }
-        if (with_errors) note_errors(regime, runners, scene);
+        if (with_errors) note_errors(regime, runners);
     }
 
     void run_slice(std::size_t kind, Runner& runner, int at) {
         const int steps = std::min(slice_steps, end_ - at);
-        Slice slice;
-        runner.failure = attempt([&] { slice = runner.contender->run(steps); });
+        std::vector<Slice> slices;
+        runner.failure = attempt([&] {
+            for (Contender& contender : runner.contenders) slices.push_back(contender.run(steps));
+        });
         if (!runner.failure.empty()) return fail(kind, runner.failure);
         for (std::size_t r = 0; r < course_.regimes.size(); ++r) {
             const Regime& regime = course_.regimes[r];
@@ -126,27 +133,32 @@ class CourseRun {
             if (at < steps_in(regime.from) || at >= until) continue;
             Sum& sum = sums_[index(r, kind)];
             Result& result = results_[index(r, kind)];
-            sum.seconds += slice.seconds, sum.own += slice.own, sum.ball_steps += slice.ball_steps;
-            result.deepest = std::max(result.deepest, slice.deepest);
-            if (at + steps == until) finish(r, kind, *runner.contender);
+            for (const Slice& slice : slices) {
+                sum.seconds += slice.seconds, sum.own += slice.own, sum.ball_steps += slice.ball_steps;
+                result.deepest = std::max(result.deepest, slice.deepest);
+            }
+            if (at + steps == until) finish(r, kind, runner.contenders);
         }
     }
 
-    void finish(std::size_t regime, std::size_t kind, const Contender& contender) {
+    void finish(std::size_t regime, std::size_t kind, std::span<const Contender> contenders) {
         const Sum& sum = sums_[index(regime, kind)];
         Result& result = results_[index(regime, kind)];
-        result.lost = std::max(result.lost, sum.first_balls - contender.balls());
-        if (course_.keeps_energy && contender.energy() != 0)
-            result.drift = contender.energy() / sum.first_energy - 1;
+        double energy = 0;
+        for (std::size_t i = 0; i < contenders.size(); ++i) {
+            result.lost = std::max(result.lost, sum.first_balls[i] - contenders[i].balls());
+            energy += contenders[i].energy();
+        }
+        if (course_.keeps_energy && energy != 0) result.drift = energy / sum.first_energy - 1;
     }
 
-    /// All from the state that the first engine is in.
-    void note_errors(std::size_t regime, std::vector<Runner>& runners,
-                     const std::shared_ptr<const Scene>& scene) {
+    /// All from the state of the first scene that the first engine is in.
+    void note_errors(std::size_t regime, std::vector<Runner>& runners) {
         const auto leader = std::ranges::find_if(
-            runners, [](Runner& r) { return r.failure.empty() && r.contender->world() != nullptr; });
+            runners, [](Runner& r) { return r.failure.empty() && r.contenders.front().world() != nullptr; });
         if (leader == runners.end()) return;
-        State state = leader->contender->world()->save();
+        const std::shared_ptr<const Scene>& scene = scenes_.front();
+        State state = leader->contenders.front().world()->save();
         state.origin.reset();
         const sweep::Truth truth = sweep::reference_for(*scene);
         const auto exact = truth.engine->make(scene, truth.trajectory);
@@ -180,8 +192,8 @@ class CourseRun {
     const Course& course_;
     std::span<const Kind> kinds_;
     const Measuring& how_;
-    int end_ = 0;  ///< steps
-    double done_ = 0;
+    std::vector<std::shared_ptr<const Scene>> scenes_;
+    int end_ = 0;                  ///< steps
     std::vector<Result> results_;  ///< by regime, in each by kind
     std::vector<Sum> sums_;        ///< of one repeat, likewise
 };

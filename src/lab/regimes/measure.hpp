@@ -1,6 +1,8 @@
 #pragma once
 /// Speed by regime: all kinds run a course in one process, a slice of simulated time in turn, so that what
-/// else the machine does meets all alike; as often for each.
+/// else the machine does meets all alike; as often for each. Their order is shuffled for every slice: who
+/// runs after a kind with the same code finds it in the caches, which is worth up to 130 ns per ball and
+/// step on the pinball table.
 
 #include <functional>
 #include <optional>

@@ -10,6 +10,7 @@
 #include "in_small.hpp"
 #include "lab/contenders/engines.hpp"
 #include "lab/hunt/random_scene.hpp"
+#include "lab/scenes/clear_starts.hpp"
 #include "world/refusal.hpp"
 
 namespace flipside {
