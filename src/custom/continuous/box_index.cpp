@@ -6,10 +6,10 @@ namespace flipside::custom {
 
 namespace {
 
-/// Cells on an axis at most, so that a range much longer than wide does not make more than there are boxes.
+/// Limit on the cells along an axis, so that a long and narrow range does not get more cells than boxes.
 constexpr std::size_t most_cells = 1024;
-/// A box is in the cells that it touches where those are not more than this, in units of √n: a wall along
-/// the table is, one that covers it is not.
+/// Limit on the cells that list one box, in units of √n: a wall along the table is listed, a box over the
+/// whole table is not.
 constexpr double most_touched = 4;
 
 }  // namespace

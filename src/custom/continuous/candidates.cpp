@@ -13,18 +13,12 @@ Box range_of(const Feature& feature, const Primitive& primitive, const Table& ta
     return bounds_of(pivot, std::sqrt(dx * dx + dy * dy));
 }
 
-Box bounds_of(const Path& path, double radius, double end) {
-    const double t = end - path.start;
-    if (!path.swings()) return grown(path.flight.bounds(t), radius);
-    return bounds_of(path.flight.position, path.swing[0].top_speed * t + radius);
-}
-
 std::uint64_t Candidates::cover(const Box& box, const BoxIndex& feature_ranges) {
     if (fat_.contains(box.min) && fat_.contains(box.max)) return 0;
     const Vec2 size = box.max - box.min;
-    // More makes the list too long to look through, less makes it anew too often; measured on pinball.
-    constexpr double fat = 0.25;
-    fat_ = grown(box, fat * (size.x + size.y));
+    // A wider margin makes longer lists, a narrower one more rebuilds; measured on pinball.
+    constexpr double margin = 0.25;  // of width plus height
+    fat_ = grown(box, margin * (size.x + size.y));
     list_.clear();
     return feature_ranges.find(fat_, list_);
 }

@@ -1,8 +1,8 @@
-#include "custom/continuous/glides.hpp"
+#include "custom/continuous/tangent_faces.hpp"
 
 namespace flipside::custom {
 
-bool Glides::above(const Feature& feature) const {
+bool TangentFaces::above(const Feature& feature) const {
     const auto below = [&](Vec2 center, double radius) {
         for (std::size_t i = 0; i < count_; ++i) {
             const Vec2 from_face = center - faces_[i].at;
