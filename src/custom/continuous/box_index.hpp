@@ -49,4 +49,21 @@ class BoxIndex {
     std::vector<std::uint32_t> large_;    ///< boxes in no cell, tested in every query
 };
 
+/// The boxes of an index that a ball may touch: those that overlap its fat AABB. The list is rebuilt only
+/// when the swept bounds of its path leave that box, which happens once in many steps.
+class Candidates {
+  public:
+    /// Rebuilds the list if `box` is not inside the fat AABB. Returns the number of box tests.
+    std::uint64_t cover(const Box& box, const BoxIndex& index);
+    void reserve(std::size_t boxes) { list_.reserve(boxes); }
+    void forget() { fat_ = {{1, 1}, {-1, -1}}; }
+
+    /// In rising order.
+    [[nodiscard]] std::span<const std::uint32_t> list() const { return list_; }
+
+  private:
+    Box fat_{{1, 1}, {-1, -1}};
+    std::vector<std::uint32_t> list_;
+};
+
 }  // namespace flipside::custom

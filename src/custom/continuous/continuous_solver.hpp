@@ -23,7 +23,7 @@
 /// and in between they are obstacles to the other members, until one of these pushes them. Inside islands the
 /// result is not exact, but it does not depend on the steps. Statistics count members as handed_over.
 
-#include "custom/continuous/candidates.hpp"
+#include "custom/continuous/box_index.hpp"
 #include "custom/continuous/cells.hpp"
 #include "custom/continuous/next_events.hpp"
 #include "custom/continuous/resting_contact.hpp"

@@ -186,6 +186,17 @@ struct ClearOf {
     }
 };
 
+/// Bounds of a feature in the pose of the scene file.
+Box bounds_in_scene(const Feature& feature, const Primitive& primitive) {
+    if (const auto* line = std::get_if<Line>(&feature.is)) {
+        const Vec2 a = line->start, b = a + line->length * line->along;
+        return united(bounds_of(a, 0), bounds_of(b, 0));
+    }
+    if (const auto* circle = std::get_if<Circle>(&feature.is))
+        return bounds_of(circle->center, circle->radius);
+    return bounds_of(primitive);
+}
+
 }  // namespace
 
 Arc arc_of(const primitive::Arc& arc) {
@@ -266,14 +277,13 @@ Feature posed(const Feature& feature, const Pose& pose) {
     return turned;
 }
 
-Box bounds_of(const Feature& feature, const Primitive& primitive) {
-    if (const auto* line = std::get_if<Line>(&feature.is)) {
-        const Vec2 a = line->start, b = a + line->length * line->along;
-        return united(bounds_of(a, 0), bounds_of(b, 0));
-    }
-    if (const auto* circle = std::get_if<Circle>(&feature.is))
-        return bounds_of(circle->center, circle->radius);
-    return bounds_of(primitive);
+Box range_of(const Feature& feature, const Primitive& primitive, const Table& table) {
+    const Box box = bounds_in_scene(feature, primitive);
+    if (!Table::moves(table.scene().parts[feature.part])) return box;
+    const Vec2 pivot = table.pose(feature.part).pivot;
+    const double dx = std::max(box.max.x - pivot.x, pivot.x - box.min.x);
+    const double dy = std::max(box.max.y - pivot.y, pivot.y - box.min.y);
+    return bounds_of(pivot, std::sqrt(dx * dx + dy * dy));
 }
 
 }  // namespace flipside::custom

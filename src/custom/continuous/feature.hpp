@@ -62,6 +62,8 @@ struct Circle {
     double radius = 0;
 };
 
+using FeatureIndex = std::uint32_t;
+
 struct Feature {
     std::variant<Line, Arc, Circle> is;
     std::uint32_t primitive = 0;  ///< index into the primitives given
@@ -102,7 +104,7 @@ struct Closest {
 /// The feature in the given pose.
 [[nodiscard]] Feature posed(const Feature& feature, const Pose& pose);
 
-/// Smallest box around a feature of this primitive in the pose of the scene file.
-[[nodiscard]] Box bounds_of(const Feature& feature, const Primitive& primitive);
+/// Bounds of all positions that a feature of this primitive can have.
+[[nodiscard]] Box range_of(const Feature& feature, const Primitive& primitive, const Table& table);
 
 }  // namespace flipside::custom

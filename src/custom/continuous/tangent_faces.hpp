@@ -24,7 +24,20 @@ class TangentFaces {
     }
     /// Whether a static feature, in the pose of the scene file, lies entirely below one of the faces, to
     /// rounding. Tests the full circle of an arc; returns false for a line.
-    [[nodiscard]] bool above(const Feature& feature) const;
+    [[nodiscard]] bool above(const Feature& feature) const {
+        const auto below = [&](Vec2 center, double radius) {
+            for (std::size_t i = 0; i < count_; ++i) {
+                const Vec2 from_face = center - faces_[i].at;
+                const double size = std::abs(center.x) + std::abs(center.y) + length(from_face) + radius;
+                if (dot(from_face, faces_[i].normal) + radius <= 64 * 0x1p-53 * size) return true;
+            }
+            return false;
+        };
+        if (const auto* circle = std::get_if<Circle>(&feature.is))
+            return below(circle->center, circle->radius);
+        if (const auto* arc = std::get_if<Arc>(&feature.is)) return below(arc->center, arc->radius);
+        return false;
+    }
 
   private:
     struct Face {
