@@ -5,7 +5,6 @@
 /// Without drag E = t and F = ½t². Written with φ(x) = (x − 1 + e^(−x))/x² all of it stays accurate to
 /// rounding for any c ≥ 0. Error: rounding only, whatever the length of the flight.
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -13,7 +12,8 @@
 
 namespace flipside::custom {
 
-/// The first terms of φ(x) = Σ (−x)^k/(k + 2)!; the compiler knows how many, so that no loop is left.
+/// The first terms of φ(x) = Σ (−x)^k/(k + 2)!; their number is a constant, so that the compiler unrolls the
+/// loop.
 template <std::size_t terms>
 double drag_series(double x) {
     constexpr double one_over[] = {
@@ -25,15 +25,16 @@ double drag_series(double x) {
     for (std::size_t k = terms; k-- > 0;) sum = one_over[k] - x * sum;
     return sum;
 }
-/// φ(x) = (x − 1 + e^(−x))/x² for 0 ≤ x ≤ ½; ½ at 0. What is left out is below rounding.
+/// φ(x) = (x − 1 + e^(−x))/x² for 0 ≤ x ≤ ½; ½ at 0. The remainder is below rounding.
 inline double drag_phi(double x) {
     return x < 0.004 ? drag_series<6>(x) : drag_series<14>(x);
 }
 
-/// What a interval of time does to every flight with the same drag. Made once, it serves many balls.
+/// The factors of a flight over a time interval. They depend only on the drag, so one object serves many
+/// balls.
 struct TimeInterval {
     double time;
-    double kept = 1;  ///< e^(−ct): the part of a velocity that is left
+    double kept = 1;  ///< e^(−ct): the part of a velocity that remains
     double shrunk;    ///< E, s
     double fallen;    ///< F, s²
 
@@ -54,19 +55,19 @@ struct TimeInterval {
     }
 };
 
-/// Inverse of E: the t at which E(t) = e; infinite where drag stops the motion before.
+/// Inverse of E: the t at which E(t) = e; infinite if drag stops the motion before.
 inline double drag_time(double c, double e) {
     if (c <= 0) return e;
     return c * e < 1 ? -math::log1p(-c * e) / c : INFINITY;
 }
 
-/// When v₀·e^(−ct) + a·E(t), with v₀ and a of opposite signs, is 0.
+/// The t at which v₀·e^(−ct) + a·E(t) is 0, for v₀ and a of opposite signs.
 inline double drag_turn(double v, double a, double c) {
     return c > 0 ? math::log1p(-c * v / a) / c : -v / a;
 }
 
-/// Positions are given as displacements from the start, so that differences to a near reference point
-/// keep their digits far from the origin.
+/// A flight. Positions are displacements from the start, so that differences to a nearby point keep their
+/// digits far from the origin.
 struct Flight {
     Vec2 position;      ///< m, at t = 0
     Vec2 velocity;      ///< m/s, at t = 0
@@ -86,27 +87,14 @@ struct Flight {
     [[nodiscard]] double max_acceleration(double t) const {
         return length(acceleration) + (drag > 0 ? drag * max_speed(t) : 0);
     }
-    /// A box around the path over [0, t]: it strays from the chord by at most k·t²/8 (k: acceleration).
-    [[nodiscard]] Box bounds(const TimeInterval& s) const;
-    [[nodiscard]] Box bounds(double t) const { return bounds(TimeInterval(drag, t)); }
 };
 
-/// Where a ball gets that flies freely under `gravity`; the interval is one with the table's damping.
-inline Vec2 end_of_flight(const Ball& ball, Vec2 gravity, const TimeInterval& s) {
-    return ball.position + Flight{{}, ball.velocity, gravity}.displacement(s);
-}
-/// Moves it there.
+/// Moves a ball in free flight under `gravity`; the interval is one with the damping of the table.
 inline void fly_freely(Ball& ball, Vec2 gravity, const TimeInterval& s) {
-    ball.position = end_of_flight(ball, gravity, s);
-    ball.velocity = Flight{{}, ball.velocity, gravity}.velocity_after(s);
+    const Flight flight{ball.position, ball.velocity, gravity};
+    ball.position += flight.displacement(s);
+    ball.velocity = flight.velocity_after(s);
     ball.angle += ball.spin * s.time;
-}
-
-inline Box Flight::bounds(const TimeInterval& s) const {
-    const Vec2 end = displacement(s);
-    const double sag = max_acceleration(s.time) * s.time * s.time / 8;
-    return {position + Vec2{std::min(0.0, end.x) - sag, std::min(0.0, end.y) - sag},
-            position + Vec2{std::max(0.0, end.x) + sag, std::max(0.0, end.y) + sag}};
 }
 
 }  // namespace flipside::custom

@@ -62,14 +62,14 @@ Impact respond(Ball& a, Ball& b, const Mixed& material, const Surroundings& arou
     // Gravity drives a ball into the one it rests on while nobody looks: that much is no impact.
     const bool resting = speed <= around.rest_speed + std::abs(dot(around.gravity, normal)) * around.driven;
     const double out = resting ? 0 : bounce(material, speed);
-    const double per_mass = 1 / a.mass + 1 / b.mass;
-    const Impact impact{!resting, normal, speed, (speed + out) / per_mass};
+    const double inverse_mass = 1 / a.mass + 1 / b.mass;
+    const Impact impact{!resting, normal, speed, (speed + out) / inverse_mass};
 
     Vec2 impulse = impact.impulse * normal;
     if (material.friction > 0) {
         const double slip = dot(relative, tangent) - a.radius * a.spin - b.radius * b.spin;
         const double friction =
-            friction_impulse(material.friction, impact.impulse, slip, rim_mass(1 / per_mass));
+            friction_impulse(material.friction, impact.impulse, slip, rim_mass(1 / inverse_mass));
         impulse += friction * tangent;
         a.spin -= a.radius * friction / inertia(a);
         b.spin -= b.radius * friction / inertia(b);

@@ -1,5 +1,7 @@
 #pragma once
-/// What the solvers report of a step.
+/// Results of a step that the solvers record.
+
+#include <chrono>
 
 #include "custom/touch_list.hpp"
 #include "world/events.hpp"
@@ -10,11 +12,24 @@ namespace flipside::custom {
 
 struct StepRecord {
     std::vector<Event> events;
-    std::vector<Sensed> crossed;  ///< sensors met
+    std::vector<Sensed> crossed;  ///< sensors with which balls overlapped
     Statistics statistics;
-    Trace* trace = nullptr;  ///< of the step, where somebody wants it
+    Trace* trace = nullptr;  ///< trace of the step, or null
     /// Wall time of each stage, s.
     double broad_seconds = 0, flight_seconds = 0, contact_seconds = 0, report_seconds = 0;
+};
+
+/// Measures the stages of a step: lap() adds the wall time since the last lap.
+class Stopwatch {
+  public:
+    void lap(double& seconds) {
+        const auto now = std::chrono::steady_clock::now();
+        seconds += std::chrono::duration<double>(now - last_).count();
+        last_ = now;
+    }
+
+  private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace flipside::custom

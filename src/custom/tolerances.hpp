@@ -1,26 +1,26 @@
 #pragma once
-/// Tolerances of length that more than one part of the engine relies on, all in ball radii, and their order.
-/// What only one file uses stands there.
+/// Tolerances of length that several parts of the engine share, in ball radii, with their order. Tolerances
+/// of a single file are defined there.
 
 namespace flipside::custom {
 
-/// Overlaps up to this are rounding and left alone.
+/// Smaller overlaps are rounding and are ignored.
 inline constexpr double overlap_slop = 1e-9;
-/// A gap up to this is contact for a ball that does not move along the normal.
+/// A ball that does not move along the normal is in contact up to this gap.
 inline constexpr double support_gap = 1e-9;
-/// Surfaces nearer than this count as touching.
+/// Surfaces closer than this are reported as touching.
 inline constexpr double touch_distance = 1e-4;
-/// Surfaces nearer than this can press on each other.
-inline constexpr double press_distance = 1e-3;
-/// Overlaps deeper than this are no rounding: what starts so is pushed out or joins an island.
+/// Surfaces closer than this can be in resting contact in an island.
+inline constexpr double resting_distance = 1e-3;
+/// Balls that start with a deeper overlap are pushed out of parts, and join an island with balls.
 inline constexpr double deep_overlap = 1e-3;
-/// A ball that overlaps anything by more than this does not fall asleep: it is on its way out.
+/// A ball with a deeper overlap does not fall asleep, since it is still being pushed out.
 inline constexpr double squeezed_overlap = 5e-3;
 
-static_assert(support_gap <= touch_distance, "what supports a ball touches it");
-static_assert(overlap_slop < touch_distance, "what overlaps must touch");
-static_assert(touch_distance < press_distance, "what touches may press");
-static_assert(press_distance <= deep_overlap, "balls deep in each other press on each other");
-static_assert(deep_overlap < squeezed_overlap, "islands push out what keeps their balls awake");
+static_assert(support_gap <= touch_distance, "a support touches the ball");
+static_assert(overlap_slop < touch_distance, "overlaps are contacts");
+static_assert(touch_distance < resting_distance, "contacts may be resting contacts");
+static_assert(resting_distance <= deep_overlap, "deep overlaps are resting contacts");
+static_assert(deep_overlap < squeezed_overlap, "islands correct the overlaps that keep balls awake");
 
 }  // namespace flipside::custom

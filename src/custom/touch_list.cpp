@@ -88,15 +88,6 @@ void TouchList::begin() {
     narrow_tests_ = 0;
 }
 
-void TouchList::clear() {
-    before_.clear();
-    now_.clear();
-    sensed_before_.clear();
-    sensed_.clear();
-    pairs_.clear();
-    narrow_tests_ = 0;
-}
-
 void TouchList::search(const Layout& layout, const Table& table, std::span<const Ball> balls,
                        BroadPhase& broad) {
     begin();

@@ -23,8 +23,6 @@ class TouchList {
     /// still touches what it touched before.
     void refresh(const Layout& layout, const Table& table, std::span<const Ball> balls,
                  std::span<const Pair> pairs);
-    /// Nothing touches, and nothing did.
-    void clear();
     /// One per touching pair (the deepest where there are several), by ball, then other.
     [[nodiscard]] std::span<const Contact> contacts() const { return now_; }
     /// Candidates of the last search, for those who want to see them.

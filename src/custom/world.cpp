@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "custom/broad_phase/capacity.hpp"
 #include "custom/broad_phase/registry.hpp"
 #include "custom/engine.hpp"
-#include "custom/stopwatch.hpp"
 
 namespace flipside::custom {
 
@@ -218,6 +218,41 @@ bool CustomWorld::remove(BallNumber number) {
     wake_all();
     search_contacts();
     return true;
+}
+
+State CustomWorld::save() const {
+    State state = table_.save(balls_);
+    if (windows_) state.origin = windows_->origin();
+    return state;
+}
+
+void CustomWorld::restore(const State& state) {
+    guard_.forget();
+    Trace* const trace = std::exchange(record_.trace, nullptr);  // restoring is not a step
+    if (!resume(state)) load(state);
+    record_.events.clear();
+    record_.statistics = {};
+    search_contacts();
+    fill_statistics(0);
+    record_.trace = trace;
+}
+
+void CustomWorld::load(const State& state) {
+    table_.restore(state);
+    balls_ = state.balls;
+    if (windows_) windows_->begin_anew();
+    reserve_for();
+}
+
+/// Runs the window in which the state was saved from its start. Returns false if this does not lead to the
+/// state: another engine wrote it, or it was changed.
+bool CustomWorld::resume(const State& state) {
+    if (!state.origin || !windows_) return false;
+    load(*state.origin);
+    if (!windows_->resume(state, balls_, record_)) return false;
+    State reached = save();
+    reached.origin = state.origin;
+    return reached == state;
 }
 
 }  // namespace flipside::custom

@@ -1,16 +1,16 @@
-// Adaptive quadtree: a node of more than `capacity` proxies is split at its middle, `depth` times at most,
-// so cells are small where things crowd, and things at one point cannot split for ever. What straddles a
-// split stays in the node that is split, so every proxy is listed once, and what overlaps it is in its
-// node, below it or above it.
+// Adaptive quadtree: a node with more than adaptive_capacity proxies is split at its centre, at most
+// adaptive_depth times, so cells are small where proxies are dense. A proxy that crosses a split stays in the
+// node that is split. So every proxy is listed once, and proxies that overlap it are in its node, below it or
+// above it.
 //
-// There is a tree of the still proxies, made once, and one of the moving ones, made for every search by
-// partition: the proxies of a node lie together, its own first and then child by child. Each moving one
-// seeks what follows it in its node and what its box reaches below; and all of the still tree.
+// The tree of the still proxies is built once; the tree of the moving ones is built for every search by
+// partition: the proxies of a node lie together, its own first and then child by child. The query of a moving
+// proxy visits the proxies after it in its node, those below that its box reaches, and the whole still tree.
 //
-// A proxy against the middle of a node counts as one box test, in making the tree and in seeking.
-// Cost: O(n·depth + pairs near each other); what straddles the upper splits is sought in many nodes.
-// Finkel, Bentley 1974, "Quad trees"; kept at the node that contains them: Samet 1990, "The Design and
-// Analysis of Spatial Data Structures", 3.4 (the MX-CIF tree, after Kedem 1982).
+// Comparing a proxy with the centre of a node counts as one box test, in building and in queries.
+// Cost: O(n·depth + pairs in the same cells); a proxy that crosses an upper split is tested in many nodes.
+// Finkel, Bentley 1974, "Quad trees"; proxies in the smallest node that contains them: Samet 1990, "The
+// Design and Analysis of Spatial Data Structures", 3.4 (the MX-CIF tree, after Kedem 1982).
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +23,10 @@ namespace {
 
 class Tree {
   public:
-    Tree(const Box& world, int capacity, int depth)
-        : world_(world), capacity_(static_cast<std::uint32_t>(capacity)), depth_(depth) {
+    explicit Tree(const BroadPhaseOptions& options)
+        : world_(options.world),
+          capacity_(static_cast<std::uint32_t>(options.adaptive_capacity)),
+          depth_(options.adaptive_depth) {
         nodes_.push_back({});
     }
 
@@ -44,8 +46,8 @@ class Tree {
         return tests_;
     }
 
-    /// Visits the items of a node and below that a box can reach, each with its node. Returns the number of
-    /// box tests.
+    /// Visits the items in a node, and in the nodes below it that a box reaches, each with its node. Returns
+    /// the number of box tests.
     std::uint64_t reach(const Box& box, auto&& visit, std::uint32_t node = 0) const {
         const Node& n = nodes_[node];
         for (std::uint32_t i = n.begin; i < n.own_end; ++i) visit(items_[i], node);
@@ -59,7 +61,7 @@ class Tree {
         return tests;
     }
 
-    /// Visits all nodes: index, the items that are its own, whether it has children.
+    /// Visits all nodes with their index, their own items, and whether they have children.
     void each_node(auto&& visit) const {
         for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
             const Node& n = nodes_[i];
@@ -69,11 +71,11 @@ class Tree {
     /// Visits the box of every leaf with the number of its items.
     void each_leaf(auto&& visit) const { each_leaf(0, world_, visit); }
 
-    /// Adds the nodes that have items at or below them.
+    /// Adds the nodes with items at or below them.
     void add_cells(std::vector<Cell>& cells, bool still) const {
         if (!items_.empty()) add_cell(cells, {world_, 0, 0, no_cell, 0, still});
     }
-    /// Nodes that a box can reach from one on.
+    /// Adds the nodes that a box reaches, from `node` down.
     void add_reached(const Box& box, std::uint32_t node, std::vector<std::uint32_t>& reached) const {
         reached.push_back(node);
         const Node& n = nodes_[node];
@@ -89,13 +91,13 @@ class Tree {
   private:
     struct Node {
         Vec2 middle;
-        /// Into items_: own ones from begin to own_end, then those of the children.
+        /// Indices into items_: its own from begin to own_end, then those of the children.
         std::uint32_t begin = 0, own_end = 0, end = 0;
-        std::uint32_t children = 0;  ///< the first of four; 0: none
+        std::uint32_t children = 0;  ///< index of the first of four; 0 without children
     };
     static constexpr int straddles = -1;
 
-    /// Whether a box reaches into a child that has anything in it.
+    /// Whether a box reaches a child that is not empty.
     [[nodiscard]] bool reaches(const Box& box, const Node& n, std::uint32_t child) const {
         const bool to_side = child % 2 == 0 ? box.min.x < n.middle.x : box.max.x >= n.middle.x;
         const bool to_height = child < 2 ? box.min.y < n.middle.y : box.max.y >= n.middle.y;
@@ -120,7 +122,7 @@ class Tree {
 
     static Vec2 middle_of(const Box& box) { return 0.5 * (box.min + box.max); }
 
-    /// Children: below left, below right, above left, above right.
+    /// The child that contains a box: below left, below right, above left, above right.
     int child_for(Vec2 middle, const Box& box) {
         ++tests_;
         const bool left = box.max.x < middle.x, right = box.min.x >= middle.x;
@@ -129,7 +131,7 @@ class Tree {
         return (above ? 2 : 0) + (right ? 1 : 0);
     }
 
-    /// `quarter` is a quarter of the node's size, the way from its middle to those of its children.
+    /// `quarter`: a quarter of the size of the node, the offset from its centre to those of its children.
     void split(std::uint32_t node, Vec2 quarter, int level) {
         const Node n = nodes_[node];
         if (n.end - n.begin <= capacity_ || level > depth_) return;
@@ -145,9 +147,9 @@ class Tree {
         nodes_[node].own_end = at[1];
         nodes_[node].children = first;
         for (int i = 0; i < 4; ++i) {
-            const Vec2 way = {i % 2 == 0 ? -quarter.x : quarter.x, i < 2 ? -quarter.y : quarter.y};
+            const Vec2 offset = {i % 2 == 0 ? -quarter.x : quarter.x, i < 2 ? -quarter.y : quarter.y};
             const std::uint32_t end = at[i + 1] + counts[i + 1];
-            nodes_.push_back({n.middle + way, at[i + 1], end, end, 0});
+            nodes_.push_back({n.middle + offset, at[i + 1], end, end, 0});
         }
         for (std::uint32_t i = n.begin; i < n.end; ++i) items_[at[sorted_[i].child + 1]++] = sorted_[i].item;
         levels_ = std::max(levels_, level);
@@ -170,41 +172,15 @@ class Tree {
     std::span<const Proxy> proxies_;
     std::vector<Node> nodes_;
     std::vector<Handle> items_;
-    std::vector<Sorted> sorted_;  ///< scratch
+    std::vector<Sorted> sorted_;  ///< buffer of split()
     std::uint64_t tests_ = 0;
 };
 
 class AdaptiveQuadtree final : public BroadPhase {
   public:
-    AdaptiveQuadtree(std::vector<Proxy> still, const Box& world, int capacity, int depth)
-        : still_(std::move(still)),
-          still_tree_(world, capacity, depth),
-          moving_tree_(world, capacity, depth) {
+    AdaptiveQuadtree(std::vector<Proxy> still, const BroadPhaseOptions& options)
+        : BroadPhase(std::move(still)), still_tree_(options), moving_tree_(options) {
         still_tree_.build(still_);
-    }
-
-    void find_pairs(std::span<const Proxy> moving, std::vector<Pair>& pairs) override {
-        pairs.clear();
-        if (std::ranges::none_of(moving, &Proxy::active)) {
-            moving_tree_.build({});
-            return;
-        }
-        const auto first = static_cast<Handle>(still_.size());
-        tests_ += moving_tree_.build(moving);
-        moving_tree_.each_node([&](std::uint32_t node, std::span<const Handle> items, bool split) {
-            for (std::size_t i = 0; i < items.size(); ++i) {
-                const Handle b = items[i];
-                const auto test_moving = [&](Handle a, std::uint32_t cell) {
-                    test(first + a, moving[a], first + b, moving[b], pairs, cell);
-                };
-                for (const Handle a : items.subspan(i + 1)) test_moving(a, node);
-                if (split) tests_ += moving_tree_.reach_below(moving[b].box, test_moving, node);
-                tests_ += still_tree_.reach(moving[b].box, [&](Handle a, std::uint32_t cell) {
-                    test(a, still_[a], first + b, moving[b], pairs, cell);
-                });
-            }
-        });
-        std::ranges::sort(pairs);
     }
 
     [[nodiscard]] BroadPhaseFacts facts() const override {
@@ -228,7 +204,7 @@ class AdaptiveQuadtree final : public BroadPhase {
         return cells;
     }
 
-    /// From its own node on, and the whole of the still tree.
+    /// The nodes from its own down, and those of the still tree.
     [[nodiscard]] Visited visited(Handle moving) const override {
         Visited visited;
         const auto proxy = moving - static_cast<Handle>(still_.size());
@@ -243,15 +219,29 @@ class AdaptiveQuadtree final : public BroadPhase {
     }
 
   private:
-    std::vector<Proxy> still_;
+    void search() override {
+        tests_ += moving_tree_.build(moving_);
+        moving_tree_.each_node([&](std::uint32_t node, std::span<const Handle> items, bool split) {
+            for (std::size_t i = 0; i < items.size(); ++i) {
+                const Handle b = items[i];
+                const Box& box = moving_[b].box;
+                const auto test = [&](Handle a, std::uint32_t cell) { test_moving(a, b, cell); };
+                for (const Handle a : items.subspan(i + 1)) test(a, node);
+                if (split) tests_ += moving_tree_.reach_below(box, test, node);
+                tests_ +=
+                    still_tree_.reach(box, [&](Handle a, std::uint32_t cell) { test_still(a, b, cell); });
+            }
+        });
+    }
+
     Tree still_tree_, moving_tree_;
 };
 
 }  // namespace
 
-std::unique_ptr<BroadPhase> make_adaptive_quadtree(std::vector<Proxy> still, const Box& world, int capacity,
-                                                   int depth) {
-    return std::make_unique<AdaptiveQuadtree>(std::move(still), world, capacity, depth);
+std::unique_ptr<BroadPhase> make_adaptive_quadtree(std::vector<Proxy> still,
+                                                   const BroadPhaseOptions& options) {
+    return std::make_unique<AdaptiveQuadtree>(std::move(still), options);
 }
 
 }  // namespace flipside::custom

@@ -1,4 +1,4 @@
-// Every pair is tested. Cost: O(n · (still + n)) tests, nothing kept between searches.
+// Brute force tests every pair. Cost: O(n · (still + n)) tests; it keeps nothing between searches.
 
 #include "custom/broad_phase/broad_phase.hpp"
 
@@ -8,27 +8,23 @@ namespace {
 
 class BruteForce final : public BroadPhase {
   public:
-    explicit BruteForce(std::vector<Proxy> still) : still_(std::move(still)) {}
+    using BroadPhase::BroadPhase;
 
-    void find_pairs(std::span<const Proxy> moving, std::vector<Pair>& pairs) override {
-        pairs.clear();
-        const auto first_moving = static_cast<Handle>(still_.size());
-        for (Handle i = 0; i < moving.size(); ++i) {
-            const Handle b = first_moving + i;
-            for (Handle a = 0; a < first_moving; ++a) test(a, still_[a], b, moving[i], pairs);
-            for (Handle j = 0; j < i; ++j) test(first_moving + j, moving[j], b, moving[i], pairs);
-        }
-    }
     [[nodiscard]] BroadPhaseFacts facts() const override { return {.name = "brute force"}; }
     void inspect(Inspector&) const override {}
 
   private:
-    std::vector<Proxy> still_;
+    void search() override {
+        for (Handle b = 0; b < moving_.size(); ++b) {
+            for (Handle a = 0; a < still_.size(); ++a) test_still(a, b);
+            for (Handle a = 0; a < b; ++a) test_moving(a, b);
+        }
+    }
 };
 
 }  // namespace
 
-std::unique_ptr<BroadPhase> make_brute_force(std::vector<Proxy> still) {
+std::unique_ptr<BroadPhase> make_brute_force(std::vector<Proxy> still, const BroadPhaseOptions&) {
     return std::make_unique<BruteForce>(std::move(still));
 }
 

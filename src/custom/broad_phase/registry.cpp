@@ -6,9 +6,9 @@ namespace flipside::custom {
 
 namespace {
 
-/// Up to this many pairs to look at, testing all is cheaper than any order among them.
+/// Up to this many pairs, brute force is the cheapest.
 constexpr std::size_t few_pairs = 64;
-/// Largest ball to smallest from which one cell does not suit them all.
+/// Ratio of the largest radius to the smallest from which one width of cells does not fit all balls.
 constexpr double mixed_sizes = 16;
 
 }  // namespace

@@ -6,10 +6,10 @@ namespace flipside::custom {
 
 namespace {
 
-/// Cells on an axis at most, so that a range much longer than wide does not make more than there are boxes.
+/// Limit on the cells along an axis, so that a long and narrow range does not get more cells than boxes.
 constexpr std::size_t most_cells = 1024;
-/// A box is in the cells that it touches where those are not more than this, in units of √n: a wall along
-/// the table is, one that covers it is not.
+/// Limit on the cells that list one box, in units of √n: a wall along the table is listed, a box over the
+/// whole table is not.
 constexpr double most_touched = 4;
 
 }  // namespace
@@ -67,6 +67,16 @@ std::uint64_t BoxIndex::find(const Box& box, std::vector<std::uint32_t>& found) 
     std::sort(found.begin() + before, found.end());
     found.erase(std::unique(found.begin() + before, found.end()), found.end());
     return tests;
+}
+
+std::uint64_t Candidates::cover(const Box& box, const BoxIndex& index) {
+    if (fat_.contains(box.min) && fat_.contains(box.max)) return 0;
+    const Vec2 size = box.max - box.min;
+    // A wider margin makes longer lists, a narrower one more rebuilds; measured on pinball.
+    constexpr double margin = 0.25;  // of width plus height
+    fat_ = grown(box, margin * (size.x + size.y));
+    list_.clear();
+    return index.find(fat_, list_);
 }
 
 }  // namespace flipside::custom

@@ -1,9 +1,8 @@
 #pragma once
-/// Boxes that never change, searched for those that overlap one: a grid of about as many cells as boxes over
-/// the table, each with the boxes that touch it. A box that touches too many cells is in none and is always
-/// tested.
-/// Cost: of making it, n + all entries in cells; of a search, the cells that the box touches and a test per
-/// entry in them.
+/// Static grid of boxes that never change, to find those that overlap a query box. It has about as many cells
+/// as boxes; each cell lists the boxes that touch it. A box that touches too many cells is in no list and is
+/// tested in every query. Cost: n + all list entries to build it; a query costs one box test per entry in the
+/// cells that it touches.
 
 #include <algorithm>
 #include <cstdint>
@@ -16,14 +15,14 @@ namespace flipside::custom {
 
 class BoxIndex {
   public:
-    /// Most of the boxes lie in `range`; all others are found as well, with more tests.
+    /// Most of the boxes should lie in `range`; others are found too, with more tests.
     BoxIndex(const Box& range, std::vector<Box> boxes);
 
     [[nodiscard]] std::size_t size() const { return boxes_.size(); }
     [[nodiscard]] const Box& operator[](std::size_t i) const { return boxes_[i]; }
 
-    /// Appends the indices of all that overlap `box`, in rising order. Returns the number of box tests; to
-    /// find the cells counts as one.
+    /// Appends the indices of all boxes that overlap `box`, in rising order. Returns the number of box tests;
+    /// finding the cells counts as one.
     std::uint64_t find(const Box& box, std::vector<std::uint32_t>& found) const;
 
   private:
@@ -31,10 +30,10 @@ class BoxIndex {
         double low = 0, per_cell = 0;
         std::size_t cells = 1;
 
-        /// Of a coordinate; what is outside, at infinity too, is in the first or the last.
+        /// Index of the cell of a coordinate; the first or the last for those outside, also at infinity.
         [[nodiscard]] std::size_t cell(double at) const {
-            const double place = (at - low) * per_cell;
-            return place > 0 ? static_cast<std::size_t>(std::min(place, static_cast<double>(cells - 1))) : 0;
+            const double index = (at - low) * per_cell;
+            return index > 0 ? static_cast<std::size_t>(std::min(index, static_cast<double>(cells - 1))) : 0;
         }
     };
     [[nodiscard]] static Axis axis(double min, double max, double width, std::size_t most);
@@ -45,9 +44,26 @@ class BoxIndex {
 
     std::vector<Box> boxes_;
     Axis x_, y_;
-    std::vector<std::uint32_t> begins_;   ///< of each cell's entries, row by row, and their end
+    std::vector<std::uint32_t> begins_;  ///< index of each cell's first entry, row by row, and the end of all
     std::vector<std::uint32_t> entries_;  ///< indices of boxes, cell by cell
-    std::vector<std::uint32_t> large_;    ///< boxes that are in no cell
+    std::vector<std::uint32_t> large_;    ///< boxes in no cell, tested in every query
+};
+
+/// The boxes of an index that a ball may touch: those that overlap its fat AABB. The list is rebuilt only
+/// when the swept bounds of its path leave that box, which happens once in many steps.
+class Candidates {
+  public:
+    /// Rebuilds the list if `box` is not inside the fat AABB. Returns the number of box tests.
+    std::uint64_t cover(const Box& box, const BoxIndex& index);
+    void reserve(std::size_t boxes) { list_.reserve(boxes); }
+    void forget() { fat_ = {{1, 1}, {-1, -1}}; }
+
+    /// In rising order.
+    [[nodiscard]] std::span<const std::uint32_t> list() const { return list_; }
+
+  private:
+    Box fat_{{1, 1}, {-1, -1}};
+    std::vector<std::uint32_t> list_;
 };
 
 }  // namespace flipside::custom

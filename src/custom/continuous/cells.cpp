@@ -10,22 +10,22 @@ namespace flipside::custom {
 
 namespace {
 
-/// So much wider than a diameter are the narrowest cells in which a ball is listed: with what it may be
-/// outside of its cell, the next one but one is out of its reach.
-constexpr double room = 1.25;
-/// How far the centre may be outside, in widths.
-constexpr double loose = 0.1;
-static_assert(room * (1 - 2 * loose) >= 1);
+/// Least width of a cell, in diameters of a ball: with `slack` on both sides, balls two cells apart cannot
+/// touch.
+constexpr double least_width = 1.25;
+/// How far the centre of a ball may be outside its cell, in widths.
+constexpr double cell_slack = 0.1;
+static_assert(least_width * (1 - 2 * cell_slack) >= 1);
 
 }  // namespace
 
 double Cells::width_for(double radius) {
-    return 2 * room * radius;
+    return 2 * least_width * radius;
 }
 
-std::int64_t Cells::index_at(double place, double width) {
+std::int64_t Cells::index_at(double coordinate, double width) {
     constexpr double far = 0x1p52;
-    return static_cast<std::int64_t>(std::clamp(std::floor(place / width), -far, far));
+    return static_cast<std::int64_t>(std::clamp(std::floor(coordinate / width), -far, far));
 }
 
 void Cells::reserve(std::size_t balls) {
@@ -56,7 +56,7 @@ void Cells::choose_level(BallIndex i, double width) {
     cells_[i].level = static_cast<std::uint32_t>(level);
 }
 
-void Cells::put(BallIndex i, Vec2 center) {
+void Cells::insert(BallIndex i, Vec2 center) {
     const std::uint32_t level = cells_[i].level;
     const Cell cell{level, index_at(center.x, widths_[level]), index_at(center.y, widths_[level])};
     Link& link = links_[i];
@@ -91,8 +91,8 @@ void Cells::count(std::uint32_t number, int change) {
     if (level->balls == 0) levels_.erase(level);
 }
 
-double Cells::stays(BallIndex i, Vec2 center, Vec2 velocity, Vec2 top) const {
-    const double w = widths_[cells_[i].level], slack = loose * w;
+double Cells::time_in_cell(BallIndex i, Vec2 center, Vec2 velocity, Vec2 top) const {
+    const double w = widths_[cells_[i].level], slack = cell_slack * w;
     const auto along = [&](double at, std::int64_t index, double speed, double bend) {
         const double low = at - (static_cast<double>(index) * w - slack);
         const double ahead = speed > 0 ? w + 2 * slack - low : low;
@@ -106,7 +106,7 @@ double Cells::stays(BallIndex i, Vec2 center, Vec2 velocity, Vec2 top) const {
     };
     const double least = std::min(along(center.x, cells_[i].column, velocity.x, top.x),
                                   along(center.y, cells_[i].row, velocity.y, top.y));
-    // In single precision, so that where cells lie does not show in the last bits of what is found later.
+    // Single precision keeps the position of the cells out of the last bits of later results.
     const auto rounded = static_cast<float>(least);
     return rounded > least ? std::nextafter(rounded, 0.0F) : rounded;
 }

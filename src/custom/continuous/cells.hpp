@@ -1,17 +1,18 @@
 #pragma once
-/// Where balls find each other: square cells, on levels whose widths double, as in a quadtree. A ball is
-/// listed on the level whose cells are just wider than 1.25 diameters (or than it flies in a millisecond, if
-/// that is more), in the cell in which its centre lies, and stays listed there until its centre is a tenth of
-/// a width outside (Rapaport 1980, "The event scheduling problem in molecular dynamic simulation"). What it
-/// may touch meanwhile is listed, on its own level, in that cell or one of the eight around it; on another
-/// level in the cells within half a width of both.
+/// Neighbour search by a hierarchical hash grid: square cells, on levels whose widths double (Ericson 2005,
+/// "Real-time collision detection", 7.2). A ball is listed on the level whose cells are just wider than 1.25
+/// diameters (or than its path in a millisecond, if that is longer), in the cell that contains its centre. It
+/// stays listed there until its centre is a tenth of a width outside (Rapaport 1980, "The event scheduling
+/// problem in molecular dynamic simulation"). All balls that it may touch until then are listed, on its own
+/// level, in that cell or one of the eight around it; on another level, in the cells within half of both
+/// widths.
 ///
-/// Cells have no border: they are kept in a hash table by level, column and row. Columns and rows count
-/// modulo 2²⁸, so cells that far apart share their lists, which costs tests and changes no result.
+/// The grid is unbounded: a hash table maps level, column and row to a list. Columns and rows count modulo
+/// 2²⁸, so cells that far apart share a list, which costs tests and changes no result.
 ///
-/// Cost: constant for a ball that changes its cell; a query looks at nine cells on its own level and about
-/// four on each coarser one in use; on a finer one at as many as the ball covers, or at all balls where that
-/// is less.
+/// Cost: constant for a ball that changes its cell. A query visits nine cells on its own level, about four on
+/// each coarser level in use, and on a finer level those that the ball covers, or all balls if these are
+/// fewer.
 
 #include <array>
 #include <cstdint>
@@ -34,15 +35,15 @@ class Cells {
         friend auto operator<=>(const Cell&, const Cell&) = default;
     };
 
-    /// Makes room for so many balls.
+    /// Reserves memory for so many balls.
     void reserve(std::size_t balls);
-    /// Begins anew with these balls, none of them listed.
+    /// Starts with these balls, none of them listed.
     void reset(std::span<const Ball> balls);
-    /// On which level a ball will be listed: its cells are at least `width` wide, m. Takes it off its list
-    /// if that changes.
+    /// Sets the level of a ball, so that its cells are at least `width` wide, m. Removes the ball from its
+    /// list if the level changes.
     void choose_level(BallIndex i, double width);
-    /// Lists a ball in the cell of this place.
-    void put(BallIndex i, Vec2 center);
+    /// Lists a ball in the cell that contains `center`.
+    void insert(BallIndex i, Vec2 center);
     void remove(BallIndex i);
     [[nodiscard]] const Cell& operator[](BallIndex i) const { return cells_[i]; }
     /// Draws the cells in use, each with the number of its balls.
@@ -50,14 +51,13 @@ class Cells {
     /// The least width for a ball of this radius.
     [[nodiscard]] static double width_for(double radius);
 
-    /// For how long a ball surely stays listed rightly, s: its centre is now at `center`, and neither
-    /// component of its acceleration gets greater than `top` (m/s²). Above 0 right after put(), unless
-    /// coordinates are so large that rounding is a cell wide.
-    [[nodiscard]] double stays(BallIndex i, Vec2 center, Vec2 velocity, Vec2 top) const;
+    /// Lower bound on the time for which a ball stays in its cell, s. Its centre is at `center` now, and
+    /// neither component of its acceleration exceeds `top` (m/s²). Positive right after insert(), unless
+    /// coordinates are so large that rounding is as wide as a cell.
+    [[nodiscard]] double time_in_cell(BallIndex i, Vec2 center, Vec2 velocity, Vec2 top) const;
 
-    /// Visits, in no order that means anything, all balls but i that i may touch as long as both are listed
-    /// rightly; some others too.
-    void each_near(BallIndex i, auto&& visit) const {
+    /// Visits all balls that ball i may touch while both stay in their cells, and some others, in any order.
+    void query_neighbours(BallIndex i, auto&& visit) const {
         for (const Level& level : levels_) {
             if (level.number == cells_[i].level)
                 each_around(cells_[i], i, visit);
@@ -65,8 +65,8 @@ class Cells {
                 each_on_other(level, i, visit);
         }
     }
-    /// The same, of those only that were not to be visited when the ball was still listed in cell `before`.
-    void each_newly_near(BallIndex i, const Cell& before, auto&& visit) const {
+    /// The same, but only those that a query from the cell `before` would not have visited.
+    void query_new_neighbours(BallIndex i, const Cell& before, auto&& visit) const {
         for (const Level& level : levels_) {
             if (level.number == cells_[i].level)
                 each_newly_around(cells_[i], before, i, visit);
@@ -96,14 +96,14 @@ class Cells {
                (static_cast<std::uint64_t>(cell.column) & index_mask) << index_bits |
                (static_cast<std::uint64_t>(cell.row) & index_mask);
     }
-    /// Cells of a row lie side by side.
+    /// Cells of one row have adjacent buckets.
     [[nodiscard]] std::size_t bucket(const Cell& cell) const {
         constexpr std::uint64_t spread = 0x9e3779b97f4a7c15;  // 2⁶⁴ by the golden ratio
         const std::uint64_t line =
             (static_cast<std::uint64_t>(cell.row) & index_mask) * most_levels + cell.level;
         return ((static_cast<std::uint64_t>(cell.column) & index_mask) + (line * spread >> 20)) & mask_;
     }
-    [[nodiscard]] static std::int64_t index_at(double place, double width);
+    [[nodiscard]] static std::int64_t index_at(double coordinate, double width);
 
     void each_in(const Cell& cell, BallIndex except, auto& visit) const {
         const std::uint64_t key = key_of(cell);
@@ -116,12 +116,12 @@ class Cells {
                 each_in({at.level, column, row}, except, visit);
     }
     void each_newly_around(const Cell& at, const Cell& before, BallIndex except, auto& visit) const {
-        const auto was_near = [](std::int64_t index, std::int64_t other) {
+        const auto was_adjacent = [](std::int64_t index, std::int64_t other) {
             return index >= other - 1 && index <= other + 1;
         };
         for (std::int64_t row = at.row - 1; row <= at.row + 1; ++row)
             for (std::int64_t column = at.column - 1; column <= at.column + 1; ++column)
-                if (!was_near(row, before.row) || !was_near(column, before.column))
+                if (!was_adjacent(row, before.row) || !was_adjacent(column, before.column))
                     each_in({at.level, column, row}, except, visit);
     }
     void each_on_other(const Level& level, BallIndex i, auto& visit) const {
@@ -148,9 +148,9 @@ class Cells {
     void count(std::uint32_t number, int change);
 
     std::array<double, most_levels> widths_{};  ///< m, by level
-    std::vector<Link> links_;                   ///< by place
-    std::vector<Cell> cells_;                   ///< by place
-    std::vector<BallIndex> heads_;              ///< by bucket, a power of two of them
+    std::vector<Link> links_;                   ///< per ball
+    std::vector<Cell> cells_;                   ///< per ball
+    std::vector<BallIndex> heads_;              ///< per bucket, a power of two of them
     std::uint64_t mask_ = 0;
     std::vector<Level> levels_;  ///< in use
 };

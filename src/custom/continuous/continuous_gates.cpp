@@ -5,7 +5,7 @@
 
 namespace flipside::custom {
 
-/// Of the ball's surface from that of a sensor or gate, m; below 0 inside.
+/// Distance of a ball's surface from a sensor or gate, m; negative inside.
 double ContinuousSolver::distance_to(PartIndex part, Vec2 center, double radius, const Pose& pose) const {
     double least = INFINITY;
     for (const PrimitiveIndex primitive : primitives_[part])
@@ -13,8 +13,8 @@ double ContinuousSolver::distance_to(PartIndex part, Vec2 center, double radius,
     return least;
 }
 
-/// Decides for every ball that is at a gate but has not met it in flight: it was there at the beginning, or
-/// joined, or was pushed there.
+/// Decides for each ball that overlaps a gate at the start of the window whether the gate lets it through:
+/// such a ball had no impact event with the gate.
 void ContinuousSolver::settle_gates() {
     for (const PartIndex part : layout_.gates()) settle_gate(part);
 }
@@ -47,7 +47,7 @@ void ContinuousSolver::settle_gate(PartIndex part) {
     }
 }
 
-/// Whether the ball, which touches the gate, goes or is to go through it.
+/// Whether the gate lets a ball through that touches it.
 bool ContinuousSolver::lets_through(PartIndex part, const Ball& ball, double time) const {
     if (table_->parts()[part].open) return true;
     if (table_->is_blocked(part, ball.number)) return false;
@@ -58,7 +58,8 @@ bool ContinuousSolver::lets_through(PartIndex part, const Ball& ball, double tim
                                   rotated(relative, -pose.angle), ball.radius);
 }
 
-/// A ball comes within a radius of a gate. Whether that lets it through: then the gate is open for all.
+/// Handles a ball that reaches a gate. Returns whether the gate lets it through; it is then open for all
+/// balls.
 bool ContinuousSolver::meet_gate(BallIndex i, PartIndex part, double time) {
     const Ball& ball = bodies_[i];
     if (!lets_through(part, ball, time)) {
@@ -76,16 +77,16 @@ bool ContinuousSolver::meet_gate(BallIndex i, PartIndex part, double time) {
     return true;
 }
 
-/// A ball has left a gate that let it through, or did not.
+/// Handles a ball that has left a gate, whether the gate let it through or not.
 void ContinuousSolver::leave_gate(BallNumber ball, PartIndex part, double time) {
     table_->set_blocked(part, ball, false);
     if (!inside(ball, part)) return;
     set_inside(ball, part, false);
     if (std::ranges::any_of(inside_, [&](const Sensed& s) { return s.sensor == part; })) return;
     table_->set_open(part, false);
-    // What counted on an open gate looks again.
+    // Predictions made while the gate was open no longer hold.
     for (BallIndex j = 0; j < movers_.size(); ++j)
-        if (movers_[j].number != ball && !bodies_[j].asleep && !movers_[j].lost) predict(j, time);
+        if (movers_[j].number != ball && !bodies_[j].asleep && !hot_[j].lost) predict(j, time);
 }
 
 }  // namespace flipside::custom

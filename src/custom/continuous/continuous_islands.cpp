@@ -7,155 +7,158 @@ namespace flipside::custom {
 
 namespace {
 
-/// A ball that moves no farther than this in a long tick creeps, in radii.
+/// Radii: a member that moves no farther than this in a long tick creeps.
 constexpr double creep_distance = 0.02;
-/// So many touches of balls, each within a tick of the last, and a ball rattles.
+/// Contacts with balls in a row, each within a tick of the one before, that show an inelastic collapse.
 constexpr int most_hits = 10;
 
 }  // namespace
 
-/// Whether a ball of this speed, m/s, hardly moves in a long tick.
+/// Whether a ball of this speed, m/s, moves less than creep_distance in a long tick.
 bool ContinuousSolver::creeps_at(double speed, const Ball& ball) {
     return speed * long_tick_length <= creep_distance * ball.radius;
 }
 
-/// Takes a ball into an island. Until the next tick it goes on as it does, but meets no other of an island.
-void ContinuousSolver::join(BallIndex i, double time) {
+/// Makes a ball a member of an island. It keeps its path until the next tick, but has no slow contacts with
+/// other members.
+void ContinuousSolver::join_island(BallIndex i, double time) {
     Mover& mover = movers_[i];
-    if (bodies_[i].asleep || mover.lost || flying_[i].pressed) return;
-    if (!any_pressed_) next_tick_ = next_tick(time);
-    flying_[i].pressed = any_pressed_ = true;
+    if (bodies_[i].asleep || hot_[i].lost || hot_[i].in_island) return;
+    if (!any_in_island_) next_tick_ = next_tick(time);
+    hot_[i].in_island = any_in_island_ = true;
     std::uint64_t& counted = record_->statistics.handed_over;
     counted = std::max<std::uint64_t>(counted, 1);
-    mover.hops = false;
-    mover.loaded_at = time;
+    mover.on_tick_path = false;
+    mover.last_loaded = time;
 }
 
-void ContinuousSolver::leave(BallIndex i) {
-    flying_[i].pressed = false;
+void ContinuousSolver::leave_island(BallIndex i) {
+    hot_[i].in_island = false;
 }
 
-/// Events of a ball at one instant without end, or impacts that come to nothing: it is squeezed. Then all
-/// that touches it, and what touches that, is solved at once, however fast it comes, as an impact without
-/// bounce.
-void ContinuousSolver::crush(BallIndex first, double time) {
+/// Handles a ball whose events at one instant, or whose insignificant impacts, have no end. All balls in
+/// contact with it, directly or through others, are solved at once as one impact without restitution.
+void ContinuousSolver::solve_jammed(BallIndex first, double time) {
     members_.clear();
-    const auto squeeze = [&](BallIndex i) {
-        if (bodies_[i].asleep || movers_[i].lost || movers_[i].crushed) return;
-        join(i, time);
-        movers_[i].crushed = true;
+    const auto mark_jammed = [&](BallIndex i) {
+        if (bodies_[i].asleep || hot_[i].lost || movers_[i].jammed) return;
+        join_island(i, time);
+        movers_[i].jammed = true;
         members_.push_back(i);
     };
-    squeeze(first);
+    mark_jammed(first);
     for (std::size_t seen = 0; seen < members_.size();) {
         const BallIndex i = members_[seen++];
-        const Vec2 here = movers_[i].way.path.position(time);
-        cells_.each_near(i, [&](BallIndex j) {
+        const Vec2 here = movers_[i].motion.path.position(time);
+        cells_.query_neighbours(i, [&](BallIndex j) {
             const double reach = bodies_[i].radius + bodies_[j].radius;
-            const double apart = length(movers_[j].way.path.position(time) - here);
-            if (apart <= (1 + press_distance) * reach && layers_meet(bodies_[i], bodies_[j])) squeeze(j);
+            const double apart = length(movers_[j].motion.path.position(time) - here);
+            if (apart <= (1 + resting_distance) * reach && layers_meet(bodies_[i], bodies_[j]))
+                mark_jammed(j);
         });
     }
     tick(time);
 }
 
-/// Where that did not help, the ball stays where it is until the next tick.
-void ContinuousSolver::wait(BallIndex i, double time) {
-    move_to(i, time);
-    join(i, time);
+/// Holds a ball in place until the next tick, where solve_jammed() did not help.
+void ContinuousSolver::freeze(BallIndex i, double time) {
+    advance_to(i, time);
+    join_island(i, time);
     Mover& mover = movers_[i];
-    mover.waits = true;
-    flying_[i].creeps = false;
-    mover.set_out_with = mover.arrives_with = bodies_[i].velocity;
-    set_out_member(i, {bodies_[i].position, {}, {}, 0}, time, next_tick(time));
+    mover.frozen = true;
+    hot_[i].creeps = false;
+    mover.velocity_begin = mover.velocity_end = bodies_[i].velocity;
+    start_member_path(i, {bodies_[i].position, {}, {}, 0}, time, next_tick(time));
     predict(i, time);
-    // It looks for nobody, so those beside it are to look for it.
-    cells_.each_near(i, [&](BallIndex j) {
-        if (!movers_[j].waits) predict(j, time);
+    // It predicts no events of its own, so its neighbours must predict theirs with it.
+    cells_.query_neighbours(i, [&](BallIndex j) {
+        if (!movers_[j].frozen) predict(j, time);
     });
 }
 
-/// Of a ball that was moved along its path to this time. That of a member changes evenly between ticks,
-/// while it hops.
+/// Velocity of a ball that was advanced along its path to this time. The velocity of a member is interpolated
+/// linearly between ticks; that of its parabola serves only to reach the solved position.
 Vec2 ContinuousSolver::true_velocity(BallIndex i, double time) const {
     const Mover& mover = movers_[i];
-    if (!mover.hops) return bodies_[i].velocity;
-    const double start = mover.way.path.start, part = (time - start) / (mover.way.until - start);
-    return mover.set_out_with + part * (mover.arrives_with - mover.set_out_with);
+    if (!mover.on_tick_path) return bodies_[i].velocity;
+    const double start = mover.motion.path.start, part = (time - start) / (mover.motion.until - start);
+    return mover.velocity_begin + part * (mover.velocity_end - mover.velocity_begin);
 }
 
-/// A member as it is at a time.
-void ContinuousSolver::follow(Ball& ball, const Mover& mover, double time) const {
-    const double start = mover.way.path.start;
-    advance(ball, mover.way, time);
-    if (!mover.hops) return;
-    const double part = (time - start) / (mover.way.until - start);
-    ball.velocity = mover.set_out_with + part * (mover.arrives_with - mover.set_out_with);
+/// Moves a member along its path to `time`, with its true velocity.
+void ContinuousSolver::advance_member(Ball& ball, const Mover& mover, double time) const {
+    const double start = mover.motion.path.start;
+    advance(ball, mover.motion, time);
+    if (!mover.on_tick_path) return;
+    const double part = (time - start) / (mover.motion.until - start);
+    ball.velocity = mover.velocity_begin + part * (mover.velocity_end - mover.velocity_begin);
 }
 
-void ContinuousSolver::move_to(BallIndex i, double time) {
-    if (flying_[i].pressed)
-        follow(bodies_[i], movers_[i], time);
+void ContinuousSolver::advance_to(BallIndex i, double time) {
+    if (hot_[i].in_island)
+        advance_member(bodies_[i], movers_[i], time);
     else
-        advance(bodies_[i], movers_[i].way, time);
+        advance(bodies_[i], movers_[i].motion, time);
 }
 
-/// A member goes along this path until its next tick.
-void ContinuousSolver::set_out_member(BallIndex i, const Flight& flight, double time, double until) {
+/// Starts the path of a member until its next tick.
+void ContinuousSolver::start_member_path(BallIndex i, const Flight& flight, double time, double until) {
     Mover& mover = movers_[i];
-    any_pressed_ = mover.hops = true;
-    mover.resting_on = mover.released = nullptr;
-    mover.glides.clear();
-    mover.way.fly(flight, time);
-    mover.way.until = until;
+    any_in_island_ = mover.on_tick_path = true;
+    mover.resting_on = mover.separated_from = nullptr;
+    mover.tangent_faces.clear();
+    mover.motion.fly(flight, time);
+    mover.motion.until = until;
     bodies_[i].position = flight.position;
     bodies_[i].velocity = flight.velocity;
-    Flying& flying = flying_[i];
-    ++flying.changes;
-    flying.position = flight.position;
-    flying.velocity = flight.velocity;
-    flying.start = time;
-    flying.freely = flight.acceleration == drive_.gravity && flight.drag == drive_.drag;
+    HotState& hot = hot_[i];
+    ++hot.version;
+    hot.position = flight.position;
+    hot.velocity = flight.velocity;
+    hot.start = time;
+    hot.ballistic = flight.acceleration == external_.gravity && flight.drag == external_.drag;
     list_in_cell(i, time);
 }
 
-/// The path of a member: a hop to where the forces bring it. So all balls fly under one gravity, and any two
-/// meet as if they flew straight. One that nothing presses flies freely, and leaves after some ticks.
-void ContinuousSolver::hop(BallIndex i, double time, const ContactSolver::Body& body) {
+/// Starts the path of a member over a tick: the parabola under gravity and drag that ends at the solved
+/// position. Since all balls then have the same acceleration, the relative motion of any two is straight. A
+/// member without a load flies freely, and leaves the island after some ticks.
+void ContinuousSolver::start_tick_path(BallIndex i, double time, const ContactSolver::Body& body) {
     Mover& mover = movers_[i];
     const Ball& ball = bodies_[i];
-    if (time - mover.loaded_at > longest_unloaded) {
-        leave(i);
+    if (time - mover.last_loaded > longest_unloaded) {
+        leave_island(i);
         bodies_[i].position = body.position;
-        return set_out(i, time);
+        return start_path(i, time);
     }
     const double duration = next_tick_ - time;
-    // What is stopped by more than its weight is stopped at once: a blow within the tick must not find it
-    // with the speed that it has lost.
+    // A velocity change greater than that of gravity applies at once, so that an impact within the tick does
+    // not see the old velocity.
     const bool stopped = length(body.velocity - ball.velocity) > 2 * length(scene_.gravity) * tick_length;
-    mover.set_out_with = stopped ? body.velocity : ball.velocity;
-    mover.arrives_with = body.velocity;
-    const TimeInterval interval(drive_.drag, duration);
-    const Vec2 thrown = mover.sides == 0
-                            ? ball.velocity
-                            : (duration * body.velocity - interval.fallen * drive_.gravity) / interval.shrunk;
-    set_out_member(i, {body.position, thrown, drive_.gravity, drive_.drag}, time, next_tick_);
-    mover.way.spin_rate = (body.spin - ball.spin) / duration;
+    mover.velocity_begin = stopped ? body.velocity : ball.velocity;
+    mover.velocity_end = body.velocity;
+    const TimeInterval interval(external_.drag, duration);
+    const Vec2 thrown =
+        mover.loads == 0 ? ball.velocity
+                         : (duration * body.velocity - interval.fallen * external_.gravity) / interval.shrunk;
+    start_member_path(i, {body.position, thrown, external_.gravity, external_.drag}, time, next_tick_);
+    mover.motion.spin_rate = (body.spin - ball.spin) / duration;
 }
 
-/// The path of a member that hardly moves: evenly on through a long tick.
-void ContinuousSolver::creep(BallIndex i, double time, double until, const ContactSolver::Body& body) {
+/// Starts the path of a creeping member: uniform motion over a long tick.
+void ContinuousSolver::start_creep_path(BallIndex i, double time, double until,
+                                        const ContactSolver::Body& body) {
     Mover& mover = movers_[i];
-    mover.set_out_with = mover.arrives_with = body.velocity;
-    set_out_member(i, {body.position, body.velocity, {}, 0}, time, until);
-    mover.way.spin_rate = (body.spin - bodies_[i].spin) / (until - time);
-    flying_[i].creeps = true;
+    mover.velocity_begin = mover.velocity_end = body.velocity;
+    start_member_path(i, {body.position, body.velocity, {}, 0}, time, until);
+    mover.motion.spin_rate = (body.spin - bodies_[i].spin) / (until - time);
+    hot_[i].creeps = true;
 }
 
-/// Whether two balls come together slowly that have both met balls again and again: in a crowd that comes to
-/// rest impacts follow each other ever faster (McNamara and Young 1994, "Inelastic collapse in two
-/// dimensions"). They stay together.
-bool ContinuousSolver::rattles(BallIndex i, BallIndex j, double approach, double time) {
+/// Whether a slow contact belongs to an inelastic collapse: in a heap that comes to rest, impacts follow each
+/// other ever faster without end (McNamara and Young 1994, "Inelastic collapse in two dimensions"). Then it
+/// becomes a resting contact.
+bool ContinuousSolver::collapses(BallIndex i, BallIndex j, double approach, double time) {
     for (Mover* mover : {&movers_[i], &movers_[j]}) {
         mover->hits = time - mover->last_hit < tick_length ? mover->hits + 1 : 0;
         mover->last_hit = time;
@@ -163,25 +166,24 @@ bool ContinuousSolver::rattles(BallIndex i, BallIndex j, double approach, double
     return approach <= slow_ && std::min(movers_[i].hits, movers_[j].hits) >= most_hits;
 }
 
-/// Whether two members touch and do not come together faster than at rest.
-bool ContinuousSolver::in_slow_touch(BallIndex i, BallIndex j, double time) const {
-    const auto a = movers_[i].way.path.at(time), b = movers_[j].way.path.at(time);
+/// Whether two members approach each other no faster than in a resting contact.
+bool ContinuousSolver::in_slow_contact(BallIndex i, BallIndex j, double time) const {
+    const auto a = movers_[i].motion.path.at(time), b = movers_[j].motion.path.at(time);
     const Vec2 between = a.position - b.position, normal = unit(between);
     return -dot(a.velocity - b.velocity, normal) <= slow_;
 }
 
-/// The same for a member and a feature. One that joined since the last tick flies on, and a whole tick at
-/// that speed would take it into the part: it is left to itself only where it would come to rest there
-/// anyway.
+/// The same for a member and a feature. A ball that joined since the last tick is still on its old path,
+/// which could take it into the part before the next tick: for it the limit is rest_speed.
 bool ContinuousSolver::rests_on(BallIndex i, const Feature& feature, const Pose& pose, double time) const {
-    const auto here = movers_[i].way.path.at(time);
+    const auto here = movers_[i].motion.path.at(time);
     const Closest closest = closest_point(feature, pose.undo(here.position), bodies_[i].radius);
     const Vec2 normal = pose.angle == 0 ? closest.normal : rotated(closest.normal, pose.angle);
     const Vec2 point = here.position - closest.distance * normal;
     const Vec2 surface = cross(turnings_[feature.part].rate_at(time), point - pose.pivot);
     const double closing = -dot(here.velocity - surface, normal);
-    if (flying_[i].creeps) return creeps_at(closing, bodies_[i]);
-    return closing <= (movers_[i].hops ? slow_ : scene_.rest_speed);
+    if (hot_[i].creeps) return creeps_at(closing, bodies_[i]);
+    return closing <= (movers_[i].on_tick_path ? slow_ : scene_.rest_speed);
 }
 
 }  // namespace flipside::custom

@@ -12,18 +12,18 @@ namespace flipside::custom {
 
 namespace {
 
-/// How far a ball must be out of a sensor or gate to have left it, in radii.
+/// Radii: a ball has left a sensor or gate when it is this far outside.
 constexpr double sense_gap = gate_clearance;
-/// The least way between two looks for a sensor's border, in radii.
+/// Radii: least distance that a ball moves between two evaluations of its distance from a sensor.
 constexpr double sense_step = 1e-2;
 
-/// Where f, above 0 at a and not at b, goes through 0, to within `error` behind it: by chords, and where the
-/// same end is kept twice its value counts half (the Illinois algorithm; Dowell and Jarratt 1971, "A modified
-/// regula falsi method for computing the root of an equation").
-/// After `most_chords`, which about ten do without, by halves: at most 1,100 more.
+/// Root of f in (a, b], where f(a) > 0 ≥ f(b); the result is at most `error` behind it. The Illinois
+/// algorithm (Dowell and Jarratt 1971, "A modified regula falsi method for computing the root of an
+/// equation"): chords, and the value at an end that is kept twice is halved. It takes about ten steps; after
+/// `most_chords` it bisects, at most 1,100 times.
 double first_zero(auto&& f, double a, double f_a, double b, double f_b, double error) {
     constexpr int most_chords = 100;
-    int kept = 0;  // how often in a row: b above 0, a below
+    int kept = 0;  // how often in a row b (above 0) or a (below 0) was kept
     for (int step = 0; b - a > error; ++step) {
         if (a + (b - a) / 2 <= a || a + (b - a) / 2 >= b) break;
         const double chord = a + (b - a) * (step < most_chords ? f_a / (f_a - f_b) : 0.5);
@@ -44,68 +44,69 @@ double first_zero(auto&& f, double a, double f_a, double b, double f_b, double e
 
 }  // namespace
 
-/// Whether the feature lets the ball through now.
+/// Whether the feature does not collide with the ball now.
 bool ContinuousSolver::ignores(const Feature& feature, const Ball& ball) const {
     return feature.sensor || table_->parts()[feature.part].down || !layers_meet(ball, feature) ||
            (feature.gate && inside(ball.number, feature.part));
 }
 
-/// A ball is listed in the cell in which it is now, and meets whoever is near there.
+/// Lists a ball in the cell in which it is now, and predicts its events with the neighbours there.
 void ContinuousSolver::enter_cell(BallIndex i) {
-    const double time = movers_[i].horizon;
+    const double time = movers_[i].cell_exit;
     const Cells::Cell before = cells_[i];
-    cells_.put(i, movers_[i].way.path.position(time));
-    cover_way(i, time);
-    if (movers_[i].horizon <= time) movers_[i].horizon = never_touch;
+    cells_.insert(i, movers_[i].motion.path.position(time));
+    update_swept_bounds(i, time);
+    if (movers_[i].cell_exit <= time) movers_[i].cell_exit = never_touch;
     predict_loss(i, time);
     predict_features(i, time);
-    cells_.each_newly_near(i, before, [&](BallIndex j) { predict_ball(i, j, time); });
+    cells_.query_new_neighbours(i, before, [&](BallIndex j) { predict_ball(i, j, time); });
     schedule(i);
 }
 
-void ContinuousSolver::offer(BallIndex i, double time, Next next, std::uint32_t met,
-                             std::uint32_t met_changes) {
+void ContinuousSolver::offer(BallIndex i, double time, EventType next, std::uint32_t met,
+                             std::uint32_t partner_version) {
     Mover& mover = movers_[i];
     if (!(time <= mover.next_time)) return;
-    if (time == mover.next_time && order_of(i, next, met) >= order_of(i, mover.next, mover.met)) return;
+    if (time == mover.next_time && order_of(i, next, met) >= order_of(i, mover.next, mover.partner)) return;
     mover.next_time = time;
     mover.next = next;
-    mover.met = met;
-    mover.met_changes = met_changes;
+    mover.partner = met;
+    mover.partner_version = partner_version;
 }
 
-std::uint64_t ContinuousSolver::order_of(BallIndex i, Next next, std::uint32_t met) {
+std::uint64_t ContinuousSolver::order_of(BallIndex i, EventType next, std::uint32_t met) {
     constexpr std::uint64_t meets_ball = std::uint64_t{1} << 63;
-    if (next == Next::nothing) return ~std::uint64_t{0};
-    if (next != Next::ball) return std::uint64_t{i} << 32;
+    if (next == EventType::none) return ~std::uint64_t{0};
+    if (next != EventType::ball) return std::uint64_t{i} << 32;
     return meets_ball | std::uint64_t{std::min(i, met)} << 32 | std::max(i, met);
 }
 
-/// Finds the next event of a ball on its path and notes it.
+/// Predicts the next event of a ball on its path.
 void ContinuousSolver::predict(BallIndex i, double time) {
-    flying_[i].near_ball = false;
-    predict_with(i, time, [&] { cells_.each_near(i, [&](BallIndex j) { predict_ball(i, j, time); }); });
+    hot_[i].has_near_ball = false;
+    predict_with(i, time,
+                 [&] { cells_.query_neighbours(i, [&](BallIndex j) { predict_ball(i, j, time); }); });
 }
 
-/// The same for balls that all set out now. Of two of them only the first looks for the other.
+/// The same for several balls whose paths all start now. Each pair of them is predicted once.
 void ContinuousSolver::predict_together(std::span<const BallIndex> balls, double time) {
     ++batch_;
-    for (const BallIndex i : balls) flying_[i].near_ball = false;
+    for (const BallIndex i : balls) hot_[i].has_near_ball = false;
     for (const BallIndex i : balls)
         predict_with(i, time, [&] {
-            flying_[i].batch = batch_;
-            cells_.each_near(i, [&](BallIndex j) {
-                if (flying_[j].batch != batch_) predict_ball(i, j, time);
+            hot_[i].batch = batch_;
+            cells_.query_neighbours(i, [&](BallIndex j) {
+                if (hot_[j].batch != batch_) predict_ball(i, j, time);
             });
         });
 }
 
 void ContinuousSolver::predict_with(BallIndex i, double time, auto&& each_other) {
     Mover& mover = movers_[i];
-    mover.next = Next::nothing;
+    mover.next = EventType::none;
     mover.next_time = after_end_;
-    if (!flying_[i].meets || bodies_[i].asleep || mover.waits) return next_events_.set(i, INFINITY, 0);
-    if (!mover.hops) offer(i, mover.way.until, Next::look_again);
+    if (hot_[i].lost || bodies_[i].asleep || mover.frozen) return next_events_.set(i, INFINITY, 0);
+    if (!mover.on_tick_path) offer(i, mover.motion.until, EventType::path_end);
     predict_loss(i, time);
     predict_features(i, time);
     each_other();
@@ -114,13 +115,14 @@ void ContinuousSolver::predict_with(BallIndex i, double time, auto&& each_other)
 
 void ContinuousSolver::schedule(BallIndex i) {
     const Mover& mover = movers_[i];
-    if (mover.horizon <= mover.next_time) return next_events_.set(i, mover.horizon, std::uint64_t{i} << 32);
-    if (mover.next == Next::nothing) return next_events_.set(i, INFINITY, 0);
-    next_events_.set(i, mover.next_time, order_of(i, mover.next, mover.met));
+    if (mover.cell_exit <= mover.next_time)
+        return next_events_.set(i, mover.cell_exit, std::uint64_t{i} << 32);
+    if (mover.next == EventType::none) return next_events_.set(i, INFINITY, 0);
+    next_events_.set(i, mover.next_time, order_of(i, mover.next, mover.partner));
 }
 
-/// Whether the ball comes to this feature only by sliding to the end of what holds it. That is no touch, but
-/// rounding would make one of it, at an angle of its square root.
+/// Whether the ball reaches this feature only by sliding to the end of the face on which it rests. That is no
+/// impact, but an overlap of one rounding u would look like one, at an angle of √u.
 bool ContinuousSolver::slides_to(const Mover& mover, const Ball& ball, const Feature& feature) const {
     if (mover.resting_on == nullptr) return false;
     const auto is_posed = [&](PartIndex part) {
@@ -128,43 +130,43 @@ bool ContinuousSolver::slides_to(const Mover& mover, const Ball& ball, const Fea
     };
     const PartIndex own = mover.resting_on->part;
     if (feature.part != own && (is_posed(feature.part) || is_posed(own))) return false;
-    const Pose pose = turnings_[own].pose(mover.way.path.start);
+    const Pose pose = turnings_[own].pose(mover.motion.path.start);
     const Vec2 normal = closest_point(*mover.resting_on, pose.undo(ball.position), ball.radius).normal;
-    return ends_in(*mover.resting_on, normal, feature);
+    return continues_in(*mover.resting_on, normal, feature);
 }
 
-/// Whether the ball flies along a face below which this still feature lies.
-bool ContinuousSolver::glides_over(const Mover& mover, const Feature& feature, const Pose& pose) {
-    if (!mover.glides.any()) return false;
-    return mover.glides.above(pose.angle == 0 ? feature : posed(feature, pose));
+/// Whether the ball flies along a face and this static feature lies below that face.
+bool ContinuousSolver::above_tangent_face(const Mover& mover, const Feature& feature, const Pose& pose) {
+    if (!mover.tangent_faces.any()) return false;
+    return mover.tangent_faces.above(pose.angle == 0 ? feature : posed(feature, pose));
 }
 
 void ContinuousSolver::predict_features(BallIndex i, double time) {
     Mover& mover = movers_[i];
-    mover.near_part = mover.resting_on != nullptr;
-    if (mover.near.list().empty() && inside_.empty() && table_->blocked().empty()) return;
+    mover.has_near_part = mover.resting_on != nullptr;
+    if (mover.candidates.list().empty() && inside_.empty() && table_->blocked().empty()) return;
     const Ball& ball = bodies_[i];
-    const Path& path = mover.way.path;
+    const Path& path = mover.motion.path;
     for (auto in = std::ranges::lower_bound(inside_, ball.number, {}, &Sensed::ball);
          in != inside_.end() && in->ball == ball.number; ++in)
-        offer(i, sense_time(in->sensor, ball, path, time, true), Next::sense, in->sensor);
+        offer(i, sense_time(in->sensor, ball, path, time, true), EventType::sensor, in->sensor);
     for (const Blocked& blocked : table_->blocked())
         if (blocked.ball == ball.number)
-            offer(i, sense_time(blocked.gate, ball, path, time, true), Next::sense, blocked.gate);
+            offer(i, sense_time(blocked.gate, ball, path, time, true), EventType::sensor, blocked.gate);
     PartIndex sensed = ~0U;
-    // How far from the chord of its path the ball can get, with a margin over what counts as touch.
-    const double end = std::min({dt_, mover.way.until, mover.horizon}), flies = end - time;
+    // Bound on the distance of the path from its chord, with a margin greater than touch_distance.
+    const double end = std::min({dt_, mover.motion.until, mover.cell_exit}), duration = end - time;
     const Vec2 from = time == path.start ? path.flight.position : path.position(time);
     const Vec2 to = path.position(end);
-    const double sag = path.max_acceleration(end) * flies * flies / 8 + clearance_margin(ball);
-    for (const FeatureIndex f : mover.near.list()) {
+    const double sag = path.max_acceleration(end) * duration * duration / 8 + clearance_margin(ball);
+    for (const FeatureIndex f : mover.candidates.list()) {
         if (!overlap(mover.bounds, ranges_[f])) continue;
         const Feature& feature = features_[f];
         if (feature.sensor && inside(ball.number, feature.part)) continue;
         if (feature.sensor) {
             if (feature.part == sensed || !layers_meet(ball, feature)) continue;
             sensed = feature.part;
-            offer(i, sense_time(sensed, ball, path, time, false), Next::sense, sensed);
+            offer(i, sense_time(sensed, ball, path, time, false), EventType::sensor, sensed);
             continue;
         }
         if (&feature == mover.resting_on || ignores(feature, ball)) continue;
@@ -172,73 +174,72 @@ void ContinuousSolver::predict_features(BallIndex i, double time) {
         if (turning.still() && !ball.asleep && turning.begin.angle == 0 &&
             clear_of(feature, from, to, ball.radius, sag))
             continue;
-        mover.near_part = true;
+        mover.has_near_part = true;
         if (slides_to(mover, ball, feature)) continue;
-        if (flying_[i].pressed && rests_on(i, feature, turning.pose(time), time)) continue;
-        if (turning.still() && glides_over(mover, feature, turning.begin)) continue;
+        if (hot_[i].in_island && rests_on(i, feature, turning.pose(time), time)) continue;
+        if (turning.still() && above_tangent_face(mover, feature, turning.begin)) continue;
         ++record_->statistics.narrow_tests;
-        const double last = std::min({mover.next_time, dt_, mover.hops ? mover.way.until : dt_});
+        const double last = std::min({mover.next_time, dt_, mover.on_tick_path ? mover.motion.until : dt_});
         offer(i, time_of_impact(feature, turning, path, ball.radius, time, last, &search_steps_),
-              Next::feature, f);
+              EventType::feature, f);
     }
 }
 
-/// Offers when two balls meet: the same from either side, whenever it is asked, so that it does not matter
-/// who asks.
+/// Predicts the impact of two balls. The result does not depend on which of them is predicted, nor when.
 void ContinuousSolver::predict_ball(BallIndex i, BallIndex j, double time) {
-    const Flying &a = flying_[i], &b = flying_[j];
+    const HotState &a = hot_[i], &b = hot_[j];
     ++record_->statistics.pair_tests;
-    if (!b.meets) return;
-    if (a.freely && b.freely) return predict_flying(i, j, time);
+    if (b.lost) return;
+    if (a.ballistic && b.ballistic) return predict_flying(i, j, time);
     if (!layers_meet(bodies_[i], bodies_[j])) return;
-    flying_[i].near_ball = flying_[j].near_ball = true;
+    hot_[i].has_near_ball = hot_[j].has_near_ball = true;
     if (a.creeps && (b.creeps || bodies_[j].asleep)) return;
-    if (a.pressed && (b.pressed || bodies_[j].asleep) && in_slow_touch(i, j, time)) return;
+    if (a.in_island && (b.in_island || bodies_[j].asleep) && in_slow_contact(i, j, time)) return;
     const Mover &mover = movers_[i], &other = movers_[j];
     const double from = std::max(a.start, b.start);
-    const double until = std::min({dt_, mover.way.until, other.way.until});
+    const double until = std::min({dt_, mover.motion.until, other.motion.until});
     if (until < from) return;
     ++record_->statistics.narrow_tests;
-    const double met =
-        time_of_impact(mover.way.path, other.way.path, a.radius + b.radius, from, until, &search_steps_);
-    offer(i, std::max(met, time), Next::ball, j, b.changes);
+    const double met = time_of_impact(mover.motion.path, other.motion.path, a.radius + b.radius, from, until,
+                                      &search_steps_);
+    offer(i, std::max(met, time), EventType::ball, j, b.version);
 }
 
-/// Two that fly under one gravity and one drag: seen from one another they move straight.
+/// The same for two balls in ballistic flight. Their relative motion is straight.
 void ContinuousSolver::predict_flying(BallIndex i, BallIndex j, double time) {
-    const Flying &a = flying_[i], &b = flying_[j];
+    const HotState &a = hot_[i], &b = hot_[j];
     const double from = std::max(a.start, b.start);
-    const auto at = [&](const Flying& flying) {
-        const double t = from - flying.start;
-        if (t == 0) return Path::Motion{flying.position, flying.velocity};
-        const TimeInterval interval(drive_.drag, t);
-        const Flight flight{flying.position, flying.velocity, drive_.gravity, drive_.drag};
+    const auto at = [&](const HotState& hot) {
+        const double t = from - hot.start;
+        if (t == 0) return Path::Motion{hot.position, hot.velocity};
+        const TimeInterval interval(external_.drag, t);
+        const Flight flight{hot.position, hot.velocity, external_.gravity, external_.drag};
         return Path::Motion{flight.position + flight.displacement(interval), flight.velocity_after(interval)};
     };
     const auto [p, v] = at(a);
     const auto [q, u] = at(b);
     const Vec2 between = p - q, relative = v - u;
     const double approach = -dot(between, relative);
-    // Most pairs are told apart without a root: they part or pass each other by, and do not even come near.
-    constexpr double near = 1e-3;  // of the sum of radii: well over what counts as touch
-    constexpr double sure = 1e-9;  // well over what rounding adds up to
-    const double reach = a.radius + b.radius, wide = (1 + near) * reach;
+    // Most pairs separate, or pass each other at a distance: they are rejected without a square root.
+    constexpr double margin = 1e-3;  // of the sum of radii; greater than touch_distance
+    constexpr double sure = 1e-9;    // greater than all rounding here
+    const double reach = a.radius + b.radius, wide = (1 + margin) * reach;
     const double apart = length_squared(between) - wide * wide;
     if (apart > 0 && !(approach > 0)) return;
     if (apart > 0 && approach * approach * (1 + sure) < length_squared(relative) * apart) return;
-    flying_[i].near_ball = flying_[j].near_ball = true;
+    hot_[i].has_near_ball = hot_[j].has_near_ball = true;
     if (!(approach > 0)) return;
     if (apart > 0 && from + (1 - sure) * apart / (2 * approach) > movers_[i].next_time) return;
-    if (a.pressed && b.pressed && approach <= slow_ * length(between)) return;
+    if (a.in_island && b.in_island && approach <= slow_ * length(between)) return;
     if (!layers_meet(bodies_[i], bodies_[j])) return;
     ++record_->statistics.narrow_tests;
     const double e = straight_touch(between, relative, reach, gap_rounding(p, q, reach));
-    const double met = from + drag_time(drive_.drag, e);
-    if (met <= std::min(movers_[i].way.until, movers_[j].way.until))
-        offer(i, std::max(met, time), Next::ball, j, b.changes);
+    const double met = from + drag_time(external_.drag, e);
+    if (met <= std::min(movers_[i].motion.until, movers_[j].motion.until))
+        offer(i, std::max(met, time), EventType::ball, j, b.version);
 }
 
-/// When the centre leaves the bounds.
+/// Predicts when the centre of the ball leaves the bounds of the scene.
 void ContinuousSolver::predict_loss(BallIndex i, double time) {
     const Ball& ball = bodies_[i];
     Mover& mover = movers_[i];
@@ -246,12 +247,13 @@ void ContinuousSolver::predict_loss(BallIndex i, double time) {
     if (bounds.contains(mover.bounds.min) && bounds.contains(mover.bounds.max)) return;
     const auto& reported = table_->reported_lost();
     if (std::ranges::find(reported, ball.number) != reported.end()) return;
-    const double last = std::min({dt_, mover.way.until, mover.next_time, mover.horizon});
-    offer(i, first_exit(mover.way.path, bounds, time, last), Next::leave_bounds);
+    const double last = std::min({dt_, mover.motion.until, mover.next_time, mover.cell_exit});
+    offer(i, first_exit(mover.motion.path, bounds, time, last), EventType::leave_bounds);
 }
 
-/// When a ball enters a sensor, or leaves it (or a gate): by steps that no speed can outrun, but not less
-/// than a small part of a radius each, and then by chords. A brush shallower than that may pass unnoticed.
+/// Time at which a ball enters a sensor, or leaves a sensor or gate. Conservative advancement with a bound on
+/// the speed, in steps of at least sense_step, and then first_zero(). A contact shallower than sense_step may
+/// be missed.
 double ContinuousSolver::sense_time(PartIndex part, const Ball& ball, const Path& path, double time,
                                     bool inside) const {
     const Turning& turning = turnings_[part];
@@ -265,7 +267,7 @@ double ContinuousSolver::sense_time(PartIndex part, const Ball& ball, const Path
     const double speed = own + w * far;
     const double error = std::max(gap_rounding(ball.position, ball.radius) / speed, 4 * 0x1p-53 * dt_);
     double before = time, left_before = 0;
-    constexpr int most_steps = 100'000;  // some hundred where a ball rolls along a border
+    constexpr int most_steps = 100'000;  // some hundred for a ball that rolls along the border of a sensor
     double t = time;
     for (int step = 0; step < most_steps; ++step) {
         const double left = left_at(t);

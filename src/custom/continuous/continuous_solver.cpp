@@ -28,7 +28,7 @@ ContinuousSolver::ContinuousSolver(const Table& table, const Layout& layout, con
     : scene_(table.scene()),
       layout_(layout),
       settings_(settings),
-      drive_{scene_.gravity, scene_.damping},
+      external_{scene_.gravity, scene_.damping},
       slow_(2 * (scene_.rest_speed + length(scene_.gravity) * tick_length)),
       features_(features_of(layout.primitives(), scene_)),
       ranges_(scene_.bounds, ranges_of(features_, layout, table)),
@@ -43,7 +43,7 @@ ContinuousSolver::ContinuousSolver(const Table& table, const Layout& layout, con
 
 void ContinuousSolver::reset(const Table& table, std::span<const Ball> balls) {
     inside_.clear();
-    for (Mover& mover : pool_) mover.near.forget();
+    for (Mover& mover : pool_) mover.candidates.forget();
     for (PartIndex part = 0; part < primitives_.size(); ++part) {
         if (!scene_.parts[part].sensor) continue;
         for (const Ball& ball : balls) {
@@ -58,7 +58,7 @@ void ContinuousSolver::reset(const Table& table, std::span<const Ball> balls) {
 }
 
 void ContinuousSolver::reserve(std::size_t balls) {
-    // Balls that are launched later must find their place made.
+    // Launched balls must not allocate.
     const std::size_t most = std::bit_ceil(balls + (scene_.launcher ? spare : 0));
     constexpr std::size_t most_near = 512;
     if (pool_.size() < most) {
@@ -66,8 +66,8 @@ void ContinuousSolver::reserve(std::size_t balls) {
         pool_.resize(most);
         movers_ = std::span(pool_).first(movers);
         for (Mover& mover : pool_) {
-            mover.near.reserve(std::min(features_.size(), most_near));
-            mover.way.path.swing.reserve(1);
+            mover.candidates.reserve(std::min(features_.size(), most_near));
+            mover.motion.path.taylor.reserve(1);
         }
     }
     custom::reserve_for(bodies_, most);
@@ -85,25 +85,26 @@ void ContinuousSolver::reserve(std::size_t balls) {
     custom::reserve_for(pending_, most, events_per_ball);
     custom::reserve_for(woken_, most);
     custom::reserve_for(overlapped_, most, contacts_per_ball);
-    if (flying_.size() < most) flying_.resize(most), rank_.resize(most);
+    if (hot_.size() < most) hot_.resize(most), rank_.resize(most);
     next_events_.reserve(most);
     cells_.reserve(most);
     custom::reserve_for(pairs_, most, pairs_per_ball);
     supports_.reserve(std::min(features_.size(), most_near));
 }
 
-/// Pushes a ball that begins deep in a solid or on a curve out of it, by position only; one that begins in a
-/// gate is on its way through. The deepest comes first; what then still overlaps is left for later steps.
-void ContinuousSolver::come_out(BallIndex i) {
+/// Moves a ball that deeply overlaps a part at the start of the window out of it, by position only. Gates are
+/// ignored: such a ball passes through them. Each round corrects the deepest overlap; what four rounds leave
+/// remains for later windows.
+void ContinuousSolver::push_out_of_parts(BallIndex i) {
     Ball& ball = bodies_[i];
     for (int round = 0; round < 4; ++round) {
         const Box here = bounds_of(ball.position, ball.radius);
-        record_->statistics.pair_tests += movers_[i].near.cover(here, ranges_);
+        record_->statistics.pair_tests += movers_[i].candidates.cover(here, ranges_);
         Touch deepest;
         deepest.separation = -deep_overlap * ball.radius;
         bool found = false;
         PrimitiveIndex seen = layout_.size();
-        for (const FeatureIndex f : movers_[i].near.list()) {
+        for (const FeatureIndex f : movers_[i].candidates.list()) {
             if (!overlap(here, ranges_[f]) || features_[f].gate || ignores(features_[f], ball)) continue;
             if (features_[f].primitive == seen) continue;
             const Primitive& primitive = layout_.primitive(features_[f].primitive);
@@ -123,14 +124,14 @@ void ContinuousSolver::come_out(BallIndex i) {
     }
 }
 
-/// Balls that pressed on each other when the window before ended; balls that touch, are pressed together, and
-/// neither bounce nor hop out of touch, with all whom they touch; and those that lie deep in one another,
-/// which flying freely would never come apart.
+/// Finds the members of islands at the start of the window: balls with a contact force at the end of the
+/// previous window, balls in resting contact, and their neighbours in slow contact. Balls that deeply overlap
+/// each other are members too: in free flight they would never separate.
 void ContinuousSolver::find_islands() {
     members_.clear();
     const auto join_once = [&](BallIndex i) {
-        if (bodies_[i].asleep || flying_[i].pressed) return;
-        join(i, 0);
+        if (bodies_[i].asleep || hot_[i].in_island) return;
+        join_island(i, 0);
         members_.push_back(i);
     };
     for (const ContactForce& force : table_->memory().forces) {
@@ -143,41 +144,41 @@ void ContinuousSolver::find_islands() {
         ball_forces_.add({i, j, force.normal, force.tangent});
         join_once(i), join_once(j);
     }
-    ball_forces_.settle();
+    ball_forces_.merge();
     for (BallIndex i = 0; i < movers_.size(); ++i) {
         if (bodies_[i].asleep) continue;
-        cells_.each_near(i, [&](BallIndex j) {
+        cells_.query_neighbours(i, [&](BallIndex j) {
             ++record_->statistics.pair_tests;
-            if ((j > i || bodies_[j].asleep) && presses(i, j, false)) join_once(i), join_once(j);
+            if ((j > i || bodies_[j].asleep) && in_resting_contact(i, j, false)) join_once(i), join_once(j);
         });
     }
     for (std::size_t seen = 0; seen < members_.size();) {
         const BallIndex i = members_[seen++];
-        cells_.each_near(i, [&](BallIndex j) {
-            if (!flying_[j].pressed && presses(i, j, true)) join_once(j);
+        cells_.query_neighbours(i, [&](BallIndex j) {
+            if (!hot_[j].in_island && in_resting_contact(i, j, true)) join_once(j);
         });
     }
 }
 
-/// `beside_island`: one of the two is in an island.
-bool ContinuousSolver::presses(BallIndex i, BallIndex j, bool beside_island) const {
+/// Whether two balls are in resting contact, or overlap deeply. `beside_island`: one of them is in an island.
+bool ContinuousSolver::in_resting_contact(BallIndex i, BallIndex j, bool beside_island) const {
     const Ball &a = bodies_[i], &b = bodies_[j];
     const Vec2 between = a.position - b.position;
-    const double near = touch_distance * std::min(a.radius, b.radius);
-    const double reach = a.radius + b.radius + near;
+    const double gap = touch_distance * std::min(a.radius, b.radius);
+    const double reach = a.radius + b.radius + gap;
     if (length_squared(between) > reach * reach || !layers_meet(a, b)) return false;
     const double out = a.radius + b.radius - deep_overlap * std::min(a.radius, b.radius);
     if (length_squared(between) < out * out) return true;
     const double apart = dot(a.velocity - b.velocity, unit(between));
     if (beside_island) return std::abs(apart) <= scene_.rest_speed;
-    const double pressed = closing_acceleration(i, j, 0);
-    if (pressed <= 1e-9 * length(scene_.gravity) || apart < -scene_.rest_speed) return false;
-    return apart <= 0 || apart * apart <= 2 * pressed * near;
+    const double closing = closing_acceleration(i, j, 0);
+    if (closing <= 1e-9 * length(scene_.gravity) || apart < -scene_.rest_speed) return false;
+    return apart <= 0 || apart * apart <= 2 * closing * gap;
 }
 
-/// With what acceleration two balls that touch would come closer, were there no contact, m/s².
+/// Acceleration with which two touching balls would approach each other without a contact force, m/s².
 double ContinuousSolver::closing_acceleration(BallIndex i, BallIndex j, double time) const {
-    const Path &a = movers_[i].way.path, &b = movers_[j].way.path;
+    const Path &a = movers_[i].motion.path, &b = movers_[j].motion.path;
     const Vec2 between = a.position(time) - b.position(time), n = unit(between);
     const double across = cross(n, a.velocity(time) - b.velocity(time));
     return -dot(a.acceleration(time) - b.acceleration(time), n) - across * across / length(between);
@@ -185,11 +186,11 @@ double ContinuousSolver::closing_acceleration(BallIndex i, BallIndex j, double t
 
 std::span<const Pair> ContinuousSolver::find_pairs(std::span<const Ball> balls) {
     pairs_.clear();
-    if (!set_out_) return pairs_;
+    if (!paths_started_) return pairs_;
     for (BallIndex i = 0; i < movers_.size(); ++i) {
-        if (movers_[i].lost || bodies_[i].asleep) continue;
-        if (movers_[i].near_part) pair_with_parts(balls, i);
-        if (flying_[i].near_ball) pair_with_balls(balls, i);
+        if (hot_[i].lost || bodies_[i].asleep) continue;
+        if (movers_[i].has_near_part) pair_with_parts(balls, i);
+        if (hot_[i].has_near_ball) pair_with_balls(balls, i);
     }
     return pairs_;
 }
@@ -199,8 +200,8 @@ void ContinuousSolver::pair_with_parts(std::span<const Ball> balls, BallIndex i)
     const Handle handle = layout_.size() + rank_[i];
     const Box box = touching_box(ball);
     const std::size_t first = pairs_.size();
-    record_->statistics.pair_tests += movers_[i].near.cover(box, ranges_);
-    for (const FeatureIndex f : movers_[i].near.list()) {
+    record_->statistics.pair_tests += movers_[i].candidates.cover(box, ranges_);
+    for (const FeatureIndex f : movers_[i].candidates.list()) {
         if (!overlap(box, ranges_[f]) || !layers_meet(ball, features_[f])) continue;
         // The box of an arc is mostly empty.
         if (std::holds_alternative<Arc>(features_[f].is) &&
@@ -213,12 +214,12 @@ void ContinuousSolver::pair_with_parts(std::span<const Ball> balls, BallIndex i)
     }
 }
 
-/// With sleepers, and those before it.
+/// Adds the pairs of a ball with sleeping balls and with awake balls of a lower index.
 void ContinuousSolver::pair_with_balls(std::span<const Ball> balls, BallIndex i) {
     const Ball& ball = balls[rank_[i]];
     const Box box = touching_box(ball);
-    cells_.each_near(i, [&](BallIndex j) {
-        if ((j > i && !bodies_[j].asleep) || movers_[j].lost) return;
+    cells_.query_neighbours(i, [&](BallIndex j) {
+        if ((j > i && !bodies_[j].asleep) || hot_[j].lost) return;
         ++record_->statistics.pair_tests;
         const Ball& other = balls[rank_[j]];
         if (!overlap(box, touching_box(other)) || !layers_meet(ball, other)) return;

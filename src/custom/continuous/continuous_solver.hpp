@@ -1,33 +1,35 @@
 #pragma once
-/// The continuous solver: every ball flies its exact path to its next event, events are handled in order of
-/// time, and only the balls involved are predicted again (Alder and Wainwright 1959; Lubachevsky 1991, "How
-/// to simulate billiards and similar systems"). There is no error but rounding, and none that grows with dt.
+/// The continuous solver: event-driven molecular dynamics (Alder and Wainwright 1959; Lubachevsky 1991, "How
+/// to simulate billiards and similar systems"). Every ball follows its exact path to its next event. Events
+/// are handled in order of time, and only the balls involved are predicted again. The only error is rounding;
+/// none grows with dt.
 ///
-/// It works in windows of time, of a quarter of a second or less. At the start of a window all balls set out;
-/// then it is run to any instants in it, and read there. How often it is read changes no bit. What a ball
-/// rests on follows from where it is and how it moves at the start, so a window can be made again from the
+/// The solver works in windows of at most a quarter of a second. All balls start a new path at the start of a
+/// window. Then the window is run to any instants and read there; how often it is read changes no bit.
+/// Resting contacts follow from positions and velocities at the start, so a window can be repeated from the
 /// state of the world there.
 ///
-/// Balls find each other in cells (cells.hpp); a ball that leaves its cell looks at the new ones beside it.
-/// Of each ball the next event alone is kept (next_events.hpp); what it is about may have changed its path
-/// meanwhile, then the ball is predicted again.
+/// Cells (cells.hpp) find neighbours. A ball that changes its cell queries the cells that are new beside it.
+/// Of each ball only the next event is kept (next_events.hpp). If the partner of that event has changed its
+/// path meanwhile, the ball is predicted again.
 ///
-/// A slow contact with a part (approach below rest_speed, or a hop too short to matter) holds: see
-/// resting_contact.hpp. Balls that press on each other have no first impact. They are members of islands: at
-/// ticks, which lie on a grid of the world's time, one solve finds how all members move until the next
-/// (contact_solver.hpp), and each then flies a hop that ends where the solve puts it. A slow touch of a
-/// member makes a ball a member until nothing has pressed on it for some ticks; a blow tears one out, so it
-/// runs through a heap by exact impacts. Members that hardly move creep: they are solved at every fourth
-/// tick, and in between are obstacles to the others, unless one of these pushes them. In islands the result
-/// is not exact, but it depends on no step either. Statistics count members as handed_over.
+/// A slow contact with a part becomes a resting contact (resting_contact.hpp): slow is an approach below
+/// rest_speed, or a bounce too short to matter. Balls in resting contact with each other have no first
+/// impact. They are members of contact islands. At ticks, which lie on a grid of the world's time, one solve
+/// finds the velocities of all members until the next tick (contact_solver.hpp), and each member follows a
+/// parabola that ends where the solve puts it. A slow contact with a member makes a ball a member; it stays
+/// one until it has had no load for some ticks, or until an impact separates it. So an impact travels through
+/// a heap as a chain of exact impacts. Members that hardly move creep: they are solved at every fourth tick,
+/// and in between they are obstacles to the other members, until one of these pushes them. Inside islands the
+/// result is not exact, but it does not depend on the steps. Statistics count members as handed_over.
 
-#include "custom/continuous/candidates.hpp"
+#include "custom/continuous/box_index.hpp"
 #include "custom/continuous/cells.hpp"
-#include "custom/continuous/glides.hpp"
 #include "custom/continuous/next_events.hpp"
 #include "custom/continuous/resting_contact.hpp"
+#include "custom/continuous/tangent_faces.hpp"
 #include "custom/islands/contact_solver.hpp"
-#include "custom/islands/remembered_forces.hpp"
+#include "custom/islands/force_cache.hpp"
 #include "custom/layout.hpp"
 #include "custom/response.hpp"
 #include "custom/settings.hpp"
@@ -40,136 +42,136 @@ class ContinuousSolver {
     /// Keeps references to the table's scene and to layout.
     ContinuousSolver(const Table& table, const Layout& layout, const SolverSettings& settings);
 
-    /// Begins a window of time: the balls set out at the table's time, for `length` seconds. Until the end of
-    /// the window the table's clock and parts are the caller's, its gates and targets the solver's.
+    /// Begins a window of `length` seconds at the table's time. Until the end of the window the caller
+    /// updates the table's clock and parts; the solver updates its gates and targets.
     void begin(Table& table, std::span<const Ball> balls, double length, StepRecord& record);
-    /// Handles the events up to `until`, in seconds since the window's start.
+    /// Handles all events up to `until`, s after the start of the window.
     void run(double until, StepRecord& record);
-    /// Where the balls are `time` seconds after the window's start, which run() has reached; lost ones are
-    /// left out. Writes the events up to there that were not written yet; none gets a time after `now`.
+    /// Replaces `balls` by the state `time` seconds after the start of the window, without lost balls. run()
+    /// must have reached that time. Also records all events up to there that are not recorded yet; event
+    /// times are clamped to `now`.
     void read(double time, double now, std::vector<Ball>& balls);
-    /// The same at the end of the window, after a run to there. Another one is to begin.
+    /// The same at the end of the window, after run() to the end.
     void end(double now, std::vector<Ball>& balls);
 
     /// The state of the world at the window's start.
     [[nodiscard]] const State& start() const { return starts_[current_]; }
-    /// The start of the window that is under way now is kept when others begin, until the next call.
+    /// Keeps the start of the current window when later windows begin, until the next call.
     void keep_start() { kept_ = current_; }
     [[nodiscard]] const State& kept_start() const { return starts_[kept_]; }
-    /// Whether nothing happens in this window: all balls sleep on, and no part moves.
+    /// Whether all balls sleep and no part moves in this window.
     [[nodiscard]] bool quiet() const { return !any_awake_; }
     /// Draws the cells.
     void inspect_cells(Inspector& inspector) const { cells_.inspect(inspector); }
-    /// Pairs of primitives and awake balls that are near each other, as a broad phase gives them; `balls` as
-    /// they were read last.
+    /// Pairs whose boxes overlap and which contain an awake ball, in the order of a broad phase; `balls` are
+    /// those of the last read().
     [[nodiscard]] std::span<const Pair> find_pairs(std::span<const Ball> balls);
-    /// Makes room for so many balls.
+    /// Reserves memory for so many balls.
     void reserve(std::size_t balls);
-    /// Forgets what it noted of sensors and gates: they are found anew from where the balls are.
+    /// Finds again which balls are inside sensors, from the positions of the balls.
     void reset(const Table& table, std::span<const Ball> balls);
 
   private:
-    enum class Next : std::uint8_t { nothing, feature, ball, look_again, sense, leave_bounds };
-    using BallIndex = std::uint32_t;  ///< of a ball in the list
+    enum class EventType : std::uint8_t { none, feature, ball, path_end, sensor, leave_bounds };
+    using BallIndex = std::uint32_t;  ///< of a ball in bodies_
 
-    /// s: so long the forces between balls that press on each other are held constant.
+    /// s: time step of the island solver.
     static constexpr double tick_length = 1.0 / 240;
-    static constexpr double long_tick_length = 4 * tick_length;  ///< for those that creep
-    /// s without a load, and a ball leaves its island: at the third tick.
+    static constexpr double long_tick_length = 4 * tick_length;  ///< time step of creeping members, s
+    /// s without a load after which a ball leaves its island: at the third tick.
     static constexpr double longest_unloaded = 2.5 * tick_length;
 
-    /// What the prediction of another ball reads of one: a cache line.
-    struct alignas(64) Flying {
+    /// The data of a ball that predictions of other balls read, in one cache line.
+    struct alignas(64) HotState {
         Vec2 position, velocity;  ///< at the start of its path
-        double start = 0;         ///< s
+        double start = 0;         ///< of its path, s
         double radius = 0;
-        std::uint32_t changes = 0;  ///< of its path
-        std::uint32_t batch = 0;    ///< in which it was predicted last
-        bool freely = false;        ///< under gravity and drag alone
-        bool pressed = false;       ///< of an island: presses on another ball, or is wedged
-        bool meets = true;          ///< not lost
-        bool creeps = false;        ///< of an island, and hardly moves until its next tick, a long one
-        bool solved = false;        ///< its contacts are being solved
-        bool near_ball = false;     ///< may come nearer to one, on this path, than what counts as touch
+        std::uint32_t version = 0;   ///< incremented whenever its path changes
+        std::uint32_t batch = 0;     ///< in which it was predicted last
+        bool ballistic = false;      ///< its path is a flight under gravity and drag alone
+        bool in_island = false;      ///< in resting contact with another ball, or jammed
+        bool lost = false;           ///< has left the bounds
+        bool creeps = false;         ///< in an island, and hardly moves until its next long tick
+        bool in_solve = false;       ///< is a body of the current solve
+        bool has_near_ball = false;  ///< its path may bring it within touch_distance of a ball
     };
-    /// What the solver knows of a ball beside the Ball itself.
+    /// All other data that the solver keeps of a ball beside the Ball itself.
     struct Mover {
         BallNumber number = 0;
-        bool lost = false;
-        bool hops = false;       ///< of an island, and set out by a tick
-        bool near_part = false;  ///< may be nearer to one than what counts as touch, until its horizon
-        bool crushed = false;    ///< squeezed, since the last tick of the grid
-        bool waits = false;      ///< has no events of its own until the next tick
-        double loaded_at = 0;    ///< s: when a ball pressed on it last, or two sides did
-        int sides = 0;           ///< that press on it, those of balls doubly
-        Vec2 set_out_with, arrives_with;  ///< m/s, at the ends of a tick; in between its path hops
-        Next next = Next::nothing;
+        bool on_tick_path = false;          ///< in an island, on the path that the last tick gave it
+        bool has_near_part = false;         ///< may come within touch_distance of a part before cell_exit
+        bool jammed = false;                ///< since the last regular tick: solve_jammed()
+        bool frozen = false;                ///< stays in place without events until the next tick: freeze()
+        double last_loaded = 0;             ///< s: when it last had a load from a ball, or from two sides
+        int loads = 0;                      ///< contacts that carry a force; those with balls count twice
+        Vec2 velocity_begin, velocity_end;  ///< m/s, at the ends of a tick; the parabola between has others
+        EventType next = EventType::none;
         double next_time = 0;
-        std::uint32_t met = 0;                ///< FeatureIndex, BallIndex or PartIndex by `next`
-        std::uint32_t met_changes = 0;        ///< the other ball's, when this was predicted
-        double last_time = -1;                ///< of its last event
-        double last_slow = -INFINITY;         ///< of its last slow touch of a ball
-        double last_hit = -INFINITY;          ///< of its last touch of a ball
-        int hits = 0;                         ///< of balls, none later than a tick after the one before
-        int stalled = 0;                      ///< events at that very time
-        int idle = 0;                         ///< events since its last impact that counts
-        double horizon = 0;                   ///< s: it is listed in its cell until then
-        Box bounds;                           ///< of its way until then
-        const Feature* resting_on = nullptr;  ///< what it rests on
-        const Feature* released = nullptr;    ///< what it just let go
-        Glides glides;                        ///< faces that it flies along
-        Candidates near;
-        ConstrainedPath way;  ///< from its last event on
+        std::uint32_t partner = 0;          ///< FeatureIndex, BallIndex or PartIndex, according to `next`
+        std::uint32_t partner_version = 0;  ///< version of the partner's path in this prediction
+        double last_event = -1;             ///< s
+        double last_slow = -INFINITY;       ///< s, of its last slow contact with a ball
+        double last_hit = -INFINITY;        ///< s, of its last contact with a ball
+        int hits = 0;                 ///< contacts with balls in a row, each within a tick of the one before
+        int simultaneous_events = 0;  ///< at the time last_event
+        int idle_events = 0;          ///< since its last significant impact
+        double cell_exit = 0;         ///< s: when it must be listed in another cell
+        Box bounds;                   ///< swept bounds of its path until cell_exit
+        const Feature* resting_on = nullptr;      ///< its resting contact
+        const Feature* separated_from = nullptr;  ///< the resting contact that has just ended
+        TangentFaces tangent_faces;               ///< faces along which it flies
+        Candidates candidates;
+        ConstrainedPath motion;  ///< since its last event
     };
-    /// What happens at the same time is taken in an order that does not depend on who predicted it: first
-    /// what meets no ball; then by the first ball, then by the second.
-    [[nodiscard]] static std::uint64_t order_of(BallIndex i, Next next, std::uint32_t met);
+    /// Order of events at the same time, whichever ball predicted them: first those without a second ball,
+    /// then by the lower ball, then by the higher.
+    [[nodiscard]] static std::uint64_t order_of(BallIndex i, EventType next, std::uint32_t partner);
 
     // The window as a whole (continuous_window.cpp).
-    void take_places();
-    void set_out_all();
+    void assign_movers();
+    void start_all_paths();
     void handle_until(double time);
     [[nodiscard]] Ball ball_at(BallIndex i, double time) const;
     void report_until(double time, double now);
     void drop_lost();
 
-    // What happens at its start, and which pairs are near when it is read (continuous_solver.cpp).
-    void come_out(BallIndex i);
+    // The start of a window, and pairs of balls when it is read (continuous_solver.cpp).
+    void push_out_of_parts(BallIndex i);
     void find_islands();
-    [[nodiscard]] bool presses(BallIndex i, BallIndex j, bool beside_island) const;
+    [[nodiscard]] bool in_resting_contact(BallIndex i, BallIndex j, bool beside_island) const;
     void pair_with_parts(std::span<const Ball> balls, BallIndex i);
     void pair_with_balls(std::span<const Ball> balls, BallIndex i);
     [[nodiscard]] double closing_acceleration(BallIndex i, BallIndex j, double time) const;
 
-    // Balls in islands (continuous_islands.cpp).
-    void join(BallIndex i, double time);
-    void leave(BallIndex i);
-    void crush(BallIndex first, double time);
-    void wait(BallIndex i, double time);
-    void set_out_member(BallIndex i, const Flight& flight, double time, double until);
-    void hop(BallIndex i, double time, const ContactSolver::Body& body);
-    void creep(BallIndex i, double time, double until, const ContactSolver::Body& body);
-    void move_to(BallIndex i, double time);
-    void follow(Ball& ball, const Mover& mover, double time) const;
+    // Members of islands (continuous_islands.cpp).
+    void join_island(BallIndex i, double time);
+    void leave_island(BallIndex i);
+    void solve_jammed(BallIndex first, double time);
+    void freeze(BallIndex i, double time);
+    void start_member_path(BallIndex i, const Flight& flight, double time, double until);
+    void start_tick_path(BallIndex i, double time, const ContactSolver::Body& body);
+    void start_creep_path(BallIndex i, double time, double until, const ContactSolver::Body& body);
+    void advance_to(BallIndex i, double time);
+    void advance_member(Ball& ball, const Mover& mover, double time) const;
     [[nodiscard]] Vec2 true_velocity(BallIndex i, double time) const;
     [[nodiscard]] static bool creeps_at(double speed, const Ball& ball);
-    [[nodiscard]] bool rattles(BallIndex i, BallIndex j, double approach, double time);
-    [[nodiscard]] bool in_slow_touch(BallIndex i, BallIndex j, double time) const;
+    [[nodiscard]] bool collapses(BallIndex i, BallIndex j, double approach, double time);
+    [[nodiscard]] bool in_slow_contact(BallIndex i, BallIndex j, double time) const;
     [[nodiscard]] bool rests_on(BallIndex i, const Feature& feature, const Pose& pose, double time) const;
 
-    // Their ticks (continuous_ticks.cpp).
+    // Ticks (continuous_ticks.cpp).
     [[nodiscard]] double next_on_grid(double time, double length) const;
     [[nodiscard]] double next_tick(double time) const;
     void tick(double time);
-    void let_creep(double time);
+    void start_creep(double time);
     void solve_members(double time, double duration);
-    void take_in(BallIndex i, double time);
-    void take_in_pushed(double time);
-    void gather(double time, double duration);
-    void press_balls(BallIndex i, BallIndex j, double time, double duration);
-    void press_parts(BallIndex i, double time, double duration);
-    void press(ContactSolver::Contact& contact, const RememberedForces& known, double duration);
-    void note_forces(double time, double duration);
+    void add_member(BallIndex i, double time);
+    void stop_pushed_creep(double time);
+    void collect_contacts(double time, double duration);
+    void add_ball_contact(BallIndex i, BallIndex j, double time, double duration);
+    void add_part_contacts(BallIndex i, double time, double duration);
+    void add_contact(ContactSolver::Contact& contact, const ForceCache& known, double duration);
+    void remember_forces(double time, double duration);
     void store_forces();
 
     // Gates (continuous_gates.cpp).
@@ -186,103 +188,106 @@ class ContinuousSolver {
     void predict_with(BallIndex i, double time, auto&& each_other);
     void predict_features(BallIndex i, double time);
     [[nodiscard]] bool slides_to(const Mover& mover, const Ball& ball, const Feature& feature) const;
-    [[nodiscard]] static bool glides_over(const Mover& mover, const Feature& feature, const Pose& pose);
+    [[nodiscard]] static bool above_tangent_face(const Mover& mover, const Feature& feature,
+                                                 const Pose& pose);
     void predict_ball(BallIndex i, BallIndex j, double time);
     void predict_flying(BallIndex i, BallIndex j, double time);
     void predict_loss(BallIndex i, double time);
     void enter_cell(BallIndex i);
     void schedule(BallIndex i);
-    void offer(BallIndex i, double time, Next next, std::uint32_t met = 0, std::uint32_t met_changes = 0);
+    void offer(BallIndex i, double time, EventType next, std::uint32_t partner = 0,
+               std::uint32_t partner_version = 0);
     [[nodiscard]] double sense_time(PartIndex part, const Ball& ball, const Path& path, double time,
                                     bool inside) const;
     [[nodiscard]] bool ignores(const Feature& feature, const Ball& ball) const;
 
-    // Paths, and what a ball rests on (continuous_paths.cpp).
+    // Paths and resting contacts with parts (continuous_paths.cpp).
     struct Support {
         RestingContact contact;
-        bool pressed = false;
-        Vec2 way{};        ///< in which it leads the ball, unit
-        double ahead = 0;  ///< how far, m
+        bool loaded = false;       ///< a force keeps the ball on it
+        Vec2 direction{};          ///< unit, in which the ball moves along it
+        double distance_left = 0;  ///< m, to the end of the feature in that direction
     };
-    void set_out(BallIndex i, double time);
+    void start_path(BallIndex i, double time);
     void list_in_cell(BallIndex i, double time);
-    void cover_way(BallIndex i, double time);
+    void update_swept_bounds(BallIndex i, double time);
     [[nodiscard]] bool beside_moving_part(BallIndex i);
-    void find_ways(const Ball& ball, double time);
-    [[nodiscard]] static bool goes_before(const Support& support, const Support& other);
+    void find_directions(const Ball& ball, double time);
+    [[nodiscard]] static bool takes_precedence(const Support& support, const Support& other);
     void find_supports(BallIndex i, double time);
-    void note_glides(Mover& mover) const;
-    [[nodiscard]] bool holds_alone(const Support& support, const Ball& ball) const;
+    void note_tangent_faces(Mover& mover) const;
+    [[nodiscard]] bool supports_alone(const Support& support, const Ball& ball) const;
     void choose_support(BallIndex i, double time);
-    void stay_between(BallIndex i, double time);
+    void rest_between(BallIndex i, double time);
 
     // Events (continuous_events.cpp).
     void handle(BallIndex i);
-    static void advance(Ball& ball, const ConstrainedPath& way, double time);
-    [[nodiscard]] bool leads_on(const Impact& impact, const Ball& ball) const;
+    static void advance(Ball& ball, const ConstrainedPath& motion, double time);
+    [[nodiscard]] bool is_significant(const Impact& impact, const Ball& ball) const;
     void hit_feature(BallIndex i, double time);
     void hit_ball(BallIndex i, double time);
     void lose(BallIndex i, double time);
     void sense(BallIndex i, double time);
     void release(PartIndex part, double time);
-    void go_on(BallIndex i, double time);
+    void restart(BallIndex i, double time);
     [[nodiscard]] bool inside(BallNumber ball, PartIndex part) const;
     void set_inside(BallNumber ball, PartIndex part, bool inside);
     void report(double time, EventKind kind, const Ball& ball, Other other, const Impact& impact, Vec2 point);
     void wake_carried(BallIndex i, double time);
 
-    // For those who look inside (continuous_trace.cpp).
+    // Traces (continuous_trace.cpp).
     [[nodiscard]] std::string_view name_of_next(BallIndex i) const;
     void trace_next(TraceItem& item, BallIndex i) const;
-    void trace_paths(bool all_set_out);
+    void trace_paths(bool all_start);
     void trace_event(BallIndex i);
     void trace_tick(double time, double duration);
 
     const Scene& scene_;
     const Layout& layout_;
     SolverSettings settings_;
-    Drive drive_;
-    double slow_;  ///< m/s: members of an island that come together no faster are left to its ticks
+    ExternalForces external_;
+    double slow_;  ///< m/s: slower approaches inside an island are resting contacts, not impacts
     std::vector<Feature> features_;
     BoxIndex ranges_;                                      ///< of features
-    std::vector<std::vector<PrimitiveIndex>> primitives_;  ///< by part; of sensors and gates only
-    std::vector<Sensed> inside_;                           ///< balls in sensors and open gates, in order
+    std::vector<std::vector<PrimitiveIndex>> primitives_;  ///< per part, of sensors and gates only
+    std::vector<Sensed> inside_;                           ///< balls in sensors and open gates, sorted
 
-    // Of the window.
+    // The current window.
     Table* table_ = nullptr;
     StepRecord* record_ = nullptr;
-    double start_ = 0;            ///< s, on the table's clock; all other times count from there
-    double dt_ = 0;               ///< its length
-    double after_end_ = 0;        ///< the next number
-    double read_at_ = 0;          ///< where it was read last
-    std::vector<Ball> bodies_;    ///< each at its last event
-    std::vector<Event> pending_;  ///< not written yet
-    bool set_out_ = false;        ///< all balls have their paths
+    double start_ = 0;            ///< s, on the table's clock; all other times are relative to it
+    double dt_ = 0;               ///< its length, s
+    double after_end_ = 0;        ///< the next number after dt_
+    double read_at_ = 0;          ///< time of the last read(), s
+    std::vector<Ball> bodies_;    ///< each at the start of its path
+    std::vector<Event> pending_;  ///< not recorded yet
+    bool paths_started_ = false;  ///< start_all_paths() has run
     bool any_awake_ = false;
     std::uint64_t events_ = 0, search_steps_ = 0;
     double next_tick_ = 0;
-    bool any_pressed_ = false, any_creeps_ = false;
+    bool any_in_island_ = false, any_creeps_ = false;
     std::uint32_t batch_ = 0;
 
-    // Scratch, kept to save allocations.
-    std::vector<Turning> turnings_;  ///< by part
-    std::vector<Mover> pool_;        ///< with the room that their lists have
-    std::span<Mover> movers_;        ///< the first of the pool, by place in balls_
-    std::vector<Flying> flying_;     ///< by place
+    // Buffers, kept to save allocations.
+    std::vector<Turning> turnings_;  ///< per part
+    std::vector<Mover> pool_;        ///< keeps the capacity of their lists
+    std::span<Mover> movers_;        ///< the first of the pool, per ball
+    std::vector<HotState> hot_;      ///< per ball
     NextEvents next_events_;
     Cells cells_;
     std::vector<Support> supports_;
     ContactSolver contact_solver_;
-    /// Of the last tick in this window: of primitive a or ball a on ball b, by index.
-    RememberedForces part_forces_, ball_forces_;
-    double deepest_ = 0;                 ///< m, of the overlaps of balls in islands
-    std::vector<BallIndex> members_;     ///< of the islands at hand, in order
-    std::vector<BallIndex> creeping_;    ///< since the tick at hand
-    std::vector<BallIndex> woken_;       ///< at the event at hand
-    std::vector<BallIndex> overlapped_;  ///< by members, and flying
-    std::vector<BallIndex> rank_;        ///< of a ball among those read
+    /// Forces of the last tick in this window, of primitive a or ball a on ball b, by index.
+    ForceCache part_forces_, ball_forces_;
+    double deepest_ = 0;                 ///< m, deepest overlap of balls in islands
+    std::vector<BallIndex> members_;     ///< balls of the current solve, sorted
+    std::vector<BallIndex> creeping_;    ///< since the current tick
+    std::vector<BallIndex> woken_;       ///< by the current event
+    std::vector<BallIndex> overlapped_;  ///< non-members that members overlap
+    std::vector<BallIndex>
+        rank_;  ///< index of a ball among those of the last read(), or among the bodies of a solve
     std::vector<Pair> pairs_;
-    std::array<State, 2> starts_;  ///< of the window, and of the one that is kept
+    std::array<State, 2> starts_;  ///< of the current window, and of the one that is kept
     std::size_t current_ = 0, kept_ = 0;
 };
 

@@ -1,6 +1,5 @@
-// What a trace says of the continuous solver. Events of all kinds take turns in order of time, so its stages
-// are: the paths and predictions with which the step begins, then events, interrupted by the solves of
-// islands at their ticks.
+// Writes the trace of the continuous solver. Its stages are the paths and predictions at the start of the
+// step, then the events in order of time, interrupted by the island solves at the ticks.
 
 #include <algorithm>
 
@@ -20,57 +19,58 @@ std::string milliseconds(double seconds) {
 
 std::string_view ContinuousSolver::name_of_next(BallIndex i) const {
     const Mover& mover = movers_[i];
-    if (mover.horizon <= mover.next_time && mover.horizon < never_touch) return "leaves its cell";
+    if (mover.cell_exit <= mover.next_time && mover.cell_exit < never_touch) return "leaves its cell";
     switch (mover.next) {
-        case Next::feature:
+        case EventType::feature:
             return "meets a part";
-        case Next::ball:
+        case EventType::ball:
             return "meets a ball";
-        case Next::look_again:
+        case EventType::path_end:
             return "its path ends";
-        case Next::sense:
+        case EventType::sensor:
             return "enters or leaves a sensor or gate";
-        case Next::leave_bounds:
+        case EventType::leave_bounds:
             return "leaves the bounds";
-        case Next::nothing:
+        case EventType::none:
             break;
     }
     return "nothing in this window";
 }
 
-/// Adds what a ball's next event is, and when.
+/// Adds the kind and time of a ball's next event.
 void ContinuousSolver::trace_next(TraceItem& item, BallIndex i) const {
     const Mover& mover = movers_[i];
     const std::string_view name = name_of_next(i);
-    const double time = std::min(mover.horizon, mover.next_time);
+    const double time = std::min(mover.cell_exit, mover.next_time);
     item.with("next", name);
     if (time <= dt_) item.with("next_time", start_ + time);
     if (name == "meets a part")
-        item.with("next_part", std::string_view(scene_.parts[features_[mover.met].part].name));
-    if (name == "meets a ball") item.with("next_ball", bodies_[mover.met].number);
+        item.with("next_part", std::string_view(scene_.parts[features_[mover.partner].part].name));
+    if (name == "meets a ball") item.with("next_ball", bodies_[mover.partner].number);
 }
 
-/// The path of every ball, and what it will meet.
-void ContinuousSolver::trace_paths(bool all_set_out) {
+/// Writes the path of every ball and its next event.
+void ContinuousSolver::trace_paths(bool all_start) {
     TraceStage& stage =
-        record_->trace->stage(all_set_out ? "set out" : "paths and predictions so far",
-                              all_set_out ? "src/custom/continuous/continuous_window.cpp: set_out_all"
-                                          : "src/custom/continuous/continuous_predict.cpp: predict");
+        record_->trace->stage(all_start ? "set out" : "paths and predictions so far",
+                              all_start ? "src/custom/continuous/continuous_window.cpp: start_all_paths"
+                                        : "src/custom/continuous/continuous_predict.cpp: predict");
     std::size_t meets = 0, rest = 0, asleep = 0, islands = 0;
     for (BallIndex i = 0; i < movers_.size(); ++i) {
         const Mover& mover = movers_[i];
-        if (mover.lost) continue;
+        if (hot_[i].lost) continue;
         const Ball& ball = bodies_[i];
         TraceItem& item = stage.add("path").with("ball", ball.number);
-        item.with("way", ball.asleep          ? "asleep"
-                         : flying_[i].creeps  ? "on through a long tick of an island"
-                         : flying_[i].pressed ? "a hop of an island, to its next tick"
-                         : mover.resting_on ? mover.way.path.swings() ? "swings along a part" : "along a part"
-                                            : "free flight");
+        item.with("way", ball.asleep         ? "asleep"
+                         : hot_[i].creeps    ? "on through a long tick of an island"
+                         : hot_[i].in_island ? "a hop of an island, to its next tick"
+                         : mover.resting_on
+                             ? mover.motion.path.is_taylor() ? "swings along a part" : "along a part"
+                             : "free flight");
         if (mover.resting_on != nullptr)
             item.with("part", std::string_view(scene_.parts[mover.resting_on->part].name));
-        const Flight& flight = mover.way.path.flight;
-        item.with("since", start_ + mover.way.path.start)
+        const Flight& flight = mover.motion.path.flight;
+        item.with("since", start_ + mover.motion.path.start)
             .with("position", flight.position)
             .with("velocity", flight.velocity)
             .with("acceleration", flight.acceleration)
@@ -78,29 +78,30 @@ void ContinuousSolver::trace_paths(bool all_set_out) {
             .with("spin", ball.spin);
         asleep += ball.asleep;
         if (ball.asleep) continue;
-        islands += flying_[i].pressed;
+        islands += hot_[i].in_island;
         rest += mover.resting_on != nullptr;
-        meets += mover.next_time <= dt_ && (mover.next == Next::feature || mover.next == Next::ball);
+        meets +=
+            mover.next_time <= dt_ && (mover.next == EventType::feature || mover.next == EventType::ball);
         trace_next(item, i);
-        const double now = std::max(0.0, mover.way.path.start);
-        const double end = std::min({mover.horizon, mover.next_time, dt_});
+        const double now = std::max(0.0, mover.motion.path.start);
+        const double end = std::min({mover.cell_exit, mover.next_time, dt_});
         if (end > now) item.with("swept", swept(now, end, [&](double t) { return ball_at(i, t).position; }));
     }
-    stage.says = (all_set_out ? "A window of " + milliseconds(dt_) + " begins and all balls set out: "
-                              : "The window since " + brief(start_) + " s goes on: ") +
+    stage.says = (all_start ? "A window of " + milliseconds(dt_) + " begins and all balls set out: "
+                            : "The window since " + brief(start_) + " s goes on: ") +
                  std::to_string(meets) + " of " + counted(stage.items.size(), "ball") +
                  " will meet something in it, " + std::to_string(rest) + " rest on a part, " +
                  std::to_string(islands) + " press on each other, " + std::to_string(asleep) + " sleep.";
 }
 
-/// Handles an event, and writes what it was and what followed from it.
+/// Handles an event, and writes it with its result.
 void ContinuousSolver::trace_event(BallIndex i) {
     Trace& trace = *record_->trace;
     const Mover& mover = movers_[i];
     const std::string_view name = name_of_next(i);
-    const double time = std::min(mover.horizon, mover.next_time);
+    const double time = std::min(mover.cell_exit, mover.next_time);
     const bool meets_ball = name == "meets a ball";
-    const BallIndex other = meets_ball ? mover.met : i;
+    const BallIndex other = meets_ball ? mover.partner : i;
     if (trace.stages.empty() || trace.stages.back().name != events_stage)
         trace.stage(events_stage, "src/custom/continuous/continuous_events.cpp: handle");
     const std::size_t stage = trace.stages.size() - 1, at = trace.stages[stage].items.size();
@@ -112,11 +113,11 @@ void ContinuousSolver::trace_event(BallIndex i) {
     const auto velocity = [&](BallIndex k) { return ball_at(k, time).velocity; };
     const Vec2 before = velocity(i), other_before = velocity(other);
     std::vector<double> way =
-        swept(mover.way.path.start, time, [&](double t) { return ball_at(i, t).position; });
+        swept(mover.motion.path.start, time, [&](double t) { return ball_at(i, t).position; });
     std::vector<double> other_way =
-        swept(movers_[other].way.path.start, time, [&](double t) { return ball_at(other, t).position; });
-    const bool stale = meets_ball && flying_[other].changes != mover.met_changes;
-    const PartIndex part = name == "meets a part" ? features_[mover.met].part : 0;
+        swept(movers_[other].motion.path.start, time, [&](double t) { return ball_at(other, t).position; });
+    const bool stale = meets_ball && hot_[other].version != mover.partner_version;
+    const PartIndex part = name == "meets a part" ? features_[mover.partner].part : 0;
     const bool meets_part = name == "meets a part";
     const std::size_t reported = pending_.size();
     handle(i);
@@ -142,7 +143,7 @@ void ContinuousSolver::trace_event(BallIndex i) {
             .with("restitution", material.restitution);
     } else if (!stale && (meets_ball || meets_part)) {
         item.with("answer", movers_[i].resting_on ? "comes to rest on it"
-                            : flying_[i].pressed  ? "joins an island"
+                            : hot_[i].in_island   ? "joins an island"
                                                   : "slow touch");
     }
     trace_next(item, i);
@@ -156,7 +157,7 @@ void ContinuousSolver::trace_event(BallIndex i) {
                   " among them; only the balls involved are predicted again.";
 }
 
-/// After the solve of a tick.
+/// Writes the contacts, sweeps and members of the last island solve.
 void ContinuousSolver::trace_tick(double time, double duration) {
     TraceStage& stage =
         record_->trace->stage("island solve", "src/custom/islands/contact_solver.cpp: ContactSolver::solve");
@@ -170,7 +171,7 @@ void ContinuousSolver::trace_tick(double time, double duration) {
         const ContactSolver::Body& upper = contact_solver_.bodies()[contact.upper];
         item.with("point", upper.position - upper.radius * contact.normal)
             .with("normal", contact.normal)
-            .with("gap", contact.gap_found)
+            .with("gap", contact.detected_gap)
             .with("friction", contact.friction)
             .with("impulse", contact.impulse.normal)
             .with("tangential_impulse", contact.impulse.tangent);

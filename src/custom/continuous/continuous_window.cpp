@@ -13,15 +13,15 @@ void ContinuousSolver::begin(Table& table, std::span<const Ball> balls, double l
     part_forces_.clear(), ball_forces_.clear();
     creeping_.clear();
     events_ = search_steps_ = 0;
-    set_out_ = false;
+    paths_started_ = false;
     after_end_ = std::nextafter(dt_, INFINITY);
-    any_pressed_ = false;
+    any_in_island_ = false;
     for (const PartIndex i : table.moving_parts()) {
         const auto [pose, rate, stop] = table.turning(i, 0);
         const double end = std::isfinite(stop) ? table.pose(i, stop).angle : pose.angle;
         turnings_[i] = {pose, rate, stop, end};
     }
-    take_places();
+    assign_movers();
     settle_gates();
     current_ = 1 - kept_;
     table.copy(starts_[current_]);
@@ -30,41 +30,41 @@ void ContinuousSolver::begin(Table& table, std::span<const Ball> balls, double l
                  !std::ranges::all_of(turnings_, [](const Turning& turning) { return turning.still(); });
 }
 
-/// Gives each ball its mover. What was known of another ball is forgotten.
-void ContinuousSolver::take_places() {
+/// Assigns a mover to each ball, and clears what it holds of the ball that had it before.
+void ContinuousSolver::assign_movers() {
     drop_lost();
     if (pool_.size() < bodies_.size()) reserve(bodies_.size());
     movers_ = std::span(pool_).first(bodies_.size());
     for (BallIndex i = 0; i < bodies_.size(); ++i) {
         Mover& mover = movers_[i];
-        if (mover.number != bodies_[i].number) mover.near.forget();
+        if (mover.number != bodies_[i].number) mover.candidates.forget();
         mover.number = bodies_[i].number;
-        mover.lost = mover.crushed = mover.waits = mover.hops = false;
-        mover.resting_on = mover.released = nullptr;
-        mover.last_time = -1;
+        mover.jammed = mover.frozen = mover.on_tick_path = false;
+        mover.resting_on = mover.separated_from = nullptr;
+        mover.last_event = -1;
         mover.last_slow = mover.last_hit = -INFINITY;
-        mover.stalled = mover.idle = mover.hits = 0;
-        flying_[i] = {};
-        flying_[i].radius = bodies_[i].radius;
+        mover.simultaneous_events = mover.idle_events = mover.hits = 0;
+        hot_[i] = {};
+        hot_[i].radius = bodies_[i].radius;
     }
 }
 
 void ContinuousSolver::run(double until, StepRecord& record) {
     record_ = &record;
     if (!any_awake_) return;
-    const bool sets_out = !set_out_;
-    if (sets_out) set_out_all();
-    if (record_->trace && (sets_out || record_->trace->stages.empty())) trace_paths(sets_out);
+    const bool starts = !paths_started_;
+    if (starts) start_all_paths();
+    if (record_->trace && (starts || record_->trace->stages.empty())) trace_paths(starts);
     handle_until(until);
 }
 
-void ContinuousSolver::set_out_all() {
-    set_out_ = true;
+void ContinuousSolver::start_all_paths() {
+    paths_started_ = true;
     next_events_.reset(bodies_.size());
     cells_.reset(bodies_);
     for (BallIndex i = 0; i < bodies_.size(); ++i) {
-        if (!bodies_[i].asleep) come_out(i);
-        set_out(i, 0);
+        if (!bodies_[i].asleep) push_out_of_parts(i);
+        start_path(i, 0);
     }
     find_islands();
     tick(0);
@@ -77,7 +77,7 @@ void ContinuousSolver::set_out_all() {
 void ContinuousSolver::handle_until(double time) {
     for (;;) {
         const double event = next_events_.time();
-        if (any_pressed_ && next_tick_ <= std::min(event, time) && next_tick_ < dt_) {
+        if (any_in_island_ && next_tick_ <= std::min(event, time) && next_tick_ < dt_) {
             tick(next_tick_);
             continue;
         }
@@ -86,15 +86,15 @@ void ContinuousSolver::handle_until(double time) {
     }
 }
 
-/// The ball `time` seconds after the window's start.
+/// The ball `time` seconds after the start of the window.
 Ball ContinuousSolver::ball_at(BallIndex i, double time) const {
     const Mover& mover = movers_[i];
     Ball ball = bodies_[i];
     if (ball.asleep) return ball;
-    if (flying_[i].pressed)
-        follow(ball, mover, time);
+    if (hot_[i].in_island)
+        advance_member(ball, mover, time);
     else
-        advance(ball, mover.way, time);
+        advance(ball, mover.motion, time);
     return ball;
 }
 
@@ -116,7 +116,7 @@ void ContinuousSolver::read(double time, double now, std::vector<Ball>& balls) {
     read_at_ = time;
     for (BallIndex i = 0; i < movers_.size(); ++i) {
         rank_[i] = static_cast<BallIndex>(balls.size());
-        if (!movers_[i].lost) balls.push_back(ball_at(i, time));
+        if (!hot_[i].lost) balls.push_back(ball_at(i, time));
     }
     report_until(time, now);
 }
@@ -126,11 +126,11 @@ void ContinuousSolver::end(double now, std::vector<Ball>& balls) {
     report_until(INFINITY, now);
 }
 
-/// Forgets the movers of balls that were lost; their lists stay in the pool.
+/// Moves the movers of lost balls to the end of the pool, where their lists keep their capacity.
 void ContinuousSolver::drop_lost() {
     BallIndex kept = 0;
     for (BallIndex i = 0; i < movers_.size(); ++i) {
-        if (movers_[i].lost) continue;
+        if (hot_[i].lost) continue;
         if (kept != i) std::swap(movers_[kept], movers_[i]);
         ++kept;
     }

@@ -15,21 +15,21 @@ struct End {
     Vec2 at, outward;  ///< unit tangent, out of the curve
 };
 
-/// Finds things by place.
+/// Visits the elements within joint_distance of `at`; `sorted` is sorted by x.
 template <class T, class Visit>
 void each_at(const std::vector<T>& sorted, Vec2 at, Visit&& visit) {
-    auto near = std::lower_bound(sorted.begin(), sorted.end(), at.x - joint_distance,
-                                 [](const T& p, double x) { return p.at.x < x; });
-    for (; near != sorted.end() && near->at.x <= at.x + joint_distance; ++near)
-        if (length(near->at - at) <= joint_distance) visit(*near);
+    auto it = std::lower_bound(sorted.begin(), sorted.end(), at.x - joint_distance,
+                               [](const T& p, double x) { return p.at.x < x; });
+    for (; it != sorted.end() && it->at.x <= at.x + joint_distance; ++it)
+        if (length(it->at - at) <= joint_distance) visit(*it);
 }
 
-/// Takes primitives apart; knows the points that stand at ends, and what joins without one.
-class Taker {
+/// Splits primitives into features. Finds the joints of segments and arcs: the ends with and without a point.
+class FeatureBuilder {
   public:
-    Taker(std::span<const Primitive> primitives, const Scene& scene) : scene_(scene) {
+    FeatureBuilder(std::span<const Primitive> primitives, const Scene& scene) : scene_(scene) {
         for (const Primitive& primitive : primitives) {
-            // What does not always stop a ball is no end and no neighbour to others.
+            // Sensors and gates do not always collide, so they form no joints.
             if (scene.parts[primitive.part].sensor || gate_of(scene.parts[primitive.part]) != nullptr)
                 continue;
             if (const auto* point = std::get_if<primitive::Point>(&primitive.is)) points_.push_back(*point);
@@ -43,12 +43,12 @@ class Taker {
                 ends_.push_back({a->center + a->radius * to, perp(to)});
             }
         }
-        const auto by_place = [](const auto& a, const auto& b) { return a.at.x < b.at.x; };
-        std::stable_sort(points_.begin(), points_.end(), by_place);
-        std::stable_sort(ends_.begin(), ends_.end(), by_place);
+        const auto by_x = [](const auto& a, const auto& b) { return a.at.x < b.at.x; };
+        std::stable_sort(points_.begin(), points_.end(), by_x);
+        std::stable_sort(ends_.begin(), ends_.end(), by_x);
     }
 
-    std::vector<Feature> take(std::span<const Primitive> primitives) {
+    std::vector<Feature> build(std::span<const Primitive> primitives) {
         for (const Primitive& primitive : primitives) {
             primitive_ = static_cast<std::uint32_t>(&primitive - primitives.data());
             part_ = primitive.part;
@@ -62,15 +62,15 @@ class Taker {
     void operator()(const primitive::Segment& s) {
         Line line = face(s.a, s.b);
         if (gate_of(scene_.parts[part_]) == nullptr) {
-            line.before = reach({s.a, -line.along});
-            line.past = reach({s.b, line.along});
+            line.before = extension({s.a, -line.along});
+            line.past = extension({s.b, line.along});
         }
         add(line);
     }
     void operator()(const primitive::Arc& a) {
         Arc arc = arc_of(a);
-        arc.before = reach({a.center + a.radius * arc.from, -perp(arc.from)});
-        arc.past = reach({a.center + a.radius * arc.to, perp(arc.to)});
+        arc.before = extension({a.center + a.radius * arc.from, -perp(arc.from)});
+        arc.past = extension({a.center + a.radius * arc.to, perp(arc.to)});
         add(arc);
     }
     void operator()(const primitive::Polygon& p) {
@@ -105,19 +105,19 @@ class Taker {
 
     static double rounding_at(Vec2 p) { return 64 * 0x1p-53 * (std::abs(p.x) + std::abs(p.y)); }
 
-    [[nodiscard]] Reach reach(const End& end) const {
-        Reach reach{true, 0, 0, rounding_at(end.at)};
-        each_at(points_, end.at, [&](const primitive::Point&) { reach.joined = false; });
-        if (!reach.joined) return {};
+    [[nodiscard]] EndExtension extension(const End& end) const {
+        EndExtension found{true, 0, 0, rounding_at(end.at)};
+        each_at(points_, end.at, [&](const primitive::Point&) { found.joined = false; });
+        if (!found.joined) return {};
         double least = 3;
         each_at(ends_, end.at, [&](const End& other) {
             const double kink = length(end.outward + other.outward);
             if (kink < least) {
                 least = kink;
-                reach = {true, length(end.at - other.at), kink, rounding_at(end.at)};
+                found = {true, length(end.at - other.at), kink, rounding_at(end.at)};
             }
         });
-        return reach;
+        return found;
     }
 
     const Scene& scene_;
@@ -128,21 +128,21 @@ class Taker {
     PartIndex part_ = 0;
 };
 
-struct Looker {
+struct ClosestPointTo {
     Vec2 point;
     double radius = 0;
 
     Closest operator()(const Line& line) const {
         const Vec2 from_start = point - line.start;
         const double s = dot(from_start, line.along), d = cross(line.along, from_start);
-        const bool facing = s >= -line.before.of(radius) && s <= line.length + line.past.of(radius);
+        const bool facing = s >= -line.before.length(radius) && s <= line.length + line.past.length(radius);
         return {std::abs(d), d >= 0 ? perp(line.along) : -perp(line.along), facing};
     }
     Closest operator()(const Arc& arc) const {
         const Vec2 out = point - arc.center;
         const double d = length(out), off = d - arc.radius;
-        const double past_from = cross(arc.from, out) + arc.before.of(radius);
-        const double before_to = cross(out, arc.to) + arc.past.of(radius);
+        const double past_from = cross(arc.from, out) + arc.before.length(radius);
+        const double before_to = cross(out, arc.to) + arc.past.length(radius);
         const bool facing =
             arc.full || (arc.wide ? past_from >= 0 || before_to >= 0 : past_from >= 0 && before_to >= 0);
         const Vec2 n = unit(out);
@@ -163,13 +163,13 @@ struct ClearOf {
         const double off_a = cross(line.along, to_a), off_b = cross(line.along, to_b), gap = radius + sag;
         if (std::min(off_a, off_b) > gap || std::max(off_a, off_b) < -gap) return true;
         const double s_a = dot(line.along, to_a), s_b = dot(line.along, to_b);
-        return std::max(s_a, s_b) < -line.before.of(radius) - sag ||
-               std::min(s_a, s_b) > line.length + line.past.of(radius) + sag;
+        return std::max(s_a, s_b) < -line.before.length(radius) - sag ||
+               std::min(s_a, s_b) > line.length + line.past.length(radius) + sag;
     }
     bool operator()(const Arc& arc) const {
         if (beyond(arc.center, arc.radius + radius + sag)) return true;
-        // The arc lies beyond the chord of its ends, but for what it reaches past them.
-        const double past = std::max(arc.before.of(radius), arc.past.of(radius)) + radius + sag;
+        // The arc lies beyond the chord of its ends, except for its extensions.
+        const double past = std::max(arc.before.length(radius), arc.past.length(radius)) + radius + sag;
         const double high = std::max(dot(arc.middle, a - arc.center), dot(arc.middle, b - arc.center));
         if (high < arc.radius * arc.half_cosine - past) return true;
         const double inner = arc.radius - radius - sag;
@@ -185,6 +185,17 @@ struct ClearOf {
         return distance_squared(center, a, b) > reach * reach;
     }
 };
+
+/// Bounds of a feature in the pose of the scene file.
+Box bounds_in_scene(const Feature& feature, const Primitive& primitive) {
+    if (const auto* line = std::get_if<Line>(&feature.is)) {
+        const Vec2 a = line->start, b = a + line->length * line->along;
+        return united(bounds_of(a, 0), bounds_of(b, 0));
+    }
+    if (const auto* circle = std::get_if<Circle>(&feature.is))
+        return bounds_of(circle->center, circle->radius);
+    return bounds_of(primitive);
+}
 
 }  // namespace
 
@@ -203,21 +214,21 @@ Arc arc_of(const primitive::Arc& arc) {
 }
 
 std::vector<Feature> features_of(std::span<const Primitive> primitives, const Scene& scene) {
-    return Taker(primitives, scene).take(primitives);
+    return FeatureBuilder(primitives, scene).build(primitives);
 }
 
 Closest closest_point(const Feature& feature, Vec2 point, double radius) {
-    return std::visit(Looker{point, radius}, feature.is);
+    return std::visit(ClosestPointTo{point, radius}, feature.is);
 }
 
 bool clear_of(const Feature& feature, Vec2 a, Vec2 b, double radius, double sag) {
     return std::visit(ClearOf{a, b, radius, sag}, feature.is);
 }
 
-bool ends_in(const Feature& face, Vec2 normal, const Feature& circle) {
+bool continues_in(const Feature& face, Vec2 normal, const Feature& circle) {
     const auto* there = std::get_if<Circle>(&circle.is);
     if (there == nullptr) return false;
-    // Where a ball on this side of the end would touch the circle.
+    // Whether the point of the circle with normal n is the end of the face.
     const auto goes_on = [&](Vec2 end, Vec2 n) {
         constexpr double rounding = 64 * 0x1p-53;
         const double size = std::abs(end.x) + std::abs(end.y) + there->radius;
@@ -235,7 +246,7 @@ bool ends_in(const Feature& face, Vec2 normal, const Feature& circle) {
     });
 }
 
-double ahead(const Feature& feature, Vec2 point, Vec2 direction, double radius) {
+double distance_to_end(const Feature& feature, Vec2 point, Vec2 direction, double radius) {
     if (const auto* line = std::get_if<Line>(&feature.is)) {
         const double s = dot(point - line->start, line->along);
         return dot(direction, line->along) > 0 ? line->length - s : s;
@@ -266,14 +277,13 @@ Feature posed(const Feature& feature, const Pose& pose) {
     return turned;
 }
 
-Box bounds_of(const Feature& feature, const Primitive& primitive) {
-    if (const auto* line = std::get_if<Line>(&feature.is)) {
-        const Vec2 a = line->start, b = a + line->length * line->along;
-        return united(bounds_of(a, 0), bounds_of(b, 0));
-    }
-    if (const auto* circle = std::get_if<Circle>(&feature.is))
-        return bounds_of(circle->center, circle->radius);
-    return bounds_of(primitive);
+Box range_of(const Feature& feature, const Primitive& primitive, const Table& table) {
+    const Box box = bounds_in_scene(feature, primitive);
+    if (!Table::moves(table.scene().parts[feature.part])) return box;
+    const Vec2 pivot = table.pose(feature.part).pivot;
+    const double dx = std::max(box.max.x - pivot.x, pivot.x - box.min.x);
+    const double dy = std::max(box.max.y - pivot.y, pivot.y - box.min.y);
+    return bounds_of(pivot, std::sqrt(dx * dx + dy * dy));
 }
 
 }  // namespace flipside::custom

@@ -1,9 +1,9 @@
 #pragma once
-/// The surface of the table as the continuous solver sees it: every primitive taken apart into lines, arcs
-/// and circles (points, corners and caps too), each with a distance whose second derivative is bounded
-/// along any smooth path. A disc of radius r touches a feature where its centre's distance is r.
+/// Features: the lines, arcs and circles of which every primitive consists for the continuous solver; points,
+/// corners and caps are circles. The second derivative of the distance from a feature is bounded along any
+/// smooth path. A disc of radius r touches a feature when the distance of its centre is r.
 ///
-/// Solid shapes are their outlines here: a centre outside can only come in through the outline.
+/// Solid shapes are represented by their outlines: a disc outside can only enter through the outline.
 
 #include <cstdint>
 #include <span>
@@ -15,18 +15,23 @@
 
 namespace flipside::custom {
 
-/// How far a curve reaches past its end. Nothing past an end where a circle stands; at a smooth joint or
-/// a tangent point past the joint's own gap and kink, and the rounding of positions there, so that nothing
-/// slips through. What it holds it keeps a little further, so that it does not touch again what it let go of
-/// there. (No further than that: on a curve the ball turns meanwhile.)
-struct Reach {
+/// How far a curve extends past its end, so that no ball slips through a joint. The extension is 0 where a
+/// circle covers the end. At a smooth joint or a tangent point it covers the gap and the kink of the joint
+/// and the rounding of positions. A resting contact extends by one more margin, so that it does not touch the
+/// same curve again right after it has ended. The extension must not be longer, since the ball turns on a
+/// curve.
+struct EndExtension {
     bool joined = false;
     double gap = 0;       ///< m
     double kink = 0;      ///< rad
     double rounding = 0;  ///< m
 
-    [[nodiscard]] double of(double radius) const { return joined ? gap + kink * radius + margin(radius) : 0; }
-    [[nodiscard]] double holds(double radius) const { return joined ? of(radius) + margin(radius) : 0; }
+    [[nodiscard]] double length(double radius) const {
+        return joined ? gap + kink * radius + margin(radius) : 0;
+    }
+    [[nodiscard]] double resting_length(double radius) const {
+        return joined ? length(radius) + margin(radius) : 0;
+    }
 
   private:
     [[nodiscard]] double margin(double radius) const { return rounding + 64 * 0x1p-53 * radius; }
@@ -36,7 +41,7 @@ struct Reach {
 struct Line {
     Vec2 start, along;  ///< unit
     double length = 0;
-    Reach before, past;
+    EndExtension before, past;
 };
 
 /// Two-sided arc, anticlockwise between two unit directions.
@@ -46,7 +51,7 @@ struct Arc {
     Vec2 from, to;
     Vec2 middle;             ///< unit, half way between them
     double half_cosine = 0;  ///< of the angle from there to either
-    Reach before, past;
+    EndExtension before, past;
     bool wide = false;  ///< spans more than half a turn
     bool full = false;  ///< has no ends
 };
@@ -57,47 +62,49 @@ struct Circle {
     double radius = 0;
 };
 
+using FeatureIndex = std::uint32_t;
+
 struct Feature {
     std::variant<Line, Arc, Circle> is;
     std::uint32_t primitive = 0;  ///< index into the primitives given
     PartIndex part = 0;
-    // Of the part, kept at hand.
+    // Copied from the part, for speed.
     std::uint32_t layer = 1, collides_with = ~0U;
     bool sensor = false;
     bool gate = false;
 };
 
-/// Of an arc, reaching past neither end.
+/// The feature of an arc, without extensions.
 [[nodiscard]] Arc arc_of(const primitive::Arc& arc);
 
-/// In the order of the primitives, so by part. Cost: linear (joints: n log n).
+/// Features in the order of the primitives. Cost: linear, but n log n in the number of ends.
 [[nodiscard]] std::vector<Feature> features_of(std::span<const Primitive> primitives, const Scene& scene);
 
-/// A point as seen from a feature, both in the pose of the scene file.
+/// Result of a closest-point query, in the pose of the scene file.
 struct Closest {
-    double distance = 0;  ///< m, of the point from the (endless) curve, ≥ 0
+    double distance = 0;  ///< m, of the point from the curve without ends, ≥ 0
     Vec2 normal;          ///< unit, from the curve to the point: the gradient of the distance
-    bool facing = true;   ///< the nearest point of the curve lies between its ends
+    bool facing = true;   ///< whether the closest point lies between the ends of the curve
 };
 [[nodiscard]] Closest closest_point(const Feature& feature, Vec2 point, double radius);
 
-/// Whether a disc whose centre stays within `sag` of the chord from a to b surely does not touch the feature
-/// (in the pose of the scene file). Cheap, and true only where that is easy to see.
+/// Cheap conservative test: true only if a disc whose centre stays within `sag` of the chord from a to b
+/// cannot touch the feature (in the pose of the scene file).
 [[nodiscard]] bool clear_of(const Feature& feature, Vec2 a, Vec2 b, double radius, double sag);
 
-/// Whether a ball that slides along the face to one of its ends there meets the circle without any approach,
-/// since the circle is the end itself or goes on smoothly; `normal` is the face's towards the ball. Both in
-/// the same pose.
-[[nodiscard]] bool ends_in(const Feature& face, Vec2 normal, const Feature& circle);
+/// Whether the circle continues the face smoothly at one of its ends, so that a ball that slides off the face
+/// touches the circle without an approach speed. `normal` is that of the face towards the ball; both features
+/// are in the same pose.
+[[nodiscard]] bool continues_in(const Feature& face, Vec2 normal, const Feature& circle);
 
-/// How far a ball of this radius that lies on the feature at `point` can move along `direction` (unit) until
-/// its end, m. A circle, which goes on from where a face ends, counts as one that is about to end.
-[[nodiscard]] double ahead(const Feature& feature, Vec2 point, Vec2 direction, double radius);
+/// Distance from `point` on the feature to its end in `direction` (unit), m, for a ball of this radius. For a
+/// circle it is almost 0, so that the faces that it joins take precedence.
+[[nodiscard]] double distance_to_end(const Feature& feature, Vec2 point, Vec2 direction, double radius);
 
-/// The feature turned into a pose.
+/// The feature in the given pose.
 [[nodiscard]] Feature posed(const Feature& feature, const Pose& pose);
 
-/// Smallest box around a feature of this primitive in the pose of the scene file.
-[[nodiscard]] Box bounds_of(const Feature& feature, const Primitive& primitive);
+/// Bounds of all positions that a feature of this primitive can have.
+[[nodiscard]] Box range_of(const Feature& feature, const Primitive& primitive, const Table& table);
 
 }  // namespace flipside::custom

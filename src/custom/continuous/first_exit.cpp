@@ -8,7 +8,7 @@ namespace flipside::custom {
 
 namespace {
 
-/// Instants after the start of a path, s. A polynomial of degree n turns n − 1 times at most.
+/// Instants after the start of a path, s. A polynomial of degree n has at most n − 1 extrema.
 struct Instants {
     std::array<double, std::size_t{2} * taylor_order> at{};
     std::size_t count = 0;
@@ -17,9 +17,9 @@ struct Instants {
     [[nodiscard]] std::span<double> all() { return {at.data(), count}; }
 };
 
-/// The two neighbouring numbers in [a, b] between which `is_before` turns from true, as it is at a, to false,
-/// as it is at b; the later one. Each pass halves the count of numbers between them once the exponents are
-/// alike, so there are at most 1,100.
+/// Bisection to neighbouring numbers: `is_before` is true at a and false at b, and the result is the first
+/// number at which it is found false. At most 1,100 passes, since each halves the count of numbers between a
+/// and b once their exponents are equal.
 double turning_point(auto&& is_before, double a, double b) {
     for (;;) {
         const double middle = a + (b - a) / 2;
@@ -30,7 +30,7 @@ double turning_point(auto&& is_before, double a, double b) {
 
 using Coefficients = std::array<double, taylor_order + 1>;
 
-/// Of the m-th derivative of Σ c[k]·t^k, those below m left out.
+/// Coefficients of the m-th derivative of Σ c[k]·t^k.
 Coefficients derivative(const Coefficients& c, int m) {
     Coefficients result{};
     for (int k = m; k <= taylor_order; ++k) {
@@ -41,7 +41,8 @@ Coefficients derivative(const Coefficients& c, int m) {
     return result;
 }
 
-/// Zeros in (0, h) of the slope of Σ c[k]·t^k: those of each derivative lie between those of the next.
+/// Adds the zeros in (0, h) of the slope of Σ c[k]·t^k. The zeros of each derivative lie between those of the
+/// next higher one.
 void add_turns(const Coefficients& c, double h, Instants& turns) {
     std::array<double, taylor_order + 1> zeros{}, next{};
     std::size_t count = 0;
@@ -66,7 +67,7 @@ void add_turns(const Coefficients& c, double h, Instants& turns) {
     for (std::size_t i = 0; i < count; ++i) turns.add(zeros[i]);
 }
 
-/// When one coordinate of a flight turns: v(t) = v₀·e^(−ct) + a·E(t) = 0. It does so once at most.
+/// Adds the extremum of one coordinate of a flight, v(t) = v₀·e^(−ct) + a·E(t) = 0. There is at most one.
 void add_turn(double velocity, double acceleration, double drag, double h, Instants& turns) {
     if (velocity * acceleration >= 0) return;
     const double t = drag_turn(velocity, acceleration, drag);
@@ -80,10 +81,10 @@ double first_exit(const Path& path, const Box& box, double t0, double t1) {
     if (!is_inside(t0)) return t0;
     Instants turns;
     const double h = t1 - path.start;
-    if (path.swings()) {
+    if (path.is_taylor()) {
         for (double Vec2::*axis : {&Vec2::x, &Vec2::y}) {
             Coefficients series{};
-            for (std::size_t k = 1; k < series.size(); ++k) series[k] = path.swing[0].displacement[k].*axis;
+            for (std::size_t k = 1; k < series.size(); ++k) series[k] = path.taylor[0].displacement[k].*axis;
             add_turns(series, h, turns);
         }
     } else {

@@ -1,8 +1,8 @@
 #pragma once
-/// The next event of every ball, and which of them comes first: a tournament in which each match is won by
-/// the earlier event and is played again only when one of its players has changed (Knuth, "The Art of
-/// Computer Programming", vol. 3, 5.4.1). Events at the same time are ordered by a number that says what
-/// they are. Cost: log₂ n matches per change; nothing stale is ever kept.
+/// Event queue: the next event of every ball, in a tournament tree whose root is the earliest event (Knuth,
+/// "The Art of Computer Programming", vol. 3, 5.4.1). A match is replayed only when one of its players has
+/// changed. Events at the same time are ordered by their `order`. Cost: log₂ n matches per change; the queue
+/// holds no outdated events.
 
 #include <bit>
 #include <cmath>
@@ -20,23 +20,23 @@ class NextEvents {
         events_.reserve(players);
         winners_.reserve(players);
     }
-    /// So many balls, none of which has an event.
+    /// Starts with so many balls without events.
     void reset(std::size_t balls) {
         const std::size_t players = std::bit_ceil(balls < 2 ? 2 : balls);
         events_.assign(players, {});
         winners_.resize(players);
         for (std::size_t match = players; --match > 0;) winners_[match] = winner_of(2 * match);
     }
-    /// The next event of a ball is at this time; INFINITY if it has none.
+    /// Sets the time of a ball's next event, INFINITY for none.
     void set(BallIndex i, double time, std::uint64_t order) {
         events_[i] = {time, order};
         for (std::size_t match = (events_.size() + i) / 2; match > 0; match /= 2) {
             const BallIndex winner = winner_of(2 * match);
-            if (winner != i && winner == winners_[match]) return;  // won, and wins on, against i
+            if (winner != i && winner == winners_[match]) return;  // the winner above does not change either
             winners_[match] = winner;
         }
     }
-    /// Whose event comes first; its time is time().
+    /// The ball with the earliest event, which is at time().
     [[nodiscard]] BallIndex first() const { return winners_[1]; }
     [[nodiscard]] double time() const { return events_[winners_[1]].time; }
 
@@ -48,7 +48,7 @@ class NextEvents {
     [[nodiscard]] BallIndex player(std::size_t node) const {
         return node >= events_.size() ? static_cast<BallIndex>(node - events_.size()) : winners_[node];
     }
-    /// Of the match between a node and the one beside it.
+    /// Winner of the match between a node and its sibling.
     [[nodiscard]] BallIndex winner_of(std::size_t node) const {
         const BallIndex a = player(node), b = player(node + 1);
         const Event &x = events_[a], &y = events_[b];
@@ -56,7 +56,7 @@ class NextEvents {
         return x.order <= y.order ? a : b;
     }
 
-    std::vector<Event> events_;       ///< by place, a power of two of them
+    std::vector<Event> events_;       ///< per ball, a power of two of them
     std::vector<BallIndex> winners_;  ///< of each match; node k plays under node k/2
 };
 

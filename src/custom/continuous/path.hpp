@@ -1,6 +1,6 @@
 #pragma once
-/// The path of a ball from one event to the next: a flight in closed form, or, for a ball that swings
-/// on a curved or turning surface (resting_contact.hpp), the Taylor polynomial of its position.
+/// The path of a ball from one event to the next: a flight in closed form, or a Taylor polynomial for a ball
+/// in resting contact with a curved or turning surface (resting_contact.hpp).
 
 #include <array>
 #include <vector>
@@ -12,10 +12,10 @@ namespace flipside::custom {
 /// Highest power of a Taylor polynomial.
 inline constexpr int taylor_order = 22;
 
-/// Motion of a ball that swings, in powers of the time since its start.
-struct Swing {
+/// Motion of a ball in powers of the time since the start of its path.
+struct TaylorPath {
     std::array<Vec2, taylor_order + 1> displacement{};  ///< m
-    std::array<double, taylor_order + 1> spin{};        ///< what the spin has changed by, rad/s
+    std::array<double, taylor_order + 1> spin{};        ///< change of the spin, rad/s
     double top_speed = 0, top_acceleration = 0;         ///< bounds over the whole polynomial
 
     [[nodiscard]] Vec2 position(double t) const {
@@ -44,40 +44,40 @@ struct Swing {
 
 struct Path {
     double start = 0;  ///< s, in the time of the step
-    Flight flight;     ///< its position and velocity are those at the start, whatever the path
-    /// One if the ball swings. Few do, and it is large: so it lies elsewhere, in room that is kept.
-    std::vector<Swing> swing;
+    Flight flight;     ///< has the position and velocity at the start for both kinds of path
+    /// One element if the path is a Taylor polynomial, else none. It is large and rare, so it is not stored
+    /// inline.
+    std::vector<TaylorPath> taylor;
 
-    [[nodiscard]] bool swings() const { return !swing.empty(); }
+    [[nodiscard]] bool is_taylor() const { return !taylor.empty(); }
     [[nodiscard]] Vec2 position(double time) const {
         const double t = time - start;
-        return flight.position + (swings() ? swing[0].position(t) : flight.displacement(t));
+        return flight.position + (is_taylor() ? taylor[0].position(t) : flight.displacement(t));
     }
     [[nodiscard]] Vec2 velocity(double time) const {
         const double t = time - start;
-        return swings() ? swing[0].velocity(t) : flight.velocity_at(t);
+        return is_taylor() ? taylor[0].velocity(t) : flight.velocity_at(t);
     }
     [[nodiscard]] Vec2 acceleration(double time) const {
         const double t = time - start;
-        return swings() ? swing[0].acceleration(t)
-                        : flight.acceleration - flight.drag * flight.velocity_at(t);
+        return is_taylor() ? taylor[0].acceleration(t)
+                           : flight.acceleration - flight.drag * flight.velocity_at(t);
     }
-    /// Position and velocity at once.
     struct Motion {
         Vec2 position, velocity;
     };
     [[nodiscard]] Motion at(double time) const {
         const double t = time - start;
-        if (swings()) return {flight.position + swing[0].position(t), swing[0].velocity(t)};
+        if (is_taylor()) return {flight.position + taylor[0].position(t), taylor[0].velocity(t)};
         const TimeInterval interval(flight.drag, t);
         return {flight.position + flight.displacement(interval), flight.velocity_after(interval)};
     }
     /// Bounds on speed and acceleration from the start to `time`.
     [[nodiscard]] double max_speed(double time) const {
-        return swings() ? swing[0].top_speed : flight.max_speed(time - start);
+        return is_taylor() ? taylor[0].top_speed : flight.max_speed(time - start);
     }
     [[nodiscard]] double max_acceleration(double time) const {
-        return swings() ? swing[0].top_acceleration : flight.max_acceleration(time - start);
+        return is_taylor() ? taylor[0].top_acceleration : flight.max_acceleration(time - start);
     }
 };
 

@@ -17,8 +17,8 @@ double bend(const Quartic& c, double t) {
     return (12 * c[4] * t + 6 * c[3]) * t + 2 * c[2];
 }
 
-/// The root of a function between `low` and `high`, where it has different signs and is monotone: by Newton's
-/// steps, or halves where they would leave the bracket.
+/// Root of a monotone function with different signs at `low` and `high`: Newton steps, and bisection where
+/// these would leave the bracket.
 double root_between(double low, double high, auto&& f, auto&& f_slope) {
     const bool falls = f(low) > 0;
     double t = (low + high) / 2;
@@ -42,12 +42,12 @@ Quartic squared_gap(Vec2 p, Vec2 v, Vec2 a, double reach) {
             length_squared(a) / 4};
 }
 
-double first_fall(const Quartic& c, double until) {
+double first_crossing(const Quartic& c, double until) {
     const auto f = [&](double t) { return value(c, t); };
     const auto df = [&](double t) { return slope(c, t); };
     const auto ddf = [&](double t) { return bend(c, t); };
 
-    // Between these the slope only falls or only rises: the roots of 6c₄·t² + 3c₃·t + c₂.
+    // The slope is monotone between these, the roots of 6c₄·t² + 3c₃·t + c₂.
     std::array<double, 4> turns{0, 0, 0, until};
     const double a = 6 * c[4], b = 3 * c[3], inside = b * b - 4 * a * c[2];
     if (inside > 0) {
@@ -56,7 +56,7 @@ double first_fall(const Quartic& c, double until) {
         turns[1] = std::clamp(std::min(one, other), 0.0, until);
         turns[2] = std::clamp(std::max(one, other), 0.0, until);
     }
-    // Between these it only falls or only rises itself.
+    // The polynomial is monotone between these.
     std::array<double, 5> extremes{};
     std::size_t count = 1;
     for (std::size_t k = 0; k < 3; ++k)

@@ -10,7 +10,7 @@ constexpr int order = taylor_order;
 template <class T>
 using Series = std::array<T, order + 1>;
 
-/// Index without the sign that the compiler minds.
+/// Unsigned index, to avoid warnings about conversions.
 constexpr std::size_t at(int k) {
     return static_cast<std::size_t>(k);
 }
@@ -36,7 +36,7 @@ Series<Vec2> turning_vector(Vec2 v, double rate) {
     return series;
 }
 
-/// Where a ball's centre is in terms of the held feature: on a line `offset` from it, or on a circle.
+/// The curve on which the centre of a resting ball moves: a line parallel to the face, or a circle.
 struct Guide {
     bool straight;
     Vec2 pivot;
@@ -54,7 +54,8 @@ Guide guide_of(const RestingContact& contact, const Ball& ball, double time) {
     guide.rate = contact.turning->rate_at(time);
     guide.straight = std::holds_alternative<Line>(contact.feature->is);
     if (const auto* line = std::get_if<Line>(&contact.feature->is)) {
-        // Without turning the pivot is free: the start of the line keeps digits far from the origin.
+        // On a part that does not turn, any pivot will do; the start of the line keeps digits far from the
+        // origin.
         const Vec2 start = pose.apply(line->start);
         guide.pivot = guide.rate == 0 ? start : pose.pivot;
         guide.s = dot(ball.position - guide.pivot, -perp(contact.normal));
@@ -77,24 +78,25 @@ Guide guide_of(const RestingContact& contact, const Ball& ball, double time) {
     return guide;
 }
 
-/// How friction acts while a ball is held.
-struct Rub {
+/// How friction acts in a resting contact.
+struct Friction {
     double slide = 0;  ///< µ with the sign of the slip; 0 when the ball rolls or there is no friction
     bool rolls = false;
 
-    /// What is left of a tangential acceleration.
+    /// Part of a tangential force that accelerates the centre; the rest accelerates the spin of a rolling
+    /// ball.
     [[nodiscard]] double share() const { return rolls ? 2.0 / 3 : 1; }
 };
 
-/// What acts in a swing, as series in time.
+/// Forces in a resting contact, as series in time.
 struct Loads {
     Series<double> force{};  ///< per mass, along the normal
-    Series<double> push{};   ///< change of the speed along perp(normal), relative to the surface
+    Series<double> slide{};  ///< acceleration along perp(normal) relative to the surface, m/s²
 };
 
-Loads swing_straight(const Guide& guide, Vec2 normal, Vec2 velocity, const Drive& drive, const Rub& rub,
-                     Series<Vec2>& displacement) {
-    const double w = guide.rate, d = guide.offset, c = drive.drag;
+Loads expand_on_line(const Guide& guide, Vec2 normal, Vec2 velocity, const ExternalForces& external,
+                     const Friction& friction, Series<Vec2>& displacement) {
+    const double w = guide.rate, d = guide.offset, c = external.drag;
     const Series<Vec2> t = turning_vector(-perp(normal), w), n = turning_vector(normal, w);
     Series<double> s{};
     Loads loads;
@@ -103,25 +105,25 @@ Loads swing_straight(const Guide& guide, Vec2 normal, Vec2 velocity, const Drive
     for (int k = 0; k + 2 <= order; ++k) {
         const double speed = (k + 1) * s[at(k + 1)] - (k == 0 ? d * w : 0);
         const double force = 2 * w * (k + 1) * s[at(k + 1)] - (k == 0 ? d * w * w : 0) -
-                             dot(n[at(k)], drive.gravity) + c * w * s[at(k)];
-        const double driven = w * w * s[at(k)] + dot(t[at(k)], drive.gravity) - c * speed;
-        const double bend = rub.share() * driven + rub.slide * force;
+                             dot(n[at(k)], external.gravity) + c * w * s[at(k)];
+        const double driven = w * w * s[at(k)] + dot(t[at(k)], external.gravity) - c * speed;
+        const double bend = friction.share() * driven + friction.slide * force;
         s[at(k + 2)] = bend / ((k + 1) * (k + 2));
         loads.force[at(k)] = force;
-        loads.push[at(k)] = -bend;
+        loads.slide[at(k)] = -bend;
     }
     for (int k = 0; k <= order; ++k) displacement[at(k)] = product(s, t, k) + d * n[at(k)];
     return loads;
 }
 
-Loads swing_curved(const Guide& guide, Vec2 normal, Vec2 velocity, const Drive& drive, const Rub& rub,
-                   Series<Vec2>& displacement) {
-    const double c = drive.drag, radius = guide.radius, side = dot(guide.out, normal) > 0 ? 1 : -1;
+Loads expand_on_circle(const Guide& guide, Vec2 normal, Vec2 velocity, const ExternalForces& external,
+                       const Friction& friction, Series<Vec2>& displacement) {
+    const double c = external.drag, radius = guide.radius, side = dot(guide.out, normal) > 0 ? 1 : -1;
     const Series<Vec2> center = turning_vector(guide.arm, guide.rate);
-    Series<Vec2> driving{};  // gravity as felt by one who moves with the centre
+    Series<Vec2> felt{};  // gravity and inertial forces in the frame of the moving centre
     for (int k = 0; k + 2 <= order; ++k)
-        driving[at(k)] = (k == 0 ? drive.gravity : Vec2{}) - (k + 1) * (k + 2) * center[at(k + 2)] -
-                         c * (k + 1) * center[at(k + 1)];
+        felt[at(k)] = (k == 0 ? external.gravity : Vec2{}) - (k + 1) * (k + 2) * center[at(k + 2)] -
+                      c * (k + 1) * center[at(k + 1)];
     Series<Vec2> out{}, tangent{};  // out' = turn·tangent, tangent' = −turn·out
     Series<double> turn{};
     Loads loads;
@@ -129,22 +131,22 @@ Loads swing_curved(const Guide& guide, Vec2 normal, Vec2 velocity, const Drive& 
     tangent[0] = perp(guide.out);
     turn[0] = dot(velocity - cross(guide.rate, guide.arm), tangent[0]) / radius;
     for (int k = 0; k < order; ++k) {
-        const double force = -side * (dot_product(out, driving, k) + radius * product(turn, turn, k));
-        const double driven = dot_product(tangent, driving, k) - c * radius * turn[at(k)];
-        const double bend = rub.share() * driven - side * rub.slide * force;
+        const double force = -side * (dot_product(out, felt, k) + radius * product(turn, turn, k));
+        const double driven = dot_product(tangent, felt, k) - c * radius * turn[at(k)];
+        const double bend = friction.share() * driven - side * friction.slide * force;
         turn[at(k + 1)] = bend / (radius * (k + 1));
         const Vec2 turned = product(turn, tangent, k) / (k + 1);
         out[at(k + 1)] = turned;
         tangent[at(k + 1)] = perp(turned);
         loads.force[at(k)] = force;
-        loads.push[at(k)] = side * bend;
+        loads.slide[at(k)] = side * bend;
     }
     for (int k = 0; k <= order; ++k) displacement[at(k)] = center[at(k)] + radius * out[at(k)];
     return loads;
 }
 
-/// How long the polynomial is good: its last terms stay below `error`.
-double good_for(const Series<Vec2>& series, double error) {
+/// Time for which the last terms of the series stay below `error`, s.
+double valid_time(const Series<Vec2>& series, double error) {
     double h = never_touch;
     for (const int k : {order, order - 1, order - 2}) {
         const double term = length(series[at(k)]);
@@ -153,12 +155,12 @@ double good_for(const Series<Vec2>& series, double error) {
     return h;
 }
 
-/// Counts the steps of the searches for the end of a contact, which take about ten each.
-class Patience {
+/// Limits the steps of the searches for the end of a contact, which take about ten each.
+class StepBudget {
   public:
-    /// False when it is at its end.
-    bool lasts() { return ++steps_ <= most_steps; }
-    [[nodiscard]] bool lasted() const { return steps_ <= most_steps; }
+    /// Counts a step; false when the budget is used up.
+    bool take_step() { return ++steps_ <= most_steps; }
+    [[nodiscard]] bool left() const { return steps_ <= most_steps; }
 
   private:
     static constexpr int most_steps = 4000;
@@ -166,31 +168,31 @@ class Patience {
 };
 
 /// First time in [0, h] at which the series falls below zero.
-double first_below_zero(const Series<double>& f, double h, Patience& patience) {
+double first_below_zero(const Series<double>& f, double h, StepBudget& budget) {
     double k2 = 0, power = 1;
     for (int k = 2; k <= order; ++k, power *= h) k2 += k * (k - 1) * std::abs(f[at(k)]) * power;
     const double tolerance = 1e-15 * (std::abs(f[0]) + k2 * h * h + std::abs(f[1]) * h);
-    for (double t = 0; t < h && patience.lasts();) {
+    for (double t = 0; t < h && budget.take_step();) {
         double value = 0, slope = 0;
         for (int k = order; k >= 0; --k) {
             slope = slope * t + value;
             value = value * t + f[at(k)];
         }
         if (value <= tolerance && slope < 0) return t;
-        const double step = surely_free(std::max(value, tolerance), slope, k2);
+        const double step = safe_time(std::max(value, tolerance), slope, k2);
         if (t + step <= t) return t;
         t += step;
     }
     return never_touch;
 }
 
-/// When the point of touch runs off the end of the feature: the search of time_of_impact for the ends. One
-/// nearer than rounding that it runs towards is reached.
+/// When the point of contact reaches an end of the feature: the search of time_of_impact, for the ends. An
+/// end nearer than rounding counts as reached if the point moves towards it.
 double end_of_face(const Feature& feature, const Turning& turning, const Path& path, double radius, double t0,
-                   double t1, Patience& patience) {
+                   double t1, StepBudget& budget) {
     const double rate = turning.rate_at(t0);
     const double v = path.max_speed(t1), a = path.max_acceleration(t1), w = std::abs(rate);
-    for (double t = t0; t <= t1 && patience.lasts();) {
+    for (double t = t0; t <= t1 && budget.take_step();) {
         const Vec2 p = path.position(t);
         const Pose pose = turning.pose(t);
         const Vec2 arm = p - pose.pivot, q = pose.undo(p);
@@ -200,17 +202,18 @@ double end_of_face(const Feature& feature, const Turning& turning, const Path& p
         const double rounding = 4 * 0x1p-53 * (std::abs(q.x) + std::abs(q.y) + radius);
         const auto free = [&](double inside, double slope) {
             if (inside < 0 || (inside <= rounding && slope < 0)) return 0.0;
-            return surely_free(std::max(inside, rounding), slope, k);
+            return safe_time(std::max(inside, rounding), slope, k);
         };
         double h = never_touch;
         if (const auto* line = std::get_if<Line>(&feature.is)) {
             const double s = dot(q - line->start, line->along), along = dot(u, line->along);
-            h = std::min(free(s + line->before.holds(radius), along),
-                         free(line->length + line->past.holds(radius) - s, -along));
+            h = std::min(free(s + line->before.resting_length(radius), along),
+                         free(line->length + line->past.resting_length(radius) - s, -along));
         } else if (const auto* arc = std::get_if<Arc>(&feature.is); arc && !arc->full) {
             const Vec2 out = q - arc->center;
-            const double from = free(cross(arc->from, out) + arc->before.holds(radius), cross(arc->from, u));
-            const double to = free(cross(out, arc->to) + arc->past.holds(radius), cross(u, arc->to));
+            const double from =
+                free(cross(arc->from, out) + arc->before.resting_length(radius), cross(arc->from, u));
+            const double to = free(cross(out, arc->to) + arc->past.resting_length(radius), cross(u, arc->to));
             h = arc->wide ? std::max(from, to) : std::min(from, to);
         }
         if (h <= 0) return t;
@@ -222,24 +225,24 @@ double end_of_face(const Feature& feature, const Turning& turning, const Path& p
 }  // namespace
 
 RestingContact resting_contact_at(const Feature& feature, const Turning& turning, const Ball& ball,
-                                  Vec2 normal, double time, const Drive& drive) {
+                                  Vec2 normal, double time, const ExternalForces& external) {
     RestingContact contact{&feature, &turning, normal, {}, 0, 0, 0};
     const Guide guide = guide_of(contact, ball, time);
     const Vec2 point = ball.position - ball.radius * normal;
     contact.surface_velocity = cross(guide.rate, point - turning.begin.pivot);
-    const Vec2 driving = drive.gravity - drive.drag * ball.velocity;
+    const Vec2 driving = external.gravity - external.drag * ball.velocity;
     const double driven = dot(driving, normal);
-    contact.driven = dot(driving, perp(normal));
+    contact.tangential = dot(driving, perp(normal));
     if (guide.straight) {
         const double slide = dot(ball.velocity, -perp(normal)) + guide.offset * guide.rate;
         contact.force = 2 * slide * guide.rate - guide.offset * guide.rate * guide.rate - driven;
-        contact.driven -= guide.rate * guide.rate * guide.s;
+        contact.tangential -= guide.rate * guide.rate * guide.s;
     } else {
         const double side = dot(guide.out, normal) > 0 ? 1 : -1;
         const double turn = dot(ball.velocity - cross(guide.rate, guide.arm), perp(guide.out)) / guide.radius;
         contact.force =
             -driven - side * guide.radius * turn * turn - guide.rate * guide.rate * dot(guide.arm, normal);
-        contact.driven += guide.rate * guide.rate * dot(guide.arm, perp(normal));
+        contact.tangential += guide.rate * guide.rate * dot(guide.arm, perp(normal));
     }
     return contact;
 }
@@ -247,7 +250,7 @@ RestingContact resting_contact_at(const Feature& feature, const Turning& turning
 void ConstrainedPath::fly(const Flight& flight, double time) {
     path.start = time;
     path.flight = flight;
-    path.swing.clear();
+    path.taylor.clear();
     until = never_touch;
     spin_rate = 0;
     roll = {};
@@ -257,95 +260,99 @@ void ConstrainedPath::fly(const Flight& flight, double time) {
 double ConstrainedPath::spin_at(double spin, double time) const {
     const double t = time - path.start;
     if (roll != Vec2{}) return dot(roll, path.velocity(time));
-    return spin + (path.swings() ? path.swing[0].spin_change(t) : spin_rate * t);
+    return spin + (path.is_taylor() ? path.taylor[0].spin_change(t) : spin_rate * t);
 }
 
 namespace {
 
-/// Whether a ball rolls or slides. `driven` is what acts along perp(normal) without friction.
-Rub rub_of(const RestingContact& contact, const Ball& ball, double along, double driven) {
+/// Whether a ball rolls or slides. `tangential` is the force per mass along perp(normal) without friction.
+Friction friction_state(const RestingContact& contact, const Ball& ball, double along, double tangential) {
     if (contact.friction <= 0) return {};
     const double slip = along - ball.radius * ball.spin, support = contact.friction * contact.force;
     const double none = 1e-9 * (std::abs(along) + ball.radius * std::abs(ball.spin)) +
                         1e-12 * std::sqrt(ball.radius * std::max(0.0, contact.force));
     if (std::abs(slip) > none) return {slip > 0 ? contact.friction : -contact.friction, false};
-    if (std::abs(driven) / 3 < support * (1 - 1e-12)) return {0, true};
-    return {driven > 0 ? contact.friction : -contact.friction, false};
+    if (std::abs(tangential) / 3 < support * (1 - 1e-12)) return {0, true};
+    return {tangential > 0 ? contact.friction : -contact.friction, false};
 }
 
-/// The path on a still line; what ends it is the end of the slip.
-void slide(const RestingContact& contact, const Ball& ball, const Rub& rub, double along, const Drive& drive,
-           ConstrainedPath& held, Patience& patience) {
-    Flight& flight = held.path.flight;
+/// The path on a static line. It ends when the slip is 0.
+void slide(const RestingContact& contact, const Ball& ball, const Friction& friction, double along,
+           const ExternalForces& external, ConstrainedPath& motion, StepBudget& budget) {
+    Flight& flight = motion.path.flight;
     const Vec2 tangent = perp(contact.normal);
-    const double gravity = dot(drive.gravity, tangent), rubbed = rub.slide * contact.force;
-    flight.acceleration = (rub.share() * gravity - rubbed) * tangent;
-    flight.drag = rub.share() * drive.drag;
-    if (rub.rolls) held.roll = tangent / ball.radius;
-    if (rub.slide == 0) return;
-    held.spin_rate = 2 * rubbed / ball.radius;
-    // The slip shrinks along a trajectory of its own.
-    const double sign = rub.slide > 0 ? 1 : -1, slip = sign * (along - ball.radius * ball.spin);
+    const double gravity = dot(external.gravity, tangent), sliding_force = friction.slide * contact.force;
+    flight.acceleration = (friction.share() * gravity - sliding_force) * tangent;
+    flight.drag = friction.share() * external.drag;
+    if (friction.rolls) motion.roll = tangent / ball.radius;
+    if (friction.slide == 0) return;
+    motion.spin_rate = 2 * sliding_force / ball.radius;
+    // Conservative steps to the time at which the slip is 0.
+    const double sign = friction.slide > 0 ? 1 : -1, slip = sign * (along - ball.radius * ball.spin);
     if (!(slip > 0)) return;
-    const double k = drive.drag * flight.max_acceleration(0);
-    for (double t = 0; t < 1e6 && patience.lasts();) {
-        const double now =
-            sign * (dot(flight.velocity_at(t), tangent) - ball.radius * ball.spin) - 2 * std::abs(rubbed) * t;
+    const double k = external.drag * flight.max_acceleration(0);
+    for (double t = 0; t < 1e6 && budget.take_step();) {
+        const double now = sign * (dot(flight.velocity_at(t), tangent) - ball.radius * ball.spin) -
+                           2 * std::abs(sliding_force) * t;
         const Vec2 driving = flight.acceleration - flight.drag * flight.velocity_at(t);
         const double step =
-            surely_free(std::max(0.0, now), sign * dot(driving, tangent) - 2 * std::abs(rubbed), k);
+            safe_time(std::max(0.0, now), sign * dot(driving, tangent) - 2 * std::abs(sliding_force), k);
         if (t + step <= t || now <= 0) {
-            held.until = held.path.start + t;
+            motion.until = motion.path.start + t;
             return;
         }
         t += step;
     }
 }
 
-/// The path on anything that bends or turns.
-void swing(const RestingContact& contact, const Ball& ball, const Guide& guide, const Rub& rub, double along,
-           double t1, const Drive& drive, ConstrainedPath& held, Patience& patience) {
-    Path& path = held.path;
+/// The path on a curved or turning surface.
+void move_on_curve(const RestingContact& contact, const Ball& ball, const Guide& guide,
+                   const Friction& friction, double along, double t1, const ExternalForces& external,
+                   ConstrainedPath& motion, StepBudget& budget) {
+    Path& path = motion.path;
     const double time = path.start;
     const Vec2 velocity = path.flight.velocity;
-    Swing& swing = path.swing.emplace_back();
-    const Loads loads = guide.straight
-                            ? swing_straight(guide, contact.normal, velocity, drive, rub, swing.displacement)
-                            : swing_curved(guide, contact.normal, velocity, drive, rub, swing.displacement);
-    path.flight = {guide.pivot + swing.displacement[0], velocity, {}, 0};
+    TaylorPath& taylor = path.taylor.emplace_back();
+    const Loads loads =
+        guide.straight
+            ? expand_on_line(guide, contact.normal, velocity, external, friction, taylor.displacement)
+            : expand_on_circle(guide, contact.normal, velocity, external, friction, taylor.displacement);
+    path.flight = {guide.pivot + taylor.displacement[0], velocity, {}, 0};
     const double stop = contact.turning->rate_at(time) != 0 ? contact.turning->stop : never_touch;
-    const double good = time + good_for(swing.displacement, 1e-17 * ball.radius);
-    const double h = std::min({good, stop, t1}) - time;
+    const double valid = time + valid_time(taylor.displacement, 1e-17 * ball.radius);
+    const double h = std::min({valid, stop, t1}) - time;
     double power = 1;
     for (int k = 1; k <= order; ++k, power *= h) {
-        swing.top_speed += k * length(swing.displacement[at(k)]) * power;
-        if (k < order) swing.top_acceleration += (k + 1) * k * length(swing.displacement[at(k + 1)]) * power;
+        taylor.top_speed += k * length(taylor.displacement[at(k)]) * power;
+        if (k < order)
+            taylor.top_acceleration += (k + 1) * k * length(taylor.displacement[at(k + 1)]) * power;
     }
-    const double falls = time + first_below_zero(loads.force, h, patience);
-    held.until = std::min({good, stop, falls});
-    held.separates = held.until == falls;
+    const double separates = time + first_below_zero(loads.force, h, budget);
+    motion.until = std::min({valid, stop, separates});
+    motion.separates = motion.until == separates;
     if (contact.friction <= 0) return;
 
-    Series<double> more{}, less{};  // support to spare in both directions; or, sliding, the slip that is left
-    const double sign = rub.slide > 0 ? 1 : -1;
+    Series<double> more{}, less{};  // friction to spare in both directions; or, sliding, the slip
+    const double sign = friction.slide > 0 ? 1 : -1;
     more[0] = sign * (along - ball.radius * ball.spin);
     for (int k = 0; k + 1 < order; ++k) {
-        const double rubbed = rub.slide * loads.force[at(k)];
-        swing.spin[at(k + 1)] = (rub.rolls ? loads.push[at(k)] : 2 * rubbed) / (ball.radius * (k + 1));
-        if (!rub.rolls) {
-            more[at(k + 1)] = sign * (loads.push[at(k)] - 2 * rubbed) / (k + 1);
+        const double sliding_force = friction.slide * loads.force[at(k)];
+        taylor.spin[at(k + 1)] =
+            (friction.rolls ? loads.slide[at(k)] : 2 * sliding_force) / (ball.radius * (k + 1));
+        if (!friction.rolls) {
+            more[at(k + 1)] = sign * (loads.slide[at(k)] - 2 * sliding_force) / (k + 1);
             continue;
         }
-        more[at(k)] = contact.friction * loads.force[at(k)] + loads.push[at(k)] / 2;
-        less[at(k)] = contact.friction * loads.force[at(k)] - loads.push[at(k)] / 2;
+        more[at(k)] = contact.friction * loads.force[at(k)] + loads.slide[at(k)] / 2;
+        less[at(k)] = contact.friction * loads.force[at(k)] - loads.slide[at(k)] / 2;
     }
     double switches = never_touch;
-    if (rub.rolls)
-        switches = std::min(first_below_zero(more, h, patience), first_below_zero(less, h, patience));
-    if (!rub.rolls && more[0] > 0) switches = first_below_zero(more, h, patience);
-    if (time + switches < held.until) {
-        held.until = time + switches;
-        held.separates = false;
+    if (friction.rolls)
+        switches = std::min(first_below_zero(more, h, budget), first_below_zero(less, h, budget));
+    if (!friction.rolls && more[0] > 0) switches = first_below_zero(more, h, budget);
+    if (time + switches < motion.until) {
+        motion.until = time + switches;
+        motion.separates = false;
     }
 }
 
@@ -353,34 +360,33 @@ void swing(const RestingContact& contact, const Ball& ball, const Guide& guide, 
 
 double friction_of(const RestingContact& contact, const Ball& ball) {
     const double along = dot(ball.velocity - contact.surface_velocity, perp(contact.normal));
-    const Rub rub = rub_of(contact, ball, along, contact.driven);
-    return rub.rolls ? -contact.driven / 3 : -rub.slide * contact.force;
+    const Friction friction = friction_state(contact, ball, along, contact.tangential);
+    return friction.rolls ? -contact.tangential / 3 : -friction.slide * contact.force;
 }
 
-bool constrain(const RestingContact& contact, const Ball& ball, double time, double t1, const Drive& drive,
-               ConstrainedPath& held) {
+bool constrain(const RestingContact& contact, const Ball& ball, double time, double t1,
+               const ExternalForces& external, ConstrainedPath& motion) {
     const Vec2 n = contact.normal, tangent = perp(n);
     const Guide guide = guide_of(contact, ball, time);
     const double along = dot(ball.velocity - contact.surface_velocity, tangent);
-    held.fly({{}, along * tangent + contact.surface_velocity, {}, drive.drag}, time);
-    Path& path = held.path;
-    const Rub rub = rub_of(contact, ball, along, contact.driven);
-    Patience patience;
+    motion.fly({{}, along * tangent + contact.surface_velocity, {}, external.drag}, time);
+    Path& path = motion.path;
+    const Friction friction = friction_state(contact, ball, along, contact.tangential);
+    StepBudget budget;
     if (!guide.straight || guide.rate != 0) {
-        swing(contact, ball, guide, rub, along, t1, drive, held, patience);
+        move_on_curve(contact, ball, guide, friction, along, t1, external, motion, budget);
     } else {
         path.flight.position = guide.pivot + (guide.offset * n - guide.s * tangent);
-        slide(contact, ball, rub, along, drive, held, patience);
+        slide(contact, ball, friction, along, external, motion, budget);
     }
-    const double last = std::min(held.until, t1);
-    const double end =
-        end_of_face(*contact.feature, *contact.turning, path, ball.radius, time, last, patience);
+    const double last = std::min(motion.until, t1);
+    const double end = end_of_face(*contact.feature, *contact.turning, path, ball.radius, time, last, budget);
     if (end <= last) {
-        held.until = end;
-        held.separates = true;
+        motion.until = end;
+        motion.separates = true;
     }
-    if (held.until > t1) held.until = never_touch;
-    return patience.lasted();
+    if (motion.until > t1) motion.until = never_touch;
+    return budget.left();
 }
 
 }  // namespace flipside::custom

@@ -4,7 +4,7 @@
 
 namespace flipside::custom {
 
-double first_fall(double gap, double rate, double bend) {
+double first_crossing(double gap, double rate, double bend) {
     if (gap <= 0 && rate < 0) return 0;
     // b² − 2ac with the rounding of one operation (Kahan).
     const double w = 2 * gap * bend;
@@ -14,12 +14,12 @@ double first_fall(double gap, double rate, double bend) {
     return (rate + std::sqrt(std::max(0.0, discriminant))) / -bend;
 }
 
-double first_fall(double gap, double rate, double bend, double drag) {
-    if (drag <= 0) return first_fall(gap, rate, bend);
+double first_crossing(double gap, double rate, double bend, double drag) {
+    if (drag <= 0) return first_crossing(gap, rate, bend);
     if (gap <= 0 && rate < 0) return 0;
     if (rate >= 0 && bend >= 0) return never_touch;
     const auto gap_at = [&](const TimeInterval& s) { return gap + s.shrunk * rate + s.fallen * bend; };
-    // The second derivative keeps its sign and fades; the slope changes its own once at most, at `turn`.
+    // The second derivative keeps its sign and decays; the slope changes its sign at most once, at `turn`.
     const double curve = bend - drag * rate;
     const double turn = rate * bend < 0 ? drag_turn(rate, bend, drag) : never_touch;
     double t = 0;
@@ -31,9 +31,9 @@ double first_fall(double gap, double rate, double bend, double drag) {
     } else {
         const double deepest = turn < never_touch ? gap_at(TimeInterval(drag, turn)) : gap + rate / drag;
         if (bend >= 0 && deepest > 0) return never_touch;
-        if (const double without = first_fall(gap, rate, curve); without < turn) t = without;
+        if (const double without = first_crossing(gap, rate, curve); without < turn) t = without;
     }
-    // Newton's steps. After the first they come from the side from which they cannot jump the root.
+    // Newton steps. After the first one they stay on the side from which they cannot skip the root.
     constexpr int most_steps = 100;  // grazes take about 50
     for (int step = 0; step < most_steps; ++step) {
         const TimeInterval s(drag, t);
@@ -44,10 +44,10 @@ double first_fall(double gap, double rate, double bend, double drag) {
         if (!std::isfinite(next)) return never_touch;
         t = next;
     }
-    return t;  // every step brought it nearer: what is left is rounding
+    return t;  // every step came nearer: the rest is rounding
 }
 
-double surely_free(double value, double slope, double k) {
+double safe_time(double value, double slope, double k) {
     if (k <= 0) return slope < 0 ? value / -slope : never_touch;
     const double root = std::sqrt(slope * slope + 2 * k * value);
     return slope < 0 ? 2 * value / (root - slope) : (slope + root) / k;
@@ -55,27 +55,27 @@ double surely_free(double value, double slope, double k) {
 
 namespace {
 
-/// A point on its way, seen from something that may be touched.
-struct Moving {
+/// Motion of a point relative to a feature or disc, with bounds.
+struct RelativeMotion {
     Vec2 at, velocity;
     double top_speed, top_acceleration;  ///< over the rest of the search
-    Vec2 acceleration{};                 ///< where there is a bound on how it changes:
+    Vec2 acceleration{};                 ///< used only if top_jerk is finite
     double top_jerk = INFINITY;          ///< m/s³, over the rest of the search
 };
 
-/// What the search needs to know at one instant.
+/// The gap at one instant, with bounds for the next step of the search.
 struct Gap {
     double value = 0, slope = 0;
-    double k = 0;               ///< bound on −f'' …
-    double trusted = INFINITY;  ///< … for this long, s
-    double outside = 0;         ///< surely not between the feature's ends for this long, s
-    double lifting = 0;         ///< f surely stays above what it is now for this long, s
+    double k = 0;               ///< bound on −f''
+    double trusted = INFINITY;  ///< s, for which k holds
+    double outside = 0;         ///< s, for which the point stays past the ends of the feature
+    double separating = 0;      ///< s, for which f stays above its value now
 };
 
-/// For how long the distance d from a point that is `out` away, and grows (`side` 1) or shrinks (−1), surely
-/// stays beyond what it is: 3·d″/J, where J bounds d‴ while d is above `nearest`. What lets go of an arc
-/// leaves it with t³; steps that know no more than a bound on d″ would hardly get away.
-double surely_lifts(const Moving& q, Vec2 out, double d, double side, double nearest) {
+/// Time for which the distance d from a centre at −out keeps growing (`side` 1) or shrinking (−1): 3·d″/J,
+/// where J bounds d‴ while d is above `nearest`. A ball that separates from an arc leaves it as t³, and a
+/// bound on d″ alone would allow only tiny steps.
+double separating_time(const RelativeMotion& q, Vec2 out, double d, double side, double nearest) {
     const double across = cross(out, q.velocity) / d;
     const double bend = side * (dot(out, q.acceleration) + across * across) / d;
     if (bend <= 0) return 0;
@@ -86,24 +86,24 @@ double surely_lifts(const Moving& q, Vec2 out, double d, double side, double nea
                     3 * bend / (q.top_jerk + 3 * whirl * q.top_acceleration + 2 * whirl * whirl * speed));
 }
 
-Gap gap_to_disc(const Moving& q, Vec2 center, double reach) {
+Gap gap_to_disc(const RelativeMotion& q, Vec2 center, double reach) {
     const Vec2 out = q.at - center;
     const double d = length(out), slope = d > 0 ? dot(out, q.velocity) / d : 0;
     Gap gap{d - reach, slope, q.top_acceleration + q.top_speed * q.top_speed / reach};
-    if (slope > 0) gap.lifting = surely_lifts(q, out, d, 1, d);
+    if (slope > 0) gap.separating = separating_time(q, out, d, 1, d);
     return gap;
 }
 
 struct GapTo {
-    Moving q;
+    RelativeMotion q;
     double radius = 0;
 
     Gap operator()(const Line& line) const {
         const Vec2 from_start = q.at - line.start;
         const double d = cross(line.along, from_start), side = d >= 0 ? 1 : -1;
         const double s = dot(line.along, from_start), along = dot(line.along, q.velocity);
-        const double before = -line.before.of(radius) - s;
-        const double past = s - line.length - line.past.of(radius);
+        const double before = -line.before.length(radius) - s;
+        const double past = s - line.length - line.past.length(radius);
         return {side * d - radius, side * cross(line.along, q.velocity), q.top_acceleration, INFINITY,
                 std::max(until_inside(before, -along), until_inside(past, along))};
     }
@@ -111,11 +111,12 @@ struct GapTo {
         const Vec2 out = q.at - arc.center;
         const double d = length(out), off = d - arc.radius, side = off >= 0 ? 1 : -1;
         const double slope = d > 0 ? side * dot(out, q.velocity) / d : -q.top_speed;
-        // Inside, the distance from the centre shrinks; half of it bounds the curvature for a while.
+        // Inside the arc the distance from the centre can shrink; half of it bounds the curvature for a
+        // while.
         const double nearest = side > 0 ? arc.radius : 0.5 * std::max(d, 1e-300);
         Gap gap{side * off - radius, slope, q.top_acceleration + q.top_speed * q.top_speed / nearest,
                 side > 0 ? INFINITY : nearest / q.top_speed, arc.full ? 0 : until_facing(arc, out)};
-        if (slope > 0) gap.lifting = surely_lifts(q, out, d, side, nearest);
+        if (slope > 0) gap.separating = separating_time(q, out, d, side, nearest);
         return gap;
     }
     Gap operator()(const Circle& circle) const {
@@ -123,23 +124,23 @@ struct GapTo {
     }
 
   private:
-    /// `out` is how far outside.
+    /// `out`: distance past an end, m.
     [[nodiscard]] double until_inside(double out, double slope) const {
-        return out > 0 ? surely_free(out, slope, q.top_acceleration) : 0;
+        return out > 0 ? safe_time(out, slope, q.top_acceleration) : 0;
     }
     [[nodiscard]] double until_facing(const Arc& arc, Vec2 out) const {
-        const double before = -cross(arc.from, out) - arc.before.of(radius);
-        const double past = -cross(out, arc.to) - arc.past.of(radius);
+        const double before = -cross(arc.from, out) - arc.before.length(radius);
+        const double past = -cross(out, arc.to) - arc.past.length(radius);
         const double a = until_inside(before, -cross(arc.from, q.velocity));
         const double b = until_inside(past, -cross(q.velocity, arc.to));
         return arc.wide ? std::min(a, b) : std::max(a, b);
     }
 };
 
-/// Where a gap that is open before and closes after comes to close, by halving.
+/// Bisection for the time at which a gap closes, between `before` (open) and `after` (closing).
 template <class Closes>
 double closing_between(double before, double after, Closes&& closes) {
-    constexpr int most_halvings = 64;  // until no time lies between
+    constexpr int most_halvings = 64;  // enough to reach neighbouring numbers
     for (int i = 0; i < most_halvings; ++i) {
         const double middle = before + 0.5 * (after - before);
         if (middle <= before || middle >= after) break;
@@ -148,20 +149,20 @@ double closing_between(double before, double after, Closes&& closes) {
     return after;
 }
 
-/// The search itself. `moving(t)` gives the point, `gap_of(Moving)` its gap; `rounding` is the size of a
-/// gap at t0 that means contact.
+/// Conservative advancement. `moving(t)` gives the relative motion, `gap_of` its gap; a gap at t0 of at most
+/// `rounding` means contact.
 ///
-/// A gap that stays a little more than rounding allows only tiny sure steps. After `sure_steps` of them every
-/// step is at least so long that the search ends: what then dips below 0 and comes out again within one step,
-/// by less than K·((t1 − t0)/5000)²/8, is not seen.
+/// A gap that stays just above rounding allows only tiny steps. After `sure_steps` of them a minimum length
+/// of the step makes the search end. It can then miss an overlap that lasts less than one step; its depth is
+/// less than K·((t1 − t0)/5000)²/8.
 template <class MovingAt, class GapOf>
 double search(MovingAt&& moving, GapOf&& gap_of, double radius, double rounding, double t0, double t1,
               std::uint64_t* steps) {
     constexpr int sure_steps = 5000, all_steps = 2 * sure_steps;  // grazes take about 50
-    double t = t0, zero = 0, creep = 0, open = never_touch;
+    double t = t0, zero = 0, slide_step = 0, open = never_touch;
     for (int step = 0; step <= all_steps; ++step) {
         if (steps != nullptr) ++*steps;
-        const Moving q = moving(t);
+        const RelativeMotion q = moving(t);
         Gap gap = gap_of(q);
         if (step == 0 && std::abs(gap.value) <= rounding) zero = gap.value;
         gap.value -= zero;
@@ -170,8 +171,8 @@ double search(MovingAt&& moving, GapOf&& gap_of, double radius, double rounding,
         double h = gap.outside;
         if (gap.value > tolerance) {
             open = t;
-            const double by_curve = std::min(gap.trusted, surely_free(gap.value, gap.slope, gap.k));
-            h = std::max({h, gap.value / q.top_speed, by_curve, gap.lifting});
+            const double by_curve = std::min(gap.trusted, safe_time(gap.value, gap.slope, gap.k));
+            h = std::max({h, gap.value / q.top_speed, by_curve, gap.separating});
         } else if (gap.slope < -still) {
             if (h <= 0) {
                 if (step <= sure_steps || open >= t) return t;
@@ -182,12 +183,13 @@ double search(MovingAt&& moving, GapOf&& gap_of, double radius, double rounding,
             }
         } else if (gap.slope > still) {
             const double turn = gap.slope / gap.k;
-            h = std::max({h, std::min(gap.trusted, gap.value < -tolerance ? turn : 2 * turn), gap.lifting});
+            h = std::max(
+                {h, std::min(gap.trusted, gap.value < -tolerance ? turn : 2 * turn), gap.separating});
         } else {
-            // Sliding along: the gap is flat here, and so is what can be missed.
+            // The disc slides along: the gap is constant to first order.
             const double pace = q.top_speed + std::sqrt(q.top_acceleration * radius);
-            creep = creep > 0 ? 2 * creep : 1e-7 * radius / pace;
-            h = std::max(h, creep);
+            slide_step = slide_step > 0 ? 2 * slide_step : 1e-7 * radius / pace;
+            h = std::max(h, slide_step);
         }
         if (step >= sure_steps) h = std::max(h, (t1 - t) / (all_steps - step));
         const double next = t + h;
@@ -195,39 +197,41 @@ double search(MovingAt&& moving, GapOf&& gap_of, double radius, double rounding,
         if (next <= t) return gap.slope < 0 ? t : never_touch;
         t = next;
     }
-    return never_touch;  // all of it has been searched
+    return never_touch;  // the whole interval has been searched
 }
 
-/// Search in the frame of a part that turns evenly from `begin` at `begin_time`.
+/// Search in the frame of a part that turns at a constant rate from `begin` at `begin_time`.
 double search_turning(const Feature& feature, Pose begin, double rate, double begin_time, const Path& path,
                       double radius, double t0, double t1, std::uint64_t* steps) {
     const double v = path.max_speed(t1), a = path.max_acceleration(t1), w = std::abs(rate);
-    const double drag = path.flight.drag, jerk = path.swings() ? INFINITY : drag * a;
+    const double drag = path.flight.drag, jerk = path.is_taylor() ? INFINITY : drag * a;
     const auto moving = [&](double t) {
         const auto [p, u] = path.at(t);
         const Pose pose{begin.pivot, begin.angle + rate * (t - begin_time)};
         if (w == 0) {
             const Vec2 driving = path.flight.acceleration - drag * u;
-            if (pose.angle == 0) return Moving{pose.undo(p), u, v, a, driving, jerk};
-            return Moving{pose.undo(p), rotated(u, -pose.angle), v, a, rotated(driving, -pose.angle), jerk};
+            if (pose.angle == 0) return RelativeMotion{pose.undo(p), u, v, a, driving, jerk};
+            return RelativeMotion{pose.undo(p), rotated(u, -pose.angle), v, a, rotated(driving, -pose.angle),
+                                  jerk};
         }
         const Vec2 relative = u - cross(rate, p - begin.pivot);
         const double far = length(p - begin.pivot) + v * (t1 - t), top = v + w * far;
-        return Moving{pose.undo(p), rotated(relative, -pose.angle), top, a + 2 * w * top + w * w * far};
+        return RelativeMotion{pose.undo(p), rotated(relative, -pose.angle), top,
+                              a + 2 * w * top + w * w * far};
     };
-    const auto gap = [&](const Moving& q) { return std::visit(GapTo{q, radius}, feature.is); };
+    const auto gap = [&](const RelativeMotion& q) { return std::visit(GapTo{q, radius}, feature.is); };
     return search(moving, gap, radius, gap_rounding(path.position(t0), radius), t0, t1, steps);
 }
 
-/// Whether gap + rate·E(t) + bend·F(t), at first below 0, rises above it to fall again.
-bool comes_out(double gap, double rate, double bend, double drag) {
+/// Whether gap + rate·E(t) + bend·F(t), negative at 0, rises above 0 and decreases again.
+bool rises_above_zero(double gap, double rate, double bend, double drag) {
     if (rate <= 0 || bend >= 0 || rate * rate + 2 * gap * bend <= 0) return false;
     if (drag <= 0) return true;
     const TimeInterval top(drag, drag_turn(rate, bend, drag));
     return gap + top.shrunk * rate + top.fallen * bend > 0;
 }
 
-/// A flight against a still line: it falls below each side at most once.
+/// Impact of a flight with a static line. The gap on each side closes at most once.
 double touch_line(const Line& line, const Path& path, double radius, double t0, double t1) {
     const auto [p, v] = path.at(t0);
     const Vec2 a = path.flight.acceleration;
@@ -239,10 +243,10 @@ double touch_line(const Line& line, const Path& path, double radius, double t0, 
     for (const double side : {1.0, -1.0}) {
         double gap = side * d - radius;
         if (std::abs(gap) <= gap_rounding(p, radius)) gap = 0;
-        // From the other side it must first come out on this one.
-        if (side * d < 0 && !comes_out(gap, side * slope, side * bend, drag)) continue;
-        if (gap == 0 && slope == 0) continue;  // slides along, or is held
-        const double t = first_fall(gap, side * slope, side * bend, drag);
+        // A ball on the other side must first come to this one.
+        if (side * d < 0 && !rises_above_zero(gap, side * slope, side * bend, drag)) continue;
+        if (gap == 0 && slope == 0) continue;  // slides along, or rests
+        const double t = first_crossing(gap, side * slope, side * bend, drag);
         if (t <= t1 - t0 && t < first && closest_point({line, 0, 0}, path.position(t0 + t), radius).facing)
             first = t;
     }
@@ -251,7 +255,7 @@ double touch_line(const Line& line, const Path& path, double radius, double t0, 
 
 }  // namespace
 
-// The miss distance is a cross product, so grazes keep their digits.
+// The miss distance is a cross product, so that grazing contacts keep their digits.
 double straight_touch(Vec2 d, Vec2 v, double reach, double rounding) {
     const double speed = length(v), distance = length(d);
     if (speed == 0 || dot(d, v) >= 0) return never_touch;
@@ -279,9 +283,9 @@ double search_impact(const Feature& feature, const Turning& turning, const Path&
 double search_impact(const Path& a, const Path& b, double radii, double t0, double t1, std::uint64_t* steps) {
     const double v = a.max_speed(t1) + b.max_speed(t1), k = a.max_acceleration(t1) + b.max_acceleration(t1);
     const auto moving = [&](double t) {
-        return Moving{a.position(t) - b.position(t), a.velocity(t) - b.velocity(t), v, k};
+        return RelativeMotion{a.position(t) - b.position(t), a.velocity(t) - b.velocity(t), v, k};
     };
-    const auto gap = [&](const Moving& q) { return gap_to_disc(q, {}, radii); };
+    const auto gap = [&](const RelativeMotion& q) { return gap_to_disc(q, {}, radii); };
     return search(moving, gap, radii, gap_rounding(a.position(t0), b.position(t0), radii), t0, t1, steps);
 }
 
@@ -292,7 +296,7 @@ double time_of_impact(const Feature& feature, const Turning& turning, const Path
         return time_of_impact(posed(feature, turning.pose(t0)), {}, path, radius, t0, t1, steps);
     }
     const Flight& flight = path.flight;
-    if (path.swings()) return search_impact(feature, turning, path, radius, t0, t1, steps);
+    if (path.is_taylor()) return search_impact(feature, turning, path, radius, t0, t1, steps);
     if (const auto* line = std::get_if<Line>(&feature.is)) return touch_line(*line, path, radius, t0, t1);
     if (const auto* circle = std::get_if<Circle>(&feature.is);
         circle && flight.acceleration == Vec2{} && flight.drag <= 0) {
@@ -306,16 +310,17 @@ double time_of_impact(const Feature& feature, const Turning& turning, const Path
 
 double time_of_impact(const Path& a, const Path& b, double radii, double t0, double t1,
                       std::uint64_t* steps) {
-    const bool alike = !a.swings() && !b.swings() && a.flight.acceleration == b.flight.acceleration &&
+    const bool alike = !a.is_taylor() && !b.is_taylor() && a.flight.acceleration == b.flight.acceleration &&
                        a.flight.drag == b.flight.drag;
-    if (!alike && !a.swings() && !b.swings() && a.flight.drag <= 0 && b.flight.drag <= 0) {
+    if (!alike && !a.is_taylor() && !b.is_taylor() && a.flight.drag <= 0 && b.flight.drag <= 0) {
         const Vec2 p = a.position(t0) - b.position(t0), v = a.velocity(t0) - b.velocity(t0);
         const double t =
-            t0 + first_fall(squared_gap(p, v, a.flight.acceleration - b.flight.acceleration, radii), t1 - t0);
+            t0 +
+            first_crossing(squared_gap(p, v, a.flight.acceleration - b.flight.acceleration, radii), t1 - t0);
         return t <= t1 ? t : never_touch;
     }
     if (!alike) return search_impact(a, b, radii, t0, t1, steps);
-    // Equal accelerations cancel, and drag shrinks time for both alike: straight motion.
+    // Equal accelerations cancel, and drag slows both equally: the relative path is straight.
     const Vec2 p = a.position(t0), q = b.position(t0);
     const double e = straight_touch(p - q, a.velocity(t0) - b.velocity(t0), radii, gap_rounding(p, q, radii));
     const double t = t0 + drag_time(a.flight.drag, e);

@@ -1,19 +1,19 @@
 #pragma once
-/// Time of impact: the first instant at which a disc on its path touches a feature of the table or
-/// another disc. Pure geometry; the narrow phase, with time in it.
+/// Time of impact: the first instant at which a disc on its path touches a feature of the table or another
+/// disc. Pure geometry; the continuous narrow phase.
 ///
-/// Two ways, tested against each other. Straight relative motion and parabolas against lines have closed
-/// quadratics; with drag a flight's distance from a line is still convex or concave throughout. Everything
-/// else uses a search that cannot skip a root: the gap f(t) has f'' ≥ −K, so from f and f' the time  h = (f'
-/// + √(f'² + 2Kf))/K  is surely free; the search moves on by h until f is rounding. Its steps are Newton's
-/// from the safe side: they converge quadratically to a crossing, and linearly to a graze. In the frame of a
-/// part that turns at ω, f'' is bounded by |a| + 2|ω||v| + ω²|p − pivot| + v²/d (d: distance from the centre
-/// of a curved feature).
+/// There are two methods, tested against each other. Straight relative motion, and parabolas against lines,
+/// lead to quadratic equations; with drag, the distance of a flight from a line is still convex or concave
+/// throughout. All other cases use conservative advancement of second order (after Mirtich 1996), which
+/// cannot skip a root: the gap f(t) has f'' ≥ −K, so f stays positive for h = (f' + √(f'² + 2Kf))/K; the
+/// search advances by h until f is rounding. Its steps converge quadratically to a crossing and linearly to a
+/// grazing contact. In the frame of a part that turns at ω, f'' is bounded by |a| + 2|ω||v| + ω²|p − pivot| +
+/// v²/d (d: distance from the centre of a curved feature).
 ///
-/// A touch is approached at more than rounding: contacts that slide along or part give no touch, and an
-/// overlap that parts gives none until it turns (Bannerman, Strobl, Formella and Pöschel 2014, "Stable
-/// algorithm for event detection in event-driven particle dynamics"). The gap may have any sign at the
-/// beginning; one of mere rounding counts as none.
+/// An impact needs an approach speed greater than rounding. Contacts that slide or separate are no impacts,
+/// and an overlap that decreases is none until it increases again (Bannerman, Strobl, Formella and Pöschel
+/// 2014, "Stable algorithm for event detection in event-driven particle dynamics"). The gap may have any sign
+/// at the start; a gap of the size of rounding counts as 0.
 
 #include <cstdint>
 
@@ -23,7 +23,7 @@
 
 namespace flipside::custom {
 
-/// How a part turns during a step: at `rate` until `stop`, then not at all. Times of the step.
+/// How a part turns during a window: at `rate` until `stop`, then not at all. Times are those of the window.
 struct Turning {
     Pose begin;
     double rate = 0;
@@ -42,7 +42,7 @@ inline constexpr double never_touch = INFINITY;
 /// Relative size of the rounding that an approach speed may carry without meaning an approach.
 inline constexpr double speed_rounding = 1e-13;
 
-/// Gaps smaller than this cannot be told from contact at a position p.
+/// Rounding of a gap at position p: smaller gaps count as contact.
 inline double gap_rounding(Vec2 p, double radius) {
     return 16 * 0x1p-53 * (std::abs(p.x) + std::abs(p.y) + radius);
 }
@@ -51,36 +51,36 @@ inline double gap_rounding(Vec2 p, Vec2 q, double radii) {
     return std::max(gap_rounding(p, radii), gap_rounding(q, radii));
 }
 
-/// Balls surely fly free only where they stay so far from everything, m: well over what any touch or rounding
-/// counts as contact.
+/// Safety margin around a ball, m, greater than touch_distance and rounding: features farther away have no
+/// contact.
 [[nodiscard]] inline double clearance_margin(const Ball& ball) {
     return 1e-3 * ball.radius + joint_distance +
            1e-12 * (std::abs(ball.position.x) + std::abs(ball.position.y));
 }
 
-/// A point at d in straight motion at v against a disc of radius `reach` about the origin: when it touches,
-/// or never_touch when it only slides or moves away. A gap up to `rounding` is contact.
+/// Time at which a point at d with constant velocity v touches a disc of radius `reach` about the origin;
+/// never_touch if it slides or moves away. A gap up to `rounding` is contact.
 [[nodiscard]] double straight_touch(Vec2 d, Vec2 v, double reach, double rounding);
 
-/// First touch in [t0, t1], or never_touch. By the closed form where there is one. A search of up to 10,000
-/// steps adds their number to `steps`.
+/// First impact in [t0, t1], or never_touch; by the closed form if there is one. A search takes up to 10,000
+/// steps and adds their number to `steps`.
 [[nodiscard]] double time_of_impact(const Feature& feature, const Turning& turning, const Path& path,
                                     double radius, double t0, double t1, std::uint64_t* steps = nullptr);
 [[nodiscard]] double time_of_impact(const Path& a, const Path& b, double radii, double t0, double t1,
                                     std::uint64_t* steps = nullptr);
 
-/// The same by search alone.
+/// The same, always by search.
 [[nodiscard]] double search_impact(const Feature& feature, const Turning& turning, const Path& path,
                                    double radius, double t0, double t1, std::uint64_t* steps = nullptr);
 [[nodiscard]] double search_impact(const Path& a, const Path& b, double radii, double t0, double t1,
                                    std::uint64_t* steps = nullptr);
 
-/// First t ≥ 0 at which gap + rate·t + ½·bend·t² is ≤ 0 and falling, or never_touch. Gaps below 0 count as
-/// above until they turn.
-[[nodiscard]] double first_fall(double gap, double rate, double bend);
-/// The same of gap + rate·E(t) + bend·F(t) (flight.hpp): with drag by Newton's steps, about four.
-[[nodiscard]] double first_fall(double gap, double rate, double bend, double drag);
-/// Time during which a function ≥ 0 surely stays so, given its slope and K ≥ |second derivative|.
-[[nodiscard]] double surely_free(double value, double slope, double k);
+/// First t ≥ 0 at which gap + rate·t + ½·bend·t² is ≤ 0 and decreasing, or never_touch. A negative gap that
+/// increases does not count until it decreases again.
+[[nodiscard]] double first_crossing(double gap, double rate, double bend);
+/// The same for gap + rate·E(t) + bend·F(t) (flight.hpp); with drag by about four Newton steps.
+[[nodiscard]] double first_crossing(double gap, double rate, double bend, double drag);
+/// Time for which a function ≥ 0 stays so at least, given its slope and K ≥ |second derivative|.
+[[nodiscard]] double safe_time(double value, double slope, double k);
 
 }  // namespace flipside::custom

@@ -9,8 +9,8 @@ namespace flipside::custom {
 
 namespace {
 
-constexpr double window_length = 1.0 / 4;  // s; steps of 1/60 s, summed up, end with a window
-constexpr double rest_length = 1.0 / 60;   // s: so long a ball must be at rest
+constexpr double window_length = 1.0 / 4;  // s; a multiple of 1/60 s
+constexpr double rest_length = 1.0 / 60;   // s: how long a ball must be at rest to fall asleep
 
 std::shared_ptr<const State> without_gone(const State& start) {
     auto origin = std::make_shared<State>(start);
@@ -42,8 +42,8 @@ void Windows::step(double dt, std::vector<Ball>& balls, StepRecord& record) {
     advance_to(now, balls, record);
 }
 
-/// Goes on from instant to instant: where balls are watched before they may fall asleep, ends of windows, and
-/// at last `now`.
+/// Advances to `now`, with stops at the ends of windows and at the instants at which sleep_ watches the
+/// balls.
 void Windows::advance_to(const Clock& now, std::vector<Ball>& balls, StepRecord& record) {
     for (;;) {
         if (!in_window_) begin(balls, record);
@@ -58,7 +58,7 @@ void Windows::advance_to(const Clock& now, std::vector<Ball>& balls, StepRecord&
         if (here.time < stop) return solver_.read(ahead, now.time, balls);
         if (watched_) {
             solver_.end(now.time, balls);
-            settle(balls);
+            end_window(balls);
         } else {
             solver_.read(ahead, now.time, balls);
             sleep_.watch(balls, end_at_ - watch_at_);
@@ -87,11 +87,11 @@ void Windows::begin(std::vector<Ball>& balls, StepRecord& record) {
     in_window_ = !quiet_;
 }
 
-/// At the end of a window.
-void Windows::settle(std::vector<Ball>& balls) {
+/// Updates contacts and sleep at the end of a window.
+void Windows::end_window(std::vector<Ball>& balls) {
     in_window_ = false;
     contacts_.refresh(layout_, table_, balls, solver_.find_pairs(balls));
-    if (settings_.sleep) fell_asleep_ |= sleep_.settle(balls, contacts_.contacts());
+    if (settings_.sleep) fell_asleep_ |= sleep_.update(balls, contacts_.contacts());
     contacts_.wake_unsupported(balls, table_.scene().gravity);
 }
 

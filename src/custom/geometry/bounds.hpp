@@ -25,11 +25,6 @@ namespace flipside::custom {
     const Vec2 gap{beyond(box.min.x, center.x, box.max.x), beyond(box.min.y, center.y, box.max.y)};
     return dot(gap, gap) <= radius * radius;
 }
-/// Whether no part of the inner one is outside the other.
-[[nodiscard]] constexpr bool holds(const Box& outer, const Box& inner) {
-    return (outer.min.x <= inner.min.x) & (outer.min.y <= inner.min.y) & (outer.max.x >= inner.max.x) &
-           (outer.max.y >= inner.max.y);
-}
 /// Smallest box around both.
 [[nodiscard]] constexpr Box united(const Box& a, const Box& b) {
     return {{a.min.x < b.min.x ? a.min.x : b.min.x, a.min.y < b.min.y ? a.min.y : b.min.y},
@@ -40,14 +35,11 @@ namespace flipside::custom {
     return {{box.min.x - margin, box.min.y - margin}, {box.max.x + margin, box.max.y + margin}};
 }
 
-/// Of the interval between a and b the point nearest to p, and the squared distance from there.
-[[nodiscard]] inline Vec2 nearest_on(Vec2 p, Vec2 a, Vec2 b) {
+/// Squared distance of p from the segment between a and b, m².
+[[nodiscard]] inline double distance_squared(Vec2 p, Vec2 a, Vec2 b) {
     const Vec2 along = b - a;
     const double ahead = dot(p - a, along), l = length_squared(along);
-    return ahead <= 0 ? a : ahead >= l ? b : a + ahead / l * along;
-}
-[[nodiscard]] inline double distance_squared(Vec2 p, Vec2 a, Vec2 b) {
-    return length_squared(p - nearest_on(p, a, b));
+    return length_squared(p - (ahead <= 0 ? a : ahead >= l ? b : a + ahead / l * along));
 }
 
 }  // namespace flipside::custom

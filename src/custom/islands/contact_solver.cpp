@@ -11,107 +11,110 @@ namespace flipside::custom {
 namespace {
 
 constexpr int least_sweeps = 20, most_sweeps = 400;
-/// Corrections of a contact that every island may have: a few balls under one that is 60 times heavier need
-/// hundreds of sweeps, which cost nothing, and a heap gets by with few.
-constexpr int corrections = 4000;
-/// Where the load grows less, the impulses of the last tick are too much, and what the sweeps have not taken
-/// back yet adds energy: then as many sweeps follow again, so often at most.
+/// Solves of single contacts that any island may take in all: a few balls under one of 60 times their mass
+/// need hundreds of sweeps, which are cheap there; a heap needs few.
+constexpr int contact_solves = 4000;
+/// When the load decreases, the warm-start impulses are too large and could add energy. While the solve has
+/// added energy, it is extended by the same number of sweeps, at most this often.
 constexpr int most_extensions = 9;
-/// Sweeps end when none changes a velocity by more than this, in parts of what gravity gives in a tick.
+/// Sweeps end when none changes a velocity by more than this part of the velocity that gravity gives in a
+/// tick.
 constexpr double good_enough = 1e-4;
-/// Moving apart ends when no overlap is greater than this, in radii.
-constexpr int most_moves = 4;
-constexpr double overlap_left = 1e-4;
+/// The position correction ends when no overlap is greater than allowed_overlap, in radii.
+constexpr int most_corrections = 4;
+constexpr double allowed_overlap = 1e-4;
 
 }  // namespace
 
 void ContactSolver::reserve(std::size_t balls) {
     reserve_for(bodies_, 2 * balls);
     reserve_for(contacts_, balls, contacts_per_ball);
-    reserve_for(unordered_, balls, contacts_per_ball);
-    reserve_for(places_, balls, contacts_per_ball);
-    reserve_for(moved_from_, 2 * balls);
+    reserve_for(unsorted_, balls, contacts_per_ball);
+    reserve_for(sort_keys_, balls, contacts_per_ball);
+    reserve_for(uncorrected_, 2 * balls);
     residuals_.reserve(most_sweeps * (most_extensions + 1));
 }
 
-/// An impulse along the normal, and one along perp(normal).
-void ContactSolver::push(const Contact& contact, const ContactImpulse& impulse) {
+/// Applies an impulse to both bodies.
+void ContactSolver::apply(const Contact& contact, const ContactImpulse& impulse) {
     Body &upper = bodies_[contact.upper], &lower = bodies_[contact.lower];
     Vec2 p = impulse.normal * contact.normal;
     if (contact.friction > 0) {
         p += impulse.tangent * perp(contact.normal);
-        upper.spin -= upper.per_inertia * upper.radius * impulse.tangent;
-        lower.spin -= lower.per_inertia * lower.radius * impulse.tangent;
+        upper.spin -= upper.inverse_inertia * upper.radius * impulse.tangent;
+        lower.spin -= lower.inverse_inertia * lower.radius * impulse.tangent;
     }
-    upper.velocity += upper.per_mass * p;
-    lower.velocity -= lower.per_mass * p;
+    upper.velocity += upper.inverse_mass * p;
+    lower.velocity -= lower.inverse_mass * p;
 }
 
-/// Makes the contact close no faster than it may, and slip as little as friction allows.
-void ContactSolver::correct(Contact& contact) {
+/// Changes the impulse of a contact such that it closes no faster than allowed and slips as little as
+/// friction allows.
+void ContactSolver::solve_contact(Contact& contact) {
     const Body &upper = bodies_[contact.upper], &lower = bodies_[contact.lower];
     const Vec2 relative = upper.velocity - lower.velocity;
     const double apart = dot(relative, contact.normal);
     ContactImpulse impulse;
-    impulse.normal = std::max(0.0, contact.impulse.normal - contact.mass * (apart + contact.closing));
+    impulse.normal =
+        std::max(0.0, contact.impulse.normal - contact.normal_mass * (apart + contact.max_closing));
     if (contact.friction > 0) {
         const double slip = dot(relative, perp(contact.normal)) - upper.radius * upper.spin -
                             (contact.with == With::ball ? lower.radius * lower.spin : 0);
         const double most = contact.friction * impulse.normal;
-        impulse.tangent = std::clamp(contact.impulse.tangent - contact.rim_mass * slip, -most, most);
+        impulse.tangent = std::clamp(contact.impulse.tangent - contact.tangent_mass * slip, -most, most);
     }
-    push(contact, impulse - contact.impulse);
+    apply(contact, impulse - contact.impulse);
     contact.impulse = impulse;
 }
 
-/// Corrects every contact once.
+/// Solves every contact once.
 ContactSolver::Progress ContactSolver::sweep() {
     Progress progress;
     for (Contact& contact : contacts_) {
         const ContactImpulse before = contact.impulse;
-        correct(contact);
+        solve_contact(contact);
         const ContactImpulse change = contact.impulse - before, step = contact.impulse - contact.before;
-        const double velocity =
-            std::abs(change.normal) * contact.per_mass + std::abs(change.tangent) * contact.per_rim_mass;
+        const double velocity = std::abs(change.normal) * contact.inverse_mass +
+                                std::abs(change.tangent) * contact.inverse_tangent_mass;
         progress.most = std::max(progress.most, velocity);
-        progress.norm +=
-            step.normal * step.normal * contact.per_mass + step.tangent * step.tangent * contact.per_rim_mass;
+        progress.norm += step.normal * step.normal * contact.inverse_mass +
+                         step.tangent * step.tangent * contact.inverse_tangent_mass;
     }
     return progress;
 }
 
-/// Goes on in the direction of the sweeps before, as far as the last one got on (Fletcher and Reeves). When
-/// that was farther than the one before, the direction led astray: it is given up.
+/// Continues in the conjugate direction of the previous sweeps (Fletcher and Reeves). If the last step was
+/// longer than the one before, the direction is bad, and the search restarts without it.
 void ContactSolver::extrapolate(double norm, double norm_before) {
-    const bool first = norm_before == 0, astray = norm >= norm_before;
-    const double share = first || astray ? 0 : norm / norm_before;
+    const bool first = norm_before == 0, diverges = norm >= norm_before;
+    const double share = first || diverges ? 0 : norm / norm_before;
     for (Contact& contact : contacts_) {
         const ContactImpulse step = contact.impulse - contact.before;
         if (share > 0) {
-            const ContactImpulse further = share * contact.along;
+            const ContactImpulse further = share * contact.direction;
             contact.impulse = contact.impulse + further;
-            push(contact, further);
-            contact.along = step + further;
+            apply(contact, further);
+            contact.direction = step + further;
         } else {
-            contact.along = first ? step : ContactImpulse{};
+            contact.direction = first ? step : ContactImpulse{};
         }
         contact.before = contact.impulse;
     }
 }
 
-/// Where a contact still closes too fast, stops the upper ball.
+/// Stops the upper ball of a contact that still closes too fast.
 void ContactSolver::propagate_shock(const Contact& contact) {
     Body &upper = bodies_[contact.upper], &lower = bodies_[contact.lower];
-    const double closing = -dot(upper.velocity - lower.velocity, contact.normal) - contact.closing;
+    const double closing = -dot(upper.velocity - lower.velocity, contact.normal) - contact.max_closing;
     if (closing <= 0) return;
-    if (upper.per_mass > 0)
+    if (upper.inverse_mass > 0)
         upper.velocity += closing * contact.normal;
     else
         lower.velocity -= closing * contact.normal;
 }
 
-/// Returns how deep the overlap was, in radii.
-double ContactSolver::move_apart(Contact& contact) {
+/// Removes the overlap of a contact. Returns its depth, in radii.
+double ContactSolver::correct_position(Contact& contact) {
     Body &upper = bodies_[contact.upper], &lower = bodies_[contact.lower];
     if (contact.with == With::ball) {
         const Vec2 between = upper.position - lower.position;
@@ -119,85 +122,86 @@ double ContactSolver::move_apart(Contact& contact) {
         if (distance > 0) contact.normal = between / distance;
         contact.gap = distance - upper.radius - lower.radius;
     } else {
-        contact.gap = contact.gap_found + dot(upper.position - contact.found_at, contact.normal);
+        contact.gap = contact.detected_gap + dot(upper.position - contact.detected_at, contact.normal);
     }
     if (contact.gap >= 0) return 0;
-    const double share = -contact.gap / (upper.per_mass + lower.per_mass);
-    upper.position += share * upper.per_mass * contact.normal;
-    lower.position -= share * lower.per_mass * contact.normal;
+    const double share = -contact.gap / (upper.inverse_mass + lower.inverse_mass);
+    upper.position += share * upper.inverse_mass * contact.normal;
+    lower.position -= share * lower.inverse_mass * contact.normal;
     return -contact.gap / upper.radius;
 }
 
-/// Nothing is pressed into a part that stands still: those have the last word.
-void ContactSolver::each_still(auto&& visit) {
+/// Visits the contacts with static parts. They come last, so that no ball ends inside a static part.
+void ContactSolver::for_each_static(auto&& visit) {
     for (Contact& contact : contacts_)
         if (contact.with == With::still_part) visit(contact);
 }
 
-/// Moves all apart that overlap. A ball that is lifted pays for it with its speed.
-void ContactSolver::move_apart(Vec2 gravity) {
-    moved_from_.clear();
-    for (const Body& body : bodies_) moved_from_.push_back(body.position);
-    for (Contact& contact : contacts_) contact.found_at = bodies_[contact.upper].position;
-    for (int round = 0; round < most_moves; ++round) {
+/// Corrects the positions of overlapping bodies. A ball that is lifted loses the energy from its speed.
+void ContactSolver::correct_positions(Vec2 gravity) {
+    uncorrected_.clear();
+    for (const Body& body : bodies_) uncorrected_.push_back(body.position);
+    for (Contact& contact : contacts_) contact.detected_at = bodies_[contact.upper].position;
+    for (int round = 0; round < most_corrections; ++round) {
         double deepest = 0;
-        for (Contact& contact : contacts_) deepest = std::max(deepest, move_apart(contact));
-        if (deepest <= overlap_left) break;
+        for (Contact& contact : contacts_) deepest = std::max(deepest, correct_position(contact));
+        if (deepest <= allowed_overlap) break;
     }
-    each_still([&](Contact& contact) { move_apart(contact); });
+    for_each_static([&](Contact& contact) { correct_position(contact); });
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         Body& body = bodies_[i];
-        const double lifted = -dot(body.position - moved_from_[i], gravity);
+        const double lifted = -dot(body.position - uncorrected_[i], gravity);
         if (const double speed = length_squared(body.velocity); lifted > 0 && speed > 0)
             body.velocity *= std::sqrt(std::max(0.0, 1 - 2 * lifted / speed));
     }
 }
 
-/// Of all that moves, `ahead` seconds on, J.
+/// Energy of all moving bodies after `ahead` seconds, J.
 double ContactSolver::energy(double ahead, Vec2 gravity) const {
     double sum = 0;
     for (const Body& body : bodies_) {
-        if (body.per_mass == 0) continue;
+        if (body.inverse_mass == 0) continue;
         const double speed = 0.5 * length_squared(body.velocity);
-        const double turning = 0.5 * body.spin * body.spin / body.per_inertia;
-        sum += (speed - dot(gravity, body.position + ahead * body.velocity)) / body.per_mass + turning;
+        const double turning = 0.5 * body.spin * body.spin / body.inverse_inertia;
+        sum += (speed - dot(gravity, body.position + ahead * body.velocity)) / body.inverse_mass + turning;
     }
     return sum;
 }
 
-/// From the lowest to the highest, those with parts before those of balls.
-void ContactSolver::put_in_order() {
-    places_.clear();
+/// Sorts contacts from the lowest to the highest, those with parts before those between balls.
+void ContactSolver::sort_contacts() {
+    sort_keys_.clear();
     for (const Contact& c : contacts_)
-        places_.push_back({c.with, c.lower, c.upper, static_cast<Index>(places_.size()), c.height});
-    std::ranges::sort(places_, {},
-                      [](const Place& p) { return std::tuple(p.with, p.height, p.lower, p.upper); });
-    std::swap(contacts_, unordered_);
+        sort_keys_.push_back({c.with, c.lower, c.upper, static_cast<Index>(sort_keys_.size()), c.height});
+    std::ranges::sort(sort_keys_, {},
+                      [](const SortKey& p) { return std::tuple(p.with, p.height, p.lower, p.upper); });
+    std::swap(contacts_, unsorted_);
     contacts_.clear();
-    for (const Place& place : places_) contacts_.push_back(unordered_[place.at]);
+    for (const SortKey& key : sort_keys_) contacts_.push_back(unsorted_[key.index]);
 }
 
 void ContactSolver::solve(double duration, Vec2 gravity) {
-    put_in_order();
-    move_apart(gravity);
+    sort_contacts();
+    correct_positions(gravity);
     const double energy_before = energy(0, gravity);
-    for (Body& body : bodies_) body.velocity += body.driven;
+    for (Body& body : bodies_) body.velocity += body.external;
     for (Contact& contact : contacts_) {
         const Body &upper = bodies_[contact.upper], &lower = bodies_[contact.lower];
-        contact.per_mass = upper.per_mass + lower.per_mass;
-        contact.per_rim_mass = contact.per_mass + upper.per_inertia * upper.radius * upper.radius +
-                               lower.per_inertia * lower.radius * lower.radius;
-        contact.mass = 1 / contact.per_mass;
-        contact.rim_mass = 1 / contact.per_rim_mass;
-        contact.closing = contact.bounces ? INFINITY : std::max(0.0, contact.gap) / duration;
+        contact.inverse_mass = upper.inverse_mass + lower.inverse_mass;
+        contact.inverse_tangent_mass = contact.inverse_mass +
+                                       upper.inverse_inertia * upper.radius * upper.radius +
+                                       lower.inverse_inertia * lower.radius * lower.radius;
+        contact.normal_mass = 1 / contact.inverse_mass;
+        contact.tangent_mass = 1 / contact.inverse_tangent_mass;
+        contact.max_closing = contact.bounces ? INFINITY : std::max(0.0, contact.gap) / duration;
         contact.before = contact.impulse;
-        contact.along = {};
-        push(contact, contact.impulse);
+        contact.direction = {};
+        apply(contact, contact.impulse);
     }
     residuals_.clear();
     const double enough = good_enough * length(gravity) * duration;
-    const int sweeps =
-        std::clamp(corrections / std::max(1, static_cast<int>(contacts_.size())), least_sweeps, most_sweeps);
+    const int sweeps = std::clamp(contact_solves / std::max(1, static_cast<int>(contacts_.size())),
+                                  least_sweeps, most_sweeps);
     for (int extension = 0; extension <= most_extensions; ++extension) {
         double norm_before = 0;
         int round = 0;
@@ -210,9 +214,9 @@ void ContactSolver::solve(double duration, Vec2 gravity) {
         }
         if (round < sweeps || energy(duration, gravity) <= energy_before) break;
     }
-    // From below, so that one pass does it for a column.
+    // From the lowest contact up, so that one pass suffices for a column.
     for (const Contact& contact : contacts_) propagate_shock(contact);
-    each_still([&](const Contact& contact) { propagate_shock(contact); });
+    for_each_static([&](const Contact& contact) { propagate_shock(contact); });
 }
 
 }  // namespace flipside::custom

@@ -1,15 +1,15 @@
 #pragma once
-/// Balls that press on each other, over one tick: all contacts are solved together.
+/// The island solver: solves all contacts of the islands together over one tick.
 ///
-/// Sought are impulses that only push, such that after the tick no gap is negative: the velocity with which
-/// a ball ends the tick is also the one with which it moves through it (symplectic Euler), so a contact with
-/// a gap d may close at d/h and no faster. Solved by projected Gauss-Seidel with a running total per contact,
-/// begun from the impulses of the tick before (Catto 2005, "Iterative dynamics with temporal coherence"),
-/// from the lowest contact to the highest. Friction is Coulomb's, with the pushes of the same sweep.
+/// It finds normal impulses ≥ 0 such that no gap is negative after the tick. The velocity at the end of the
+/// tick is also the one that moves the ball through it (symplectic Euler), so a contact with a gap d may
+/// close at d/h at most. The method is projected Gauss-Seidel with accumulated impulses and warm starting
+/// (Catto 2005, "Iterative dynamics with temporal coherence"), from the lowest contact to the highest,
+/// accelerated by conjugate directions. Coulomb friction uses the normal impulses of the same sweep.
 ///
-/// Approximations: the *unfinished solve*, the number of sweeps is limited, and what then still overlaps is
-/// moved apart (by position only; a ball that is lifted by that pays with its speed); and within a tick
-/// forces do not change.
+/// Approximations: the number of sweeps is limited (*unfinished solve*); overlaps that remain are corrected
+/// by position only, and a ball that is lifted by this loses that energy from its speed; forces are constant
+/// within a tick.
 ///
 /// Cost per tick: a sort of the contacts by height, and sweeps × contacts.
 
@@ -41,32 +41,32 @@ class ContactSolver {
     using Index = std::uint32_t;
 
     struct Body {
-        Vec2 position, velocity;  ///< at the tick's start
-        Vec2 driven;              ///< what gravity and drag will change the velocity by, m/s
+        Vec2 position, velocity;  ///< at the start of the tick
+        Vec2 external;            ///< velocity change by gravity and drag in the tick, m/s
         double spin = 0, radius = 0;
-        double per_mass = 0, per_inertia = 0;  ///< 0 for what does not move
+        double inverse_mass = 0, inverse_inertia = 0;  ///< 1/kg and 1/(kg·m²); 0 for static bodies
     };
-    /// What a ball may press on, in the order in which contacts are solved.
+    /// The lower body of a contact, in the order in which contacts are solved.
     enum class With : std::uint8_t { still_part, moving_part, ball };
     struct Contact {
         Index upper = 0, lower = 0;  ///< the normal points from lower to upper
         With with = With::ball;
-        bool bounces = false;  ///< is met too fast to press: an event will see to it
+        bool bounces = false;  ///< approaches too fast: the impact is an event, not part of the solve
         Vec2 normal;
         double friction = 0;  ///< µ
         ContactImpulse impulse;
 
-        // Found by solve().
-        double closing = 0;             ///< m/s, at most allowed
-        double mass = 0, rim_mass = 0;  ///< against an impulse along the normal, and across it
-        double per_mass = 0, per_rim_mass = 0;
-        ContactImpulse before, along;  ///< before the last sweep; direction in which to run on
+        // Set by solve().
+        double max_closing = 0;                    ///< m/s, allowed closing speed
+        double normal_mass = 0, tangent_mass = 0;  ///< effective masses along the normal and across it, kg
+        double inverse_mass = 0, inverse_tangent_mass = 0;
+        ContactImpulse before, direction;  ///< impulse before the last sweep; search direction
 
-        double gap_found = 0;        ///< m, when it was found
-        double height = 0;           ///< m, against gravity
-        std::uint32_t a = 0, b = 0;  ///< by which its force is remembered
-        double gap = 0;              ///< m, when all that overlapped was moved apart; by solve()
-        Vec2 found_at;               ///< of the upper body; by solve()
+        double detected_gap = 0;     ///< m, at the start of the tick
+        double height = 0;           ///< potential by which contacts are sorted, m²/s²
+        std::uint32_t a = 0, b = 0;  ///< key in the force cache
+        double gap = 0;              ///< m, after the position correction; set by solve()
+        Vec2 detected_at;            ///< position of the upper body before the correction; set by solve()
     };
 
     void reserve(std::size_t balls);
@@ -77,44 +77,43 @@ class ContactSolver {
     }
     void add(const Contact& contact) { contacts_.push_back(contact); }
 
-    /// Finds the velocities and spins after `duration` seconds; positions change by as much as bodies
-    /// overlap.
+    /// Finds the velocities and spins after `duration` seconds. Corrects the positions of overlapping bodies.
     void solve(double duration, Vec2 gravity);
 
     [[nodiscard]] std::span<const Body> bodies() const { return bodies_; }
     /// The greatest change of a velocity in each sweep of the last solve, m/s.
     [[nodiscard]] std::span<const double> residuals() const { return residuals_; }
-    /// In the order in which they were solved.
+    /// In the order in which they are solved.
     [[nodiscard]] std::span<const Contact> contacts() const { return contacts_; }
 
   private:
-    /// Of a sweep.
+    /// Result of a sweep.
     struct Progress {
-        double most = 0;  ///< change of a velocity, m/s
-        double norm = 0;  ///< square of what it and the run before it got on
+        double most = 0;  ///< greatest change of a velocity, m/s
+        double norm = 0;  ///< squared length of the step since the last search direction was chosen
     };
-    void push(const Contact& contact, const ContactImpulse& impulse);
-    void correct(Contact& contact);
+    void apply(const Contact& contact, const ContactImpulse& impulse);
+    void solve_contact(Contact& contact);
     Progress sweep();
     [[nodiscard]] double energy(double ahead, Vec2 gravity) const;
-    double move_apart(Contact& contact);
-    void move_apart(Vec2 gravity);
-    void each_still(auto&& visit);
+    double correct_position(Contact& contact);
+    void correct_positions(Vec2 gravity);
+    void for_each_static(auto&& visit);
     void extrapolate(double norm, double norm_before);
     void propagate_shock(const Contact& contact);
 
     std::vector<Body> bodies_;
-    /// By which contacts are put in order.
-    struct Place {
+    /// Sort key of a contact.
+    struct SortKey {
         With with = With::ball;
-        Index lower = 0, upper = 0, at = 0;
+        Index lower = 0, upper = 0, index = 0;
         double height = 0;
     };
-    void put_in_order();
+    void sort_contacts();
 
-    std::vector<Contact> contacts_, unordered_;
-    std::vector<Place> places_;
-    std::vector<Vec2> moved_from_;
+    std::vector<Contact> contacts_, unsorted_;
+    std::vector<SortKey> sort_keys_;
+    std::vector<Vec2> uncorrected_;
     std::vector<double> residuals_;
 };
 

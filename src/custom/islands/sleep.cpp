@@ -10,10 +10,11 @@ namespace flipside::custom {
 
 namespace {
 
-/// Of balls in touch: speeds and gains of speed that are rest, in units of what gravity gives in the moment.
-constexpr double company_speed = 0.05;
-constexpr double company_gain = 0.02;
-/// A ball that gains more than this part of what gravity gives in the moment is not held.
+/// Limits of speed and of its change for balls in contact, in units of the speed that gravity gives in the
+/// interval.
+constexpr double contact_speed = 0.05;
+constexpr double contact_gain = 0.02;
+/// A ball that gains more than this part of the speed that gravity gives in the interval has no support.
 constexpr double falling = 0.5;
 
 std::size_t index_of(std::span<const Ball> balls, BallNumber number) {
@@ -29,34 +30,34 @@ void Sleep::reserve(std::size_t balls) {
     reserve_for(carried_, balls, contacts_per_ball);
 }
 
-/// Below this a ball may be at rest, m/s.
-double Sleep::slow(bool in_company) const {
-    return in_company ? std::max(speed_, company_speed * length(gravity_) * moment_) : speed_;
+/// Speed below which a ball may be at rest, m/s.
+double Sleep::speed_limit(bool touches_ball) const {
+    return touches_ball ? std::max(speed_, contact_speed * length(gravity_) * interval_) : speed_;
 }
 
-/// False only of a ball that is surely not at rest.
+/// Quick test: false only for a ball that is not at rest.
 bool Sleep::may_rest(const Ball& ball) const {
-    const double most = slow(true);
+    const double most = speed_limit(true);
     return !ball.asleep && length_squared(ball.velocity) <= most * most;
 }
 
-void Sleep::watch(std::span<const Ball> balls, double moment) {
-    moment_ = moment;
+void Sleep::watch(std::span<const Ball> balls, double interval) {
+    interval_ = interval;
     before_.clear();
     for (const Ball& ball : balls)
         if (may_rest(ball)) before_.push_back({ball.number, ball.position, ball.velocity});
 }
 
-bool Sleep::settle(std::span<Ball> balls, std::span<const Contact> contacts) {
+bool Sleep::update(std::span<Ball> balls, std::span<const Contact> contacts) {
     findings_.assign(balls.size(), {});
-    find_company(balls, contacts);
+    note_contacts(balls, contacts);
     find_rest(balls);
-    find_calm(balls, contacts);
+    find_sleepers(balls, contacts);
     bool any = false;
     for (std::size_t i = 0; i < balls.size(); ++i) {
         Ball& ball = balls[i];
-        if (ball.asleep == findings_[i].calm) continue;
-        ball.asleep = findings_[i].calm;
+        if (ball.asleep == findings_[i].may_sleep) continue;
+        ball.asleep = findings_[i].may_sleep;
         if (!ball.asleep) continue;
         any = true;
         ball.velocity = {};
@@ -65,18 +66,18 @@ bool Sleep::settle(std::span<Ball> balls, std::span<const Contact> contacts) {
     return any;
 }
 
-/// Of those at rest, the ones that touch no ball in motion and lie on none that stays awake.
-void Sleep::find_calm(std::span<const Ball> balls, std::span<const Contact> contacts) {
+/// Finds the balls at rest that touch no moving ball and lie on no ball that stays awake.
+void Sleep::find_sleepers(std::span<const Ball> balls, std::span<const Contact> contacts) {
     carried_.clear();
-    for (Finding& finding : findings_) finding.calm = finding.at_rest;
+    for (Finding& finding : findings_) finding.may_sleep = finding.at_rest;
     for (const Contact& contact : contacts) {
         if (!contact.other.is_ball) continue;
         const std::size_t a = index_of(balls, contact.ball), b = index_of(balls, contact.other.index);
         const auto disturbs = [&](std::size_t i, std::size_t other) {
             return balls[other].asleep ? !balls[i].asleep && findings_[i].squeezed : !findings_[i].at_rest;
         };
-        findings_[a].calm &= !disturbs(b, a);
-        findings_[b].calm &= !disturbs(a, b);
+        findings_[a].may_sleep &= !disturbs(b, a);
+        findings_[b].may_sleep &= !disturbs(a, b);
         const double lift = -dot(contact.normal, gravity_);
         if (lift == 0) continue;
         const std::size_t lower = lift > 0 ? b : a, upper = lift > 0 ? a : b;
@@ -84,13 +85,13 @@ void Sleep::find_calm(std::span<const Ball> balls, std::span<const Contact> cont
                             static_cast<std::uint32_t>(upper)});
     }
     std::ranges::sort(carried_, {}, &Carried::height);
-    for (const Carried& pair : carried_) findings_[pair.upper].calm &= findings_[pair.lower].calm;
+    for (const Carried& pair : carried_) findings_[pair.upper].may_sleep &= findings_[pair.lower].may_sleep;
 }
 
-void Sleep::find_company(std::span<const Ball> balls, std::span<const Contact> contacts) {
+void Sleep::note_contacts(std::span<const Ball> balls, std::span<const Contact> contacts) {
     for (const Contact& contact : contacts) {
         const auto note = [&](std::size_t i) {
-            findings_[i].in_company |= contact.other.is_ball;
+            findings_[i].touches_ball |= contact.other.is_ball;
             findings_[i].squeezed |= -contact.separation > squeezed_overlap * balls[i].radius;
         };
         note(index_of(balls, contact.ball));
@@ -105,19 +106,19 @@ void Sleep::find_rest(std::span<const Ball> balls) {
         finding.at_rest = balls[i].asleep;
         while (before != before_.end() && before->number < balls[i].number) ++before;
         if (before == before_.end() || before->number != balls[i].number || !may_rest(balls[i])) continue;
-        finding.at_rest = !finding.squeezed && rested(*before, balls[i], finding.in_company);
+        finding.at_rest = !finding.squeezed && rested(*before, balls[i], finding.touches_ball);
     }
 }
 
-/// Whether a ball did over the moment only what rest allows.
-bool Sleep::rested(const Before& before, const Ball& ball, bool in_company) const {
-    const double fall = length(gravity_) * moment_;
+/// Whether a ball was at rest during the interval.
+bool Sleep::rested(const Before& before, const Ball& ball, bool touches_ball) const {
+    const double fall = length(gravity_) * interval_;
     if (fall == 0) return ball.velocity == Vec2{} && before.velocity == Vec2{} && ball.spin == 0;
-    const double slowest = slow(in_company);
-    const double steady = in_company ? company_gain * fall : 1e-3 * fall + 1e-2 * speed_;
+    const double slowest = speed_limit(touches_ball);
+    const double steady = touches_ball ? contact_gain * fall : 1e-3 * fall + 1e-2 * speed_;
     return length(ball.velocity) < slowest && length(before.velocity) < slowest &&
            std::abs(ball.spin) * ball.radius < slowest &&
-           length(ball.position - before.position) < slowest * moment_ &&
+           length(ball.position - before.position) < slowest * interval_ &&
            length(ball.velocity - before.velocity) <= std::min(steady, falling * fall);
 }
 

@@ -6,7 +6,6 @@
 #include "custom/engine.hpp"
 #include "custom/flight.hpp"
 #include "custom/simple/decide_gate.hpp"
-#include "custom/stopwatch.hpp"
 #include "world/limits.hpp"
 
 namespace flipside::custom {

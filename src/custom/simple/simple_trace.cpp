@@ -83,14 +83,14 @@ void SimpleTrace::found_pairs(std::span<const Proxy> moving, std::span<const Bal
     const Handle first = layout_.size() - static_cast<Handle>(moving.size() - balls.size());
     const std::vector<Cell> tree = broad_.tree();
     const bool two_trees = std::ranges::any_of(tree, &Cell::still);
-    for (const auto& [pair, overlap, seeker, cell] : log_) {
+    for (const auto& [pair, overlap, query, cell] : log_) {
         TraceItem& item = stage().add("test");
         name_proxy(item, "", pair.b, balls);
         name_proxy(item, pair.a >= layout_.size() ? "other_" : "", pair.a, balls);
         item.with("overlap", overlap);
         if (cell != no_cell) {
             item.with("cell", cell).with("of_still", two_trees && pair.a < first);
-            name_proxy(item, "search_of_", seeker, balls);
+            name_proxy(item, "search_of_", query, balls);
         }
         overlapping += overlap;
     }

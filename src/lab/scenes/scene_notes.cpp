@@ -2,7 +2,6 @@
 
 #include "custom/engine.hpp"
 #include "custom/geometry/bounds.hpp"
-#include "custom/geometry/inside.hpp"
 
 namespace flipside::lab {
 
@@ -31,9 +30,9 @@ std::vector<std::string> notes_on(const Scene& scene) {
                 constexpr double tolerance = 1e-9;
                 if (-contact->separation > tolerance * (ball.radius + other.radius))
                     notes.push_back(name_of(other) + " starts inside " + name_of(ball));
-            } else if (const Part& part = scene.parts[contact->other.index];
-                       custom::inside(ball.position, part.shape)) {
-                notes.push_back(name_of(ball) + " starts inside part '" + part.name + "'");
+            } else if (contact->separation < -ball.radius) {  // its centre is inside
+                notes.push_back(name_of(ball) + " starts inside part '" +
+                                scene.parts[contact->other.index].name + "'");
             }
         }
     }

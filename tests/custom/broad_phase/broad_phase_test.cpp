@@ -29,26 +29,32 @@ struct Kind {
 
 /// Every broad phase, at several settings each; brute force first.
 std::vector<Kind> kinds() {
-    std::vector<Kind> all{{"brute force", make_brute_force}, {"sweep", make_sweep}};
+    std::vector<Kind> all{{"brute force", [](auto still) { return make_brute_force(std::move(still), {}); }},
+                          {"sweep", [](auto still) { return make_sweep(std::move(still), {}); }}};
     for (const int levels : {1, 2, 3, 5, 8})
-        all.push_back({"quadtree " + std::to_string(levels),
-                       [=](auto still) { return make_quadtree(std::move(still), world, levels); }});
+        all.push_back({"quadtree " + std::to_string(levels), [=](auto still) {
+                           return make_quadtree(std::move(still),
+                                                {.world = world, .quadtree_levels = levels});
+                       }});
     for (const int capacity : {1, 4, 100})
         for (const int depth : {1, 6, 24})
             all.push_back(
                 {"adaptive " + std::to_string(capacity) + ", " + std::to_string(depth), [=](auto still) {
-                     return make_adaptive_quadtree(std::move(still), world, capacity, depth);
+                     return make_adaptive_quadtree(
+                         std::move(still),
+                         {.world = world, .adaptive_capacity = capacity, .adaptive_depth = depth});
                  }});
     for (const double cell : {0.0, 0.1, 0.5, 1.0, 3.0, 100.0})
-        all.push_back({"grid " + std::to_string(cell),
-                       [=](const auto& still) { return make_grid(still, world, cell); }});
+        all.push_back({"grid " + std::to_string(cell), [=](const auto& still) {
+                           return make_grid(still, {.world = world, .grid_cell = cell});
+                       }});
     return all;
 }
 
 /// The pairs of a search, after checking that all broad phases agree.
 std::vector<Pair> pairs_of(const std::vector<Proxy>& still, const std::vector<Proxy>& moving) {
     std::vector<Pair> expected, found;
-    make_brute_force(still)->find_pairs(moving, expected);
+    make_brute_force(still, {})->find_pairs(moving, expected);
     for (const Kind& kind : kinds()) {
         const auto broad = kind.make(still);
         for (int search = 0; search < 2; ++search) {  // nothing may be left over from the first
@@ -141,8 +147,10 @@ TEST(BroadPhase, TestsOfManyBallsGrowWithTheirNumber) {
         broad->find_pairs(moving, pairs);
         return static_cast<double>(broad->tests()) / (side * side);
     };
-    const Make grid = [](const auto& still) { return make_grid(still, world, 0); };
-    const Make adaptive = [](auto still) { return make_adaptive_quadtree(std::move(still), world, 8, 12); };
+    const Make grid = [](const auto& still) { return make_grid(still, {.world = world}); };
+    const Make adaptive = [](auto still) {
+        return make_adaptive_quadtree(std::move(still), {.world = world, .adaptive_depth = 12});
+    };
     EXPECT_LT(tests_per_ball(grid, 141), 3);
     EXPECT_LT(tests_per_ball(grid, 141), 1.1 * tests_per_ball(grid, 30));
     EXPECT_LT(tests_per_ball(adaptive, 141), 40);
@@ -194,7 +202,7 @@ TEST(BroadPhase, StillPairsSleepersAndForeignLayersAreNotTested) {
 
 TEST(BroadPhase, BruteForceTestsEveryPair) {
     std::vector<Pair> pairs;
-    const auto brute = make_brute_force({});
+    const auto brute = make_brute_force({}, {});
     std::vector<Proxy> moving;
     for (int i = 0; i < 32; ++i) moving.push_back(ball_at({0.5 * i, 1}, 0.1));
     brute->find_pairs(moving, pairs);
@@ -202,7 +210,7 @@ TEST(BroadPhase, BruteForceTestsEveryPair) {
 }
 
 TEST(BroadPhase, QuadtreeStatesItsShape) {
-    const BroadPhaseFacts facts = make_quadtree({}, world, 4)->facts();
+    const BroadPhaseFacts facts = make_quadtree({}, {.world = world})->facts();
     EXPECT_EQ(facts.nodes, 341);
     EXPECT_EQ(facts.leaves, 256);
     EXPECT_EQ(facts.leaf_width, 1);
@@ -212,7 +220,8 @@ TEST(BroadPhase, QuadtreeStatesItsShape) {
 TEST(BroadPhase, GridFitsItsCellsOrTakesThemAsSet) {
     const std::vector<Proxy> moving(1000, ball_at({3, 3}, 0.2));
     std::vector<Pair> pairs;
-    const auto fitted = make_grid({}, world, 0), set = make_grid({}, world, 0.5);
+    const auto fitted = make_grid({}, {.world = world}),
+               set = make_grid({}, {.world = world, .grid_cell = 0.5});
     fitted->find_pairs(moving, pairs);
     EXPECT_GT(fitted->facts().leaf_width, 0.4);
     EXPECT_LT(fitted->facts().leaf_width, 0.6);
@@ -225,7 +234,8 @@ TEST(BroadPhase, AdaptiveQuadtreeSplitsWhereThingsCrowd) {
     std::vector<Proxy> moving;
     for (int i = 0; i < 4; ++i)
         for (int k = 0; k < 4; ++k) moving.push_back(ball_at({0.1 + 0.2 * i, 0.1 + 0.1 * k}, 0.04));
-    const auto tree = make_adaptive_quadtree({}, world, 4, 10);
+    const auto tree =
+        make_adaptive_quadtree({}, {.world = world, .adaptive_capacity = 4, .adaptive_depth = 10});
     std::vector<Pair> pairs;
     tree->find_pairs(moving, pairs);
     // The lower left quarter is halved until 4 × 4 balls in 0.8 m × 0.4 m are told apart: 8, 4, 2, 1, 0.5 m.

@@ -31,8 +31,8 @@ std::vector<std::uint32_t> found_one_by_one(const BoxIndex& index, const Box& bo
     return found;
 }
 
-// Whatever lies outside the range, touches a border, covers everything or is empty.
-RC_GTEST_PROP(BoxIndex, FindsWhatTestingEachFinds, ()) {
+// Includes boxes outside the range, at its border, over all of it, and empty ones.
+RC_GTEST_PROP(BoxIndex, AgreesWithBruteForce, ()) {
     std::vector<Box> boxes(*rc::gen::inRange<std::size_t>(1, 150));
     for (Box& box : boxes) box = *rc::gen::inRange(0, 9) == 0 ? nowhere : any_box();
     const BoxIndex index({{-4, -3}, {5, 4}}, boxes);
@@ -42,11 +42,11 @@ RC_GTEST_PROP(BoxIndex, FindsWhatTestingEachFinds, ()) {
     }
 }
 
-TEST(BoxIndex, OfNothingFindsNothing) {
+TEST(BoxIndex, AnEmptyIndexFindsNothing) {
     EXPECT_TRUE(found_by(BoxIndex({{0, 0}, {1, 1}}, {}), {{0, 0}, {1, 1}}).empty());
 }
 
-TEST(BoxIndex, ARangeWithoutSizeAndABoxWithoutEndAreNoMatter) {
+TEST(BoxIndex, HandlesAnEmptyRangeAndAnInfiniteBox) {
     const Box everywhere{{-INFINITY, -INFINITY}, {INFINITY, INFINITY}};
     const BoxIndex index({{1, 1}, {1, 1}}, {everywhere, nowhere, {{1, 1}, {2, 2}}});
     EXPECT_EQ(found_by(index, {{1.5, 1.5}, {1.6, 1.6}}), (std::vector<std::uint32_t>{0, 2}));
@@ -54,8 +54,8 @@ TEST(BoxIndex, ARangeWithoutSizeAndABoxWithoutEndAreNoMatter) {
     EXPECT_EQ(found_by(index, everywhere), (std::vector<std::uint32_t>{0, 2}));
 }
 
-// A hundred times as many boxes in a hundred times the place: about as many tests each.
-TEST(BoxIndex, ASearchCostsTheSameHoweverManyBoxesLieElsewhere) {
+// A hundred times as many boxes in a hundred times the area: the number of tests per query stays the same.
+TEST(BoxIndex, TheCostOfAQueryDoesNotDependOnDistantBoxes) {
     const auto tests_among = [](int in_a_row) {
         std::vector<Box> boxes;
         for (int i = 0; i < in_a_row * in_a_row; ++i) {

@@ -31,7 +31,7 @@ std::vector<Ball> some_balls() {
 
 std::set<BallIndex> near(const Cells& cells, BallIndex i) {
     std::set<BallIndex> found;
-    cells.each_near(i, [&](BallIndex j) { found.insert(j); });
+    cells.query_neighbours(i, [&](BallIndex j) { found.insert(j); });
     return found;
 }
 
@@ -39,18 +39,18 @@ bool touch(const Ball& a, const Ball& b) {
     return length(a.position - b.position) <= a.radius + b.radius;
 }
 
-// However balls move about within what stays() allows, whoever touches one is found, from either side.
-RC_GTEST_PROP(Cells, WhoTouchesIsFoundUntilEitherLeavesItsCell, ()) {
+// For any motion within time_in_cell(), queries from either ball find both balls of each touching pair.
+RC_GTEST_PROP(Cells, FindTouchingBallsUntilOneLeavesItsCell, ()) {
     std::vector<Ball> balls = some_balls();
     Cells cells;
     cells.reset(balls);
     for (BallIndex i = 0; i < balls.size(); ++i) {
         cells.choose_level(i, Cells::width_for(balls[i].radius) * *rc::gen::element(1.0, 1.0, 5.0));
-        cells.put(i, balls[i].position);
+        cells.insert(i, balls[i].position);
     }
     for (BallIndex i = 0; i < balls.size(); ++i) {
         const Vec2 velocity{between(-3, 3), between(-3, 3)}, top{between(0, 9), between(0, 9)};
-        const double stays = cells.stays(i, balls[i].position, velocity, top);
+        const double stays = cells.time_in_cell(i, balls[i].position, velocity, top);
         RC_ASSERT(stays > 0);
         const double t = between(0, 1) * std::min(stays, 10.0);
         const Vec2 bend{between(-1, 1) * top.x, between(-1, 1) * top.y};
@@ -61,35 +61,35 @@ RC_GTEST_PROP(Cells, WhoTouchesIsFoundUntilEitherLeavesItsCell, ()) {
             if (i != j && touch(balls[i], balls[j])) RC_ASSERT(near(cells, i).contains(j));
 }
 
-// A ball that enters a cell need only look at what it did not see from the last one.
-RC_GTEST_PROP(Cells, WhatIsNewlyNearAndWhatWasNearIsAllThatIsNear, ()) {
+// After a ball has changed its cell, query_new_neighbours() returns what the query from the old cell did not.
+RC_GTEST_PROP(Cells, OldAndNewNeighboursAreAllNeighbours, ()) {
     const std::vector<Ball> balls = some_balls();
     Cells cells;
     cells.reset(balls);
     for (BallIndex i = 0; i < balls.size(); ++i) {
         cells.choose_level(i, Cells::width_for(balls[i].radius));
-        cells.put(i, balls[i].position);
+        cells.insert(i, balls[i].position);
     }
     std::set<BallIndex> seen = near(cells, 0);
     const Cells::Cell before = cells[0];
-    cells.put(0, {between(-1, 1), between(-1, 1)});
-    cells.each_newly_near(0, before, [&](BallIndex j) { seen.insert(j); });
+    cells.insert(0, {between(-1, 1), between(-1, 1)});
+    cells.query_new_neighbours(0, before, [&](BallIndex j) { seen.insert(j); });
     RC_ASSERT(std::ranges::includes(seen, near(cells, 0)));
 }
 
-TEST(Cells, OneThatIsTakenOffIsNotFound) {
+TEST(Cells, DoNotFindARemovedBall) {
     const std::vector<Ball> balls{ball_at({0, 0}, 0.1), ball_at({0.1, 0}, 0.1), ball_at({0, 0.1}, 1)};
     Cells cells;
     cells.reset(balls);
     for (BallIndex i = 0; i < 3; ++i) {
         cells.choose_level(i, Cells::width_for(balls[i].radius));
-        cells.put(i, balls[i].position);
+        cells.insert(i, balls[i].position);
     }
     EXPECT_EQ(near(cells, 0), (std::set<BallIndex>{1, 2}));
     cells.remove(1);
     EXPECT_EQ(near(cells, 0), (std::set<BallIndex>{2}));
     cells.remove(1);
-    cells.put(1, {0.1, 0});
+    cells.insert(1, {0.1, 0});
     EXPECT_EQ(near(cells, 2), (std::set<BallIndex>{0, 1}));
 }
 

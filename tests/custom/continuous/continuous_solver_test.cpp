@@ -1,5 +1,5 @@
-// The continuous solver on whole scenes: no dependence on dt, continuation from a saved state, friction of
-// held contacts. Its answers in single cases are those of lab/cases, tested there.
+// The continuous solver on whole scenes: independence of dt, continuation from a saved state, friction in
+// resting contacts. Single cases with known answers are tested in lab/cases.
 
 #include <cmath>
 #include <numbers>
@@ -29,7 +29,7 @@ void add_launched(World& world, const Scene& scene, Vec2 position, Vec2 velocity
     world.add(ball);
 }
 
-// Before chaos sets in the trajectory is the same to 1e-9 radii whatever the step.
+// Before chaos sets in, trajectories of different steps agree to 1e-9 radii.
 TEST(ContinuousSolver, StepSizeDoesNotMatter) {
     const Scene scene = pinball();
     const std::pair<Vec2, Vec2> starts[] = {
@@ -57,10 +57,10 @@ TEST(ContinuousSolver, StepSizeDoesNotMatter) {
     }
 }
 
-// A world restored in mid-run goes on with the same bits.
+// A world restored in the middle of a run continues with the same bits.
 TEST(ContinuousSolver, ContinuesFromASavedState) {
     const Scene scene = pinball();
-    const auto drive = [](World& world, int step) {
+    const auto external = [](World& world, int step) {
         if (step % 40 == 0) world.apply(control::Flip{Side::left, true});
         if (step % 40 == 12) world.apply(control::Flip{Side::left, false});
         world.step(1.0 / 60);
@@ -71,13 +71,13 @@ TEST(ContinuousSolver, ContinuesFromASavedState) {
             add_launched(*through, scene, {0.12 + 0.06 * i, 0.85}, {0.2 * (i % 3) - 0.2, 0});
         for (int step = 0; step < 600; ++step) {
             if (step % 20 != 0) {
-                drive(*through, step);
+                external(*through, step);
                 continue;
             }
             const auto restored = continuous(scene);
             restored->restore(through->save());
-            drive(*through, step);
-            drive(*restored, step);
+            external(*through, step);
+            external(*restored, step);
             ASSERT_TRUE(std::ranges::equal(through->balls(), restored->balls())) << "step " << step;
         }
     }
@@ -105,7 +105,7 @@ TEST(ContinuousSolver, RollsOrSlidesDownAnIncline) {
     }
 }
 
-// Thrown without spin along a rough floor it rolls at 2v₀/3 after v₀/(3µg).
+// A ball that starts without spin on a rough floor rolls at 2v₀/3 after v₀/(3µg).
 TEST(ContinuousSolver, SlidingTurnsIntoRolling) {
     const double friction = 0.2, v = 3, switches = v / (3 * friction * g);
     Scene scene = empty_scene({0, -g});
@@ -121,7 +121,8 @@ TEST(ContinuousSolver, SlidingTurnsIntoRolling) {
     EXPECT_NEAR(ball.position.x, x, 1e-11);
 }
 
-// A ball lying on a flipper is carried up by it, never through it, and thrown off or rests at the stop.
+// A flipper lifts the ball that lies on it; the ball never passes through it, and leaves it or rests at the
+// stop.
 TEST(ContinuousSolver, RidesAMovingPart) {
     Scene scene = empty_scene({0, -g});
     Part& part = add_part(scene, {shape::Flipper{{0, 0}, 1, 0.1, 0.1, 0}}, {"", 0, 0, 0});
@@ -142,8 +143,8 @@ TEST(ContinuousSolver, RidesAMovingPart) {
     EXPECT_LT(ends[0].x, 0.5);  // it slides down the raised side
 }
 
-// A ball slides round the inside of an arc onto the line that goes on from it, and never leaves them: its
-// speed is that of its fall, whatever the step.
+// A ball slides along the inside of an arc and onto the line that continues it, without separating. Its speed
+// follows from its energy, for any step.
 TEST(ContinuousSolver, SlidesOverASmoothJoint) {
     const double pi = std::numbers::pi, slope = 28 * pi / 180, radius = 0.034, r = 0.0135;
     const Vec2 center{0.45, 0.15}, down = {-std::cos(slope), -std::sin(slope)};
@@ -170,7 +171,7 @@ TEST(ContinuousSolver, SlidesOverASmoothJoint) {
     }
 }
 
-// A ball that slides off the end of a face leaves it along its tangent: the corner is no obstacle.
+// A ball that slides off the end of a face leaves it along its tangent, without an impact at the corner.
 TEST(ContinuousSolver, SlidesOffAnEndWithoutAHit) {
     const double v = 1.7, r = 0.0135, edge = 0.3, weight = 1.11;
     const Shape shapes[] = {
@@ -192,8 +193,8 @@ TEST(ContinuousSolver, SlidesOffAnEndWithoutAHit) {
         }
 }
 
-// A ball that hops down on a pin slides off it once its hops are lower than rounding: they end.
-TEST(ContinuousSolver, HopsOnABendEnd) {
+// A ball that bounces on a pin slides off it when its bounces are lower than rounding.
+TEST(ContinuousSolver, BouncesOnACurveEnd) {
     for (const double e : {0.4, 0.9}) {
         for (const double x : {0.0005, 0.001, 0.0015}) {
             Scene scene = empty_scene({0, -g});
@@ -213,9 +214,8 @@ TEST(ContinuousSolver, HopsOnABendEnd) {
     }
 }
 
-// Within one step: to the wall at 10 m/s, 0.9 m away, and 1.2 m back to a ball that the way there led away
-// from.
-TEST(ContinuousSolver, WhoIsThrownBackMeetsWhoLayBehind) {
+// Within one step, a ball hits a wall 0.9 m away at 10 m/s and then a ball 1.2 m away in the other direction.
+TEST(ContinuousSolver, ABallThatBouncesBackHitsTheBallBehindIt) {
     Scene scene = empty_scene();
     add_ball(scene, {0, 0}, {10, 0});
     add_ball(scene, {-0.5, 0}, {});
@@ -228,9 +228,9 @@ TEST(ContinuousSolver, WhoIsThrownBackMeetsWhoLayBehind) {
     EXPECT_NEAR(world->balls()[1].velocity.x, -10, 1e-12);
 }
 
-// A ball that passes over another one, too fast to lie on it, flies; one that hops on it hops. Neither is a
-// pile.
-TEST(ContinuousSolver, TouchingBallsThatPartAreNoPile) {
+// A ball that passes over another too fast to rest on it flies, and one that bounces on it bounces. Neither
+// forms an island.
+TEST(ContinuousSolver, SeparatingBallsFormNoIsland) {
     const auto first_step = [](Vec2 velocity) {
         Scene scene = empty_scene({0, -g});
         scene.rest_speed = 0.1;
@@ -248,8 +248,8 @@ TEST(ContinuousSolver, TouchingBallsThatPartAreNoPile) {
     first_step({0, 0.09});
 }
 
-// Balls that press on each other are the discrete solver's, and counted; nothing sinks in or is lost.
-TEST(ContinuousSolver, PilesAreIslands) {
+// Balls in resting contact form islands, and statistics count them; none sinks in or is lost.
+TEST(ContinuousSolver, HeapsAreIslands) {
     const auto settles = [](const Scene& scene, double deepest_allowed) {
         const auto world = make_world(scene, {{"solver", "continuous"}, {"sleep", "off"}});
         run(*world, 6);
@@ -275,7 +275,7 @@ TEST(ContinuousSolver, PilesAreIslands) {
     settles(pit, 0.03);
 }
 
-TEST(ContinuousSolver, BallsDeepInEachOtherComeApartInFlight) {
+TEST(ContinuousSolver, DeepOverlapsAreCorrectedInFlight) {
     Scene scene = empty_scene({0, -g});
     add_ball(scene, {-0.09, 0});
     add_ball(scene, {0.09, 0});
@@ -288,7 +288,7 @@ TEST(ContinuousSolver, BallsDeepInEachOtherComeApartInFlight) {
         EXPECT_EQ(between.y, 0);
     }
     EXPECT_LT(overlap, 1.1e-3);
-    // Pushed apart by position alone, they fall as if they were one.
+    // The position correction separates them without changing their fall.
     for (const Ball& ball : world->balls()) {
         EXPECT_EQ(ball.velocity.x, 0);
         EXPECT_NEAR(ball.velocity.y, -g / 2, 1e-12);
@@ -296,9 +296,9 @@ TEST(ContinuousSolver, BallsDeepInEachOtherComeApartInFlight) {
     }
 }
 
-TEST(ContinuousSolver, WorkWithoutEndEndsInTime) {
-    // Thrown at a million radii per second, the heavy ball presses the light one against the wall, which
-    // rattles between them: without a limit that step has a million impacts.
+TEST(ContinuousSolver, EndlessImpactsAreLimited) {
+    // The heavy ball, at a million radii per second, drives the light one against the wall. The light one
+    // bounces between both: without a limit that step has a million impacts.
     Scene scene = empty_scene({0, -g});
     scene.rest_speed = 0;
     const double e = std::sqrt(0.5);

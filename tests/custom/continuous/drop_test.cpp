@@ -14,7 +14,7 @@ Scene drop(double restitution, double radius) {
     return scene;
 }
 
-/// Heights of the apexes, each from the energy while the ball is under way between two impacts.
+/// Heights of the apexes, each from the energy of the ball between two impacts.
 std::vector<double> apexes(World& world, double radius, double seconds) {
     std::vector<double> heights;
     bool flying = false;

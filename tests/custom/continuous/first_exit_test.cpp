@@ -18,20 +18,20 @@ Path flight(Vec2 position, Vec2 velocity, Vec2 acceleration, double drag = 0) {
     return path;
 }
 
-// The search that first_exit replaces, kept to what it can do: steps that no acceleration can outrun.
+// Conservative advancement with bounds on speed and acceleration, to compare with.
 double exit_by_steps(const Path& path, double t1) {
     const double k = path.max_acceleration(t1);
     double t = 0;
     for (int step = 0; step < 100'000 && t <= t1; ++step) {
         const auto [p, v] = path.at(t);
         if (!unit_box.contains(p)) return t;
-        t += std::max(1e-12, std::min({surely_free(p.x, v.x, k), surely_free(1 - p.x, -v.x, k),
-                                       surely_free(p.y, v.y, k), surely_free(1 - p.y, -v.y, k)}));
+        t += std::max(1e-12, std::min({safe_time(p.x, v.x, k), safe_time(1 - p.x, -v.x, k),
+                                       safe_time(p.y, v.y, k), safe_time(1 - p.y, -v.y, k)}));
     }
     return never_touch;
 }
 
-RC_GTEST_PROP(FirstExit, IsThatOfASearchBySteps, ()) {
+RC_GTEST_PROP(FirstExit, AgreesWithConservativeAdvancement, ()) {
     const Path path = flight({between(0, 1), between(0, 1)}, {between(-5, 5), between(-5, 5)},
                              {between(-9, 9), between(-9, 9)}, *rc::gen::element(0.0, 0.3, 40.0));
     const double expected = exit_by_steps(path, 2), t = first_exit(path, unit_box, 0, 2);
@@ -43,7 +43,7 @@ RC_GTEST_PROP(FirstExit, IsThatOfASearchBySteps, ()) {
     RC_ASSERT(t == 0 || unit_box.contains(path.position(std::nextafter(t, 0))));
 }
 
-// On the border is inside; the ball is lost at the first number of time at which it is not.
+// The border is inside; the ball is lost at the first representable time at which it is outside.
 TEST(FirstExit, FromTheBorder) {
     EXPECT_EQ(first_exit(flight({0, 0.5}, {0, 0.1}, {0, -1}, 0.5), unit_box, 0, 1), never_touch);
     EXPECT_EQ(first_exit(flight({1, 1}, {}, {}), unit_box, 0, 1), never_touch);
@@ -55,7 +55,7 @@ TEST(FirstExit, FromTheBorder) {
     EXPECT_NEAR(first_exit(flight({0, 0.5}, {1, 0}, {-4, 0}), unit_box, 0, 1), 0.5, 1e-15);
 }
 
-// Up to the very end, also where the path began so late that its own times are rounded.
+// At the end of the interval, also for a late start of the path, where times are rounded.
 TEST(FirstExit, AtTheEnd) {
     Path path = flight({0.5, 0.5}, {0.5 / (0.7 - 0.1), 0}, {});
     path.start = 0.1;
@@ -65,7 +65,7 @@ TEST(FirstExit, AtTheEnd) {
     EXPECT_EQ(first_exit(path, unit_box, 0.1, std::nextafter(end, 0)), never_touch);
 }
 
-// A parabola that touches the border at its turn does not leave; a hair higher it does.
+// A parabola whose apex touches the border stays inside; one slightly higher leaves.
 TEST(FirstExit, Grazes) {
     EXPECT_EQ(first_exit(flight({0.5, 0.5}, {0, 1}, {0, -1}), unit_box, 0, 1.5), never_touch);
     EXPECT_NEAR(first_exit(flight({0.5, 0.5}, {0, 1 + 1e-12}, {0, -1}), unit_box, 0, 1.5), 1, 2e-6);
@@ -74,13 +74,13 @@ TEST(FirstExit, Grazes) {
 /// x(t) = Σ series[k]·t^k, y = ½.
 Path polynomial(std::initializer_list<double> series) {
     Path path;
-    Swing& swing = path.swing.emplace_back();
+    TaylorPath& taylor = path.taylor.emplace_back();
     std::size_t k = 0;
     for (const double c : series) {
         if (k == 0)
             path.flight.position = {c, 0.5};
         else
-            swing.displacement[k] = {c, 0};
+            taylor.displacement[k] = {c, 0};
         ++k;
     }
     return path;

@@ -1,4 +1,4 @@
-// The rule of gates on the continuous solver.
+// The rule of gates (world/gate.hpp) in the continuous solver.
 
 #include "custom/scenes.hpp"
 #include "gate_checks.hpp"
@@ -13,22 +13,22 @@ std::unique_ptr<World> sleepless(const Scene& scene) {
 TEST(Gates, FollowTheRuleAtTheirEnds) {
     flipside::test::expect_the_rule(sleepless);
 }
-TEST(Gates, AreSolidToWhatSlidesRoundTheirEnd) {
+TEST(Gates, AreSolidToABallThatSlidesAroundTheirEnd) {
     flipside::test::expect_to_slide_round_the_end(sleepless);
 }
-TEST(Gates, DecideOnceThoughSavedMeanwhile) {
+TEST(Gates, DecideOnceAlsoAcrossASavedState) {
     flipside::test::expect_the_decision_to_be_saved(sleepless);
 }
 TEST(Gates, PassEveryBallWhileOpen) {
     flipside::test::expect_an_open_gate_to_pass_all(sleepless);
 }
-TEST(Gates, LetGoOfWhatLiesOnThemWhenTheyOpen) {
+TEST(Gates, ReleaseRestingBallsWhenTheyOpen) {
     flipside::test::expect_an_opened_gate_to_let_go(sleepless);
 }
-TEST(Gates, AreLeftByABallThatIsLost) {
+TEST(Gates, CloseWhenTheBallInThemIsLost) {
     flipside::test::expect_a_lost_ball_to_leave(sleepless);
 }
-TEST(Gates, DecideAboutWhatBeginsInThem) {
+TEST(Gates, DecideForBallsThatStartInThem) {
     flipside::test::expect_a_start_in_a_gate_to_be_decided(sleepless);
 }
 

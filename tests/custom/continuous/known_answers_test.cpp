@@ -1,4 +1,4 @@
-// The continuous solver against known answers: what a single ball and a few do, and how heaps come to rest.
+// The continuous solver against known answers for a few balls, and for heaps that come to rest.
 
 #include <numbers>
 
@@ -58,7 +58,7 @@ TEST(KnownAnswers, CradlePassesTheVelocityOn) {
 }
 
 TEST(KnownAnswers, ObliquePairIsExactWhateverTheStep) {
-    // Impact parameter 0.12 of reach 0.2: the line of centres at the touch has sine 0.6.
+    // Impact parameter 0.12, sum of radii 0.2: the line of centres at the impact has sine 0.6.
     for (const double dt : {1.0 / 30, 1.0 / 60, 1.0 / 997}) {
         Scene scene = empty_scene({0, -9.81});
         add_ball(scene, {0, 0.12}, {1, 0});
@@ -69,7 +69,7 @@ TEST(KnownAnswers, ObliquePairIsExactWhateverTheStep) {
         EXPECT_NEAR(world->balls()[1].velocity.x, 0.64, 1e-12);
         EXPECT_NEAR(world->balls()[1].velocity.y + fallen, -0.48, 1e-11);
         EXPECT_NEAR(world->balls()[0].velocity.x, 0.36, 1e-12);
-        // Touched at x = 0.7 − 0.16, at 0.54 s; since then it has gone along.
+        // The impact was at x = 0.7 − 0.16, at 0.54 s.
         EXPECT_NEAR(world->balls()[1].position.x, 0.7 + 0.64 * (world->time() - 0.54), 1e-12);
     }
 }
@@ -130,7 +130,7 @@ TEST(KnownAnswers, BowlSwingsWithItsPeriod) {
     add_part(scene, {shape::Arc{{0, 0}, 1.1, std::numbers::pi, 2 * std::numbers::pi}}, {"", 0.5, 0, 0});
     const auto world = make_world(scene);
     const double before = energy(*world, scene);
-    std::vector<double> turns;  // times at which it turns back on the right
+    std::vector<double> turns;  // times of the turning points on the right
     for (int i = 0; i < 60 * 22; ++i) {
         const double v0 = world->balls()[0].velocity.x;
         world->step(1.0 / 60);
@@ -160,14 +160,14 @@ TEST(KnownAnswers, ThinWallStopsAnySpeed) {
 }
 
 TEST(KnownAnswers, TurningPartHitsWithItsSurfaceVelocity) {
-    // A bar meets a ball at rest 1 m out: v' = (1+e)·u along the normal at the touch.
+    // A bar hits a ball at rest 1 m from the pivot: v' = (1+e)·u along the normal at the impact.
     for (const double rate : {2.0, 20.0}) {
         Scene scene = empty_scene();
         add_ball(scene, {1, 0.3});
         add_part(scene, segment({0, 0}, {1.2, 0}), {"", 0.5, 0, 0}).motion = motion::Turn{{0, 0}, rate, true};
         const auto world = make_world(scene);
         run(*world, 0.25);
-        // The touch: the ball's centre is one radius off the bar.
+        // At the impact the centre of the ball is one radius from the bar.
         const double distance = std::hypot(1, 0.3);
         const double angle = std::atan2(0.3, 1) - std::asin(0.1 / distance);
         const double reach = std::sqrt(distance * distance - 0.01);
@@ -177,7 +177,7 @@ TEST(KnownAnswers, TurningPartHitsWithItsSurfaceVelocity) {
 }
 
 TEST(KnownAnswers, FlipperThrowsAndNothingPassesIt) {
-    // At every phase of an incoming ball; it must end above the flipper or have rolled off its tip.
+    // For every phase of an incoming ball: it must end above the flipper or have rolled off its tip.
     for (int phase = 0; phase < 200; ++phase) {
         Scene scene = empty_scene({0, -1.11});
         add_ball(scene, {0.05, 0.2}, {0, -2.5}, 0.0135, 0.08);
@@ -196,7 +196,7 @@ TEST(KnownAnswers, FlipperThrowsAndNothingPassesIt) {
 }
 
 TEST(KnownAnswers, KickedBallMeetsWallsBeyondItsFormerReach) {
-    // Comes in at 1 m/s and is kicked to 200 m/s between two walls 2 m apart.
+    // The ball arrives at 1 m/s and is kicked to 200 m/s between two walls 2 m apart.
     Scene scene = empty_scene();
     add_ball(scene, {0, -0.5}, {0, -1});
     add_part(scene, segment({-9, -1}, {9, -1}), {"", 1, 0, 200});
@@ -219,7 +219,7 @@ TEST(KnownAnswers, DeepOverlapGainsNoSpeed) {
     for (const Contact& contact : world->contacts()) EXPECT_GT(contact.separation, -1e-3);
 }
 
-TEST(KnownAnswers, BallHeldInAVComesToRest) {
+TEST(KnownAnswers, BallInAVComesToRest) {
     Scene scene = empty_scene({0, -9.81});
     const double s = std::sqrt(0.5);
     add_ball(scene, {0, 1.2});
@@ -244,7 +244,7 @@ TEST(KnownAnswers, ColumnOfThreeComesToRest) {
     for (const Contact& contact : world->contacts()) EXPECT_GT(contact.separation, -1e-3);
 }
 
-/// Runs until all sleep; the deepest overlap among the contacts then, in radii of 0.1 m.
+/// Runs until all balls sleep. Returns the deepest overlap of the contacts then, in radii of 0.1 m.
 double settle(World& world, double seconds) {
     for (int i = 0; i < 60 * seconds && world.statistics().asleep < world.balls().size(); ++i)
         world.step(1.0 / 60);
@@ -289,7 +289,7 @@ TEST(KnownAnswers, HeapsComeToRestWithoutSinkingOrGainingEnergy) {
 }
 
 TEST(KnownAnswers, OpposedFastBallsNeverPassThroughEachOther) {
-    // Impact parameter 0.12 of reach 0.2.
+    // Impact parameter 0.12, sum of radii 0.2.
     for (const double speed : {5.0, 50.0, 5e3}) {
         Scene scene = empty_scene();
         scene.bounds = {{-1e6, -1e6}, {1e6, 1e6}};
@@ -297,7 +297,7 @@ TEST(KnownAnswers, OpposedFastBallsNeverPassThroughEachOther) {
         add_ball(scene, {0.31 * speed, -0.06}, {-speed, 0});
         const auto world = make_world(scene);
         run(*world, 1);
-        // The part of the relative speed along the line of centres, cosine 0.8, is turned round.
+        // The relative velocity along the line of centres (cosine 0.8) is reversed.
         const Ball& ball = world->balls()[0];
         EXPECT_NEAR(ball.velocity.x, speed - 2 * speed * 0.64, 1e-9 * speed) << speed;
         EXPECT_NEAR(ball.velocity.y, 2 * speed * 0.8 * 0.6, 1e-9 * speed) << speed;

@@ -1,5 +1,5 @@
-// Moving parts and gates on the continuous solver, in many placements. (The cases with known answers are in
-// lab/cases, tested there.)
+// Moving parts and gates in the continuous solver, in many placements. Cases with known answers are tested in
+// lab/cases.
 
 #include <cmath>
 #include <numbers>
@@ -43,8 +43,8 @@ TEST(MovingParts, GatePassesOneWay) {
     }
 }
 
-// A turning segment, 20 r long, 5…60 rad/s, against balls of 0…400 m/s: a ball never changes sides without
-// going round an end. Followed in short steps in the segment's own frame.
+// A turning segment, 20 r long, 5…60 rad/s, against balls of 0…400 m/s: a ball never changes sides except
+// around an end. Checked in short steps in the frame of the segment.
 TEST(MovingParts, NothingPassesATurningSegment) {
     int hits = 0;
     for (int i = 0; i < 700; ++i) {
@@ -72,7 +72,7 @@ TEST(MovingParts, NothingPassesATurningSegment) {
     EXPECT_GT(hits, 400);
 }
 
-// A flipper raised at every phase of an incoming ball, at one step per frame.
+// A flipper is raised at every phase of an incoming ball, with one step per frame.
 TEST(MovingParts, NothingPassesARaisedFlipper) {
     int hits = 0;
     for (int i = 0; i < 1000; ++i) {

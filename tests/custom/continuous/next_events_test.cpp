@@ -8,14 +8,14 @@
 namespace flipside::custom::test {
 namespace {
 
-RC_GTEST_PROP(NextEvents, TheFirstIsTheLeastHoweverTheyChange, ()) {
+RC_GTEST_PROP(NextEvents, TheFirstIsTheEarliestAfterAnyChanges, ()) {
     const auto balls = *rc::gen::inRange<std::size_t>(1, 40);
     NextEvents events;
     events.reset(balls);
     std::vector<std::pair<double, std::uint64_t>> known(balls, {INFINITY, 0});
     for (int change = 0; change < 200; ++change) {
         const auto i = *rc::gen::inRange<std::size_t>(0, balls);
-        // Few times, so that many are equal; no two events have the same number.
+        // Few different times, so that many are equal; no two events have the same order.
         const double time = *rc::gen::element(0.0, 1.0, 2.0, static_cast<double>(INFINITY));
         const auto order = std::uint64_t{i} + 100 * *rc::gen::inRange<std::uint64_t>(0, 3);
         events.set(static_cast<NextEvents::BallIndex>(i), time, order);
@@ -26,7 +26,7 @@ RC_GTEST_PROP(NextEvents, TheFirstIsTheLeastHoweverTheyChange, ()) {
     }
 }
 
-TEST(NextEvents, AreNoneAtFirst) {
+TEST(NextEvents, AreEmptyAtFirst) {
     NextEvents events;
     for (const std::size_t balls : {0U, 1U, 2U, 3U, 64U}) {
         events.reset(balls);

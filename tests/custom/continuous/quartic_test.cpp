@@ -12,14 +12,14 @@ double value(const Quartic& c, double t) {
     return (((c[4] * t + c[3]) * t + c[2]) * t + c[1]) * t + c[0];
 }
 
-// Where it first comes from above 0 to below, against a look at ten thousand instants.
-RC_GTEST_PROP(Quartic, FirstFallIsWhereItFirstGoesBelow, ()) {
+// The first change of sign from above 0 to below, against an evaluation at ten thousand instants.
+RC_GTEST_PROP(Quartic, FirstCrossingIsTheFirst, ()) {
     const Vec2 p{between(-2, 2), between(-2, 2)}, v{between(-3, 3), between(-3, 3)};
     const Vec2 a{between(-9, 9), between(-9, 9)};
     const double reach = between(0.1, 1), until = 2;
     RC_PRE(length(p) > reach);
     const Quartic gap = squared_gap(p, v, a, reach);
-    const double found = first_fall(gap, until);
+    const double found = first_crossing(gap, until);
     constexpr int looks = 10'000;
     double seen = INFINITY;
     for (int i = 0; i <= looks && seen == INFINITY; ++i)
@@ -32,12 +32,12 @@ RC_GTEST_PROP(Quartic, FirstFallIsWhereItFirstGoesBelow, ()) {
     for (int i = 0; i < 1000; ++i) RC_ASSERT(value(gap, found * i / 1000) > -1e-9);
 }
 
-TEST(Quartic, FirstFallOfWhatBeginsAtZero) {
-    // Touching and parting, thrown back by a steady pull: 2 s later they meet again.
+TEST(Quartic, FirstCrossingFromZero) {
+    // In contact and separating, with a constant acceleration back: the discs meet again 2 s later.
     const Quartic gap = squared_gap({1, 0}, {1, 0}, {-1, 0}, 1);
-    EXPECT_NEAR(first_fall(gap, 3), 2, 1e-14);
-    EXPECT_EQ(first_fall(gap, 1.9), INFINITY);
-    EXPECT_EQ(first_fall(squared_gap({1, 0}, {-1, 0}, {0, 0}, 1), 1), 0);
+    EXPECT_NEAR(first_crossing(gap, 3), 2, 1e-14);
+    EXPECT_EQ(first_crossing(gap, 1.9), INFINITY);
+    EXPECT_EQ(first_crossing(squared_gap({1, 0}, {-1, 0}, {0, 0}, 1), 1), 0);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// A weightless ball that leaves a straight face for the cap, arc or corner at its end: a straight line.
+// Without gravity, a ball that slides off a straight face onto the cap, arc or corner at its end moves on a
+// straight line.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@ namespace {
 using flipside::test::Placement;
 using flipside::test::Slide;
 
-/// Stepped by dt in every orientation, in radii.
+/// Deviation from a straight line with steps of dt, over all orientations, in radii.
 double worst_of(Placement place, int orientations, double dt) {
     double worst = 0;
     for (int k = 0; k < orientations; ++k) {
@@ -19,7 +20,7 @@ double worst_of(Placement place, int orientations, double dt) {
         for (const Slide& slide : flipside::test::slides(place)) {
             const auto world = make_world(slide.scene, {{"solver", "continuous"}});
             const double strayed = flipside::test::strays(*world, slide, dt);
-            // A place is rounded once in each window of the solver, of which there are 60 a second.
+            // Positions are rounded once in each window of the solver.
             const double rounding = 60 * slide.seconds * 0x1p-53 * length(place.origin) / place.radius;
             EXPECT_LE(strayed, 1e-12 * (1 + length(place.origin)) + rounding)
                 << slide.name << ", angle " << place.angle;
@@ -34,7 +35,7 @@ TEST(SmoothJoint, IsAStraightLineAtEveryStep) {
         std::printf("worst at 1/%.0f s: %.2g r\n", 1 / dt, worst_of({}, 60, dt));
 }
 
-TEST(SmoothJoint, IsAStraightLineOfOtherSizesAtOtherPlaces) {
+TEST(SmoothJoint, IsAStraightLineForOtherSizesAndPositions) {
     const Placement places[] = {
         {0, {}, 0.0135, 6}, {0, {30, -17}, 0.1, 1}, {0, {-2, 3}, 5, 1e3}, {0, {1, 1}, 1e-3, 1e-3}};
     for (const Placement& place : places) worst_of(place, 40, place.radius / place.speed);

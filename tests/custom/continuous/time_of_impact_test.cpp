@@ -19,14 +19,14 @@ Path random_path(Vec2 gravity) {
     return path;
 }
 
-/// The two agree, or differ by a graze.
+/// Both agree, or one of them misses a grazing contact.
 void same(double closed, double searched, double approach) {
     if (closed == never_touch && searched == never_touch) return;
     if (std::abs(approach) < 1e-5) return;
     RC_ASSERT(std::abs(closed - searched) < 1e-9);
 }
 
-RC_GTEST_PROP(TimeOfImpact, LineByClosedFormIsTheSearchs, ()) {
+RC_GTEST_PROP(TimeOfImpact, ClosedFormForALineAgreesWithTheSearch, ()) {
     const Vec2 a = anywhere(2), b = anywhere(2);
     RC_PRE(length(b - a) > 0.01);
     const Feature line{Line{a, unit(b - a), length(b - a), {}, {}}, 0, 0};
@@ -39,23 +39,23 @@ RC_GTEST_PROP(TimeOfImpact, LineByClosedFormIsTheSearchs, ()) {
     const double first = std::min(closed, searched);
     if (first == never_touch) return;
     const Closest closest = closest_point(line, path.position(first), r);
-    // At an end of the face rounding decides; the point there is another feature.
+    // At an end of the face rounding decides; the end point is another feature.
     const double s = dot(path.position(first) - a, unit(b - a));
     if (std::min(std::abs(s), std::abs(s - length(b - a))) < 1e-6) return;
-    // What enters under the face from beyond its end is met by that point too.
+    // A ball that comes from past the end also hits that point.
     if (std::abs(closest.distance - r) > 1e-6) return;
     same(closed, searched, dot(path.velocity(first), closest.normal));
 }
 
-// Against steps of a fine walk: what falls below zero first.
-RC_GTEST_PROP(TimeOfImpact, FirstFallWithDragIsTheFirst, ()) {
+// The first crossing, against an evaluation in small steps.
+RC_GTEST_PROP(TimeOfImpact, FirstCrossingWithDragIsTheFirst, ()) {
     const double gap = between(-1, 1), rate = between(-3, 3), bend = between(-10, 10);
     const double drag = *rc::gen::element(1e-9, 0.05, 1.0, 20.0);
     const auto gap_at = [&](double t) {
         const TimeInterval s(drag, t);
         return gap + s.shrunk * rate + s.fallen * bend;
     };
-    const double found = first_fall(gap, rate, bend, drag);
+    const double found = first_crossing(gap, rate, bend, drag);
     bool above = gap > 0;
     for (double t = 0; t < std::min(found, 3.0); t += 1e-3) {
         above = above || gap_at(t) > 0;
@@ -66,7 +66,7 @@ RC_GTEST_PROP(TimeOfImpact, FirstFallWithDragIsTheFirst, ()) {
     RC_ASSERT(gap_at(found + 1e-9) <= gap_at(found) + 1e-12);
 }
 
-RC_GTEST_PROP(TimeOfImpact, RoundInStraightMotionIsTheSearchs, ()) {
+RC_GTEST_PROP(TimeOfImpact, ClosedFormForACircleAgreesWithTheSearch, ()) {
     const Feature circle{Circle{anywhere(2), between(0, 0.5)}, 0, 0};
     const Path path = random_path({});
     const double r = between(0.01, 0.3);
@@ -78,7 +78,7 @@ RC_GTEST_PROP(TimeOfImpact, RoundInStraightMotionIsTheSearchs, ()) {
     same(closed, searched, dot(path.velocity(first), closest_point(circle, path.position(first), r).normal));
 }
 
-RC_GTEST_PROP(TimeOfImpact, BallsWithDragAreTheSearchs, ()) {
+RC_GTEST_PROP(TimeOfImpact, ClosedFormForBallsWithDragAgreesWithTheSearch, ()) {
     const Vec2 gravity = anywhere(10);
     Path a = random_path(gravity), b = random_path(gravity);
     a.flight.drag = b.flight.drag = between(0, 3);
@@ -91,8 +91,8 @@ RC_GTEST_PROP(TimeOfImpact, BallsWithDragAreTheSearchs, ()) {
          dot(a.velocity(first) - b.velocity(first), unit(a.position(first) - b.position(first))));
 }
 
-// The search against a walk in small steps, on turning arcs and lines.
-RC_GTEST_PROP(TimeOfImpact, SearchSkipsNothing, ()) {
+// The search against an evaluation in small steps, on turning arcs and lines.
+RC_GTEST_PROP(TimeOfImpact, SearchSkipsNoRoot, ()) {
     const double from = between(0, 6), to = from + between(0.2, 6);
     const Arc arc = arc_of({anywhere(0.5), between(0.4, 1), from, to});
     const Feature feature =
@@ -110,15 +110,15 @@ RC_GTEST_PROP(TimeOfImpact, SearchSkipsNothing, ()) {
     double before = gap_at(0);
     for (double t = 0; t < std::min(found, 0.5); t += 1e-4) {
         const double gap = gap_at(t);
-        // Entering from beyond an end (a jump of the gap) is the end's business.
+        // A ball that enters from past an end (a jump of the gap) hits the end point first.
         RC_ASSERT(gap > -1e-9 || before > 0.05 || before < -1e-9);
         before = gap;
     }
 }
 
-// A ball that runs up the inside of a loop and lets go where gravity alone keeps it on its circle comes off
-// with t³: |p|² − R² = −g·v·cos θ·t³ + g²·t⁴/4, so it is back after t = 4·v·cos θ/g.
-TEST(TimeOfImpact, WhatLetsGoOfALoopComesBack) {
+// A ball that rolls up the inside of a loop separates where gravity alone keeps it on the circle. Its
+// distance grows as t³: |p|² − R² = −g·v·cos θ·t³ + g²·t⁴/4, so it hits the loop after t = 4·v·cos θ/g.
+TEST(TimeOfImpact, ABallThatSeparatesFromALoopHitsItAgain) {
     constexpr double g = 9.81, loop = 0.3, radius = 0.05, reach = loop - radius;
     const Feature feature{arc_of({{0.2, -0.1}, loop, 0, 7}), 0, 0};
     for (const double angle : {0.1, 0.5, 1.0, 1.5}) {
@@ -131,28 +131,28 @@ TEST(TimeOfImpact, WhatLetsGoOfALoopComesBack) {
     }
 }
 
-// A path that stays a hair above a line, far below what its bound on acceleration allows, before it sinks
-// into it: sure steps alone would be millions.
-TEST(TimeOfImpact, WhatHoversComesDown) {
+// A path that stays just above a line for a long time, with a large bound on its acceleration, and then
+// crosses it: conservative steps alone would be millions.
+TEST(TimeOfImpact, ASmallGapEndsInAnImpact) {
     constexpr double radius = 0.05, end = 1.0 / 60;
     const Feature floor{Line{{-1, 0}, {1, 0}, 2, {}, {}}, 0, 0};
     for (const double hair : {1e-9, 1e-11, 1e-13, 1e-15})
         for (const double down : {0.1 * end, 0.5 * end, 0.9 * end}) {
             Path path;
             path.flight.position = {0, radius + hair};
-            Swing& swing = path.swing.emplace_back();
-            swing.displacement[1] = {1, 0};
-            swing.displacement[2] = {0, -hair / (down * down)};
-            swing.top_speed = 1;
-            swing.top_acceleration = 1000;
+            TaylorPath& taylor = path.taylor.emplace_back();
+            taylor.displacement[1] = {1, 0};
+            taylor.displacement[2] = {0, -hair / (down * down)};
+            taylor.top_speed = 1;
+            taylor.top_acceleration = 1000;
             // Positions of half a decimetre are rounded to 1e-17.
             EXPECT_NEAR(time_of_impact(floor, {}, path, radius, 0, end), down, 1e-9 + 2e-17 / hair * down)
                 << hair << " " << down;
         }
 }
 
-// Nothing is told to be clear of a path that touches it.
-RC_GTEST_PROP(TimeOfImpact, WhatIsClearIsNotTouched, ()) {
+// clear_of() is never true for a feature that the path touches.
+RC_GTEST_PROP(TimeOfImpact, ClearFeaturesAreNotTouched, ()) {
     const double from = between(0, 6), to = from + between(0.2, 6);
     const Vec2 a = anywhere(0.5), b = anywhere(0.5);
     RC_PRE(length(b - a) > 0.01);

@@ -1,4 +1,4 @@
-// The continuous solver works in windows of its own: steps only say when the world is looked at.
+// The continuous solver works in windows of its own; steps only decide when it is read.
 
 #include <cmath>
 
@@ -11,7 +11,7 @@
 namespace flipside::custom::test {
 namespace {
 
-/// Balls that bounce, roll, fall asleep and are lost among parts of every kind; none press on each other.
+/// Balls that bounce, roll, fall asleep and are lost among parts of every kind, without islands.
 Scene table_of(int balls, double turn) {
     Scene scene = empty_scene({0, -9.81});
     scene.bounds = {{-2, -2}, {2, 2}};
@@ -35,13 +35,13 @@ std::unique_ptr<World> windows_of(const Scene& scene) {
     return make_world(scene, {{"solver", "continuous"}});
 }
 
-/// What a run to `end` gives: every state at whole tenths of a second, and all impacts.
+/// Result of a run to `end`: the states at whole tenths of a second, and all impacts.
 struct Course {
     std::vector<std::vector<Ball>> balls;
     std::vector<Event> impacts;
 };
 
-/// With steps of next_step(), cut at tenths of a second, where controls may come.
+/// Runs with steps of next_step(), cut at tenths of a second, when controls are applied.
 Course course_of(const Scene& scene, double end, auto&& next_step) {
     const auto world = windows_of(scene);
     Course course;
@@ -108,7 +108,7 @@ State in_a_window(const Scene& scene) {
     return world->save();
 }
 
-TEST(Windows, AnOriginThatDoesNotLeadToTheStateIsLeftAlone) {
+TEST(Windows, AnOriginThatDoesNotLeadToTheStateIsIgnored) {
     const Scene scene = table_of(3, 1.1);
     State state = in_a_window(scene);
     ASSERT_TRUE(state.origin);

@@ -25,7 +25,7 @@ ContactSolver::Contact on_ground(ContactSolver& solver, ContactSolver::Index bal
     contact.upper = ball;
     contact.lower = solver.add(ground(point));
     contact.normal = normal;
-    contact.gap_found = gap;
+    contact.detected_gap = gap;
     contact.with = ContactSolver::With::still_part;
     return contact;
 }
@@ -36,7 +36,7 @@ ContactSolver::Contact between_balls(const ContactSolver& solver, ContactSolver:
     contact.upper = upper;
     contact.lower = lower;
     contact.normal = unit(apart);
-    contact.gap_found = length(apart) - 2 * radius;
+    contact.detected_gap = length(apart) - 2 * radius;
     contact.height = -dot(solver.bodies()[upper].position + solver.bodies()[lower].position, gravity);
     return contact;
 }
@@ -59,7 +59,7 @@ TEST(ContactSolver, AColumnStandsFromTheFirstTick) {
     }
 }
 
-TEST(ContactSolver, ABallInAWedgeIsHeldByBothSides) {
+TEST(ContactSolver, BothSidesOfAWedgeSupportABall) {
     ContactSolver solver;
     solver.start();
     const Vec2 left = unit({1, 1}), right = unit({-1, 1});
@@ -72,7 +72,7 @@ TEST(ContactSolver, ABallInAWedgeIsHeldByBothSides) {
         EXPECT_NEAR(contact.impulse.normal, 9.81 * tick / std::sqrt(2.0), 1e-5);
 }
 
-TEST(ContactSolver, AGapMayCloseButNoMore) {
+TEST(ContactSolver, AGapClosesAtMostToZero) {
     ContactSolver solver;
     solver.start();
     solver.add(disc({0, radius + 1e-4}, {0.3, -0.2}));
@@ -83,7 +83,8 @@ TEST(ContactSolver, AGapMayCloseButNoMore) {
 }
 
 TEST(ContactSolver, FrictionHoldsOnASlopeThatIsFlatEnough) {
-    for (const double slope : {0.2, 0.5}) {  // the tangent; µ is 0.1: a third of the pull turns into rolling
+    for (const double slope :
+         {0.2, 0.5}) {  // the tangent; µ is 0.1: a third of the force accelerates the spin
         const Vec2 normal = unit({-slope, 1}), down = -perp(normal);
         ContactSolver solver;
         solver.start();
@@ -104,8 +105,8 @@ TEST(ContactSolver, FrictionHoldsOnASlopeThatIsFlatEnough) {
     }
 }
 
-// Whatever it is given, it adds no energy but what lifts balls out of each other, no momentum between
-// balls but what stops those that would still close, and leaves no ball in a part that stands still.
+// For any input, the solver adds energy only to lift balls out of overlaps, changes the momentum of a pair of
+// balls only by shock propagation, and leaves no ball inside a static part.
 RC_GTEST_PROP(ContactSolver, HeapsGainNoEnergy, ()) {
     ContactSolver solver;
     solver.start();
@@ -118,20 +119,20 @@ RC_GTEST_PROP(ContactSolver, HeapsGainNoEnergy, ()) {
         for (const Body& body : solver.bodies().first(balls))
             sum +=
                 (0.5 * length_squared(body.velocity) - dot(gravity, body.position + ahead * body.velocity)) /
-                    body.per_mass +
-                0.5 * body.spin * body.spin / body.per_inertia;
+                    body.inverse_mass +
+                0.5 * body.spin * body.spin / body.inverse_inertia;
         return sum;
     };
     double weight = 0;
-    for (const Body& body : solver.bodies()) weight += 9.81 / body.per_mass;
+    for (const Body& body : solver.bodies()) weight += 9.81 / body.inverse_mass;
     const double before = energy(0), friction = *rc::gen::element(0.0, 0.5);
     double deepest = 0;
     for (ContactSolver::Index i = 0; i < balls; ++i)
         for (ContactSolver::Index j = 0; j < i; ++j) {
             ContactSolver::Contact contact = between_balls(solver, i, j);
             contact.friction = friction;
-            if (contact.gap_found > 1e-3) continue;
-            deepest = std::max(deepest, -contact.gap_found);
+            if (contact.detected_gap > 1e-3) continue;
+            deepest = std::max(deepest, -contact.detected_gap);
             solver.add(contact);
         }
     for (ContactSolver::Index i = 0; i < std::min(balls, ContactSolver::Index{5}); ++i)

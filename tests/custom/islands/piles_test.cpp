@@ -1,4 +1,4 @@
-// Piles: they come to rest where they should, only there, and gain nothing from overlap.
+// Heaps come to rest where they should, and only there, and gain no energy from overlap.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ double energy(const World& world) {
     return sum;
 }
 
-/// Two balls on a floor and one upon them, all of radius 0.1 m.
+/// Two balls on a floor and one on top, all of radius 0.1 m.
 Scene pyramid(double friction) {
     Scene scene = empty_scene({0, -g});
     scene.materials[0].friction = friction;
@@ -28,7 +28,7 @@ Scene pyramid(double friction) {
     return scene;
 }
 
-TEST(Piles, SmoothPyramidSlidesApartAsItsEnergySays) {
+TEST(Piles, FrictionlessPyramidFollowsItsEnergy) {
     // Line of centres at θ from the vertical, 30° at first: with x = 2r·sin θ and y = 2r·cos θ,
     // θ'²·(2cos²θ + sin²θ) = (g/r)·(cos θ₀ − cos θ) for as long as the balls touch.
     const auto world = make_world(pyramid(0));
@@ -37,8 +37,8 @@ TEST(Piles, SmoothPyramidSlidesApartAsItsEnergySays) {
     const double cosine = (balls[2].position.y - balls[1].position.y) / 0.2;
     const double turn = std::sqrt(g / 0.1 * (std::sqrt(0.75) - cosine) / (1 + cosine * cosine));
     EXPECT_LT(cosine, 0.85);
-    // From rest they creep for a long tick (1/60 s), which takes them ahead of what their speed says by up to
-    // a hundredth of a radius.
+    // They creep for the first long tick (1/60 s), which takes them up to a hundredth of a radius ahead of
+    // the exact positions.
     EXPECT_NEAR(balls[1].velocity.x, 0.2 * cosine * turn, 0.08 * 0.2 * cosine * turn);
     EXPECT_NEAR(balls[0].velocity.x, -balls[1].velocity.x, 0.01 * balls[1].velocity.x);
     run(*world, 0.85);
@@ -76,19 +76,19 @@ Scene pit(int balls, bool slopes, double friction, double restitution) {
     return scene;
 }
 
-/// Runs until all sleep, and then on; a step adds no more energy than lifting all balls out of the deepest
-/// overlap takes, all steps together no more than a hundredth of what is lost, and at last nothing moves.
+/// Runs until all balls sleep, and longer. A step may add the energy that lifts all balls out of the deepest
+/// overlap, all steps together a hundredth of the energy that is lost. At the end nothing moves.
 void expect_rest(World& world, double seconds) {
     double weight = 0;
     for (const Ball& ball : world.balls()) weight += ball.mass * g;
-    constexpr double unseen = 1e-3 * 0.05;  // m: within which balls count as touching
+    constexpr double slack = 1e-3 * 0.05;  // m: distance up to which balls count as touching
     const double first = energy(world);
     double before = first, gained = 0;
     while (world.time() < seconds && world.statistics().asleep < world.balls().size()) {
         const double overlap = deepest_overlap(world.contacts());
         world.step(1.0 / 60);
         const double gain = energy(world) - before;
-        EXPECT_LE(gain, weight * (overlap + unseen) + 1e-9 * first) << "at " << world.time() << " s";
+        EXPECT_LE(gain, weight * (overlap + slack) + 1e-9 * first) << "at " << world.time() << " s";
         gained += std::max(0.0, gain);
         before += gain;
     }
@@ -154,8 +154,8 @@ TEST(Piles, ASavedHeapContinuesWithTheSameBits) {
     EXPECT_EQ(through->save().memory, other->save().memory);
 }
 
-TEST(Piles, ASleeperWhoseSupportLeavesFalls) {
-    // A column of three; the lowest is shot away.
+TEST(Piles, ASleepingBallWithoutItsSupportFalls) {
+    // A column of three, of which a fast ball removes the lowest.
     Scene scene = empty_scene({0, -g});
     scene.rest_speed = 0.1;
     for (int i = 0; i < 3; ++i) add_ball(scene, {0, 0.1 + 0.2 * i});

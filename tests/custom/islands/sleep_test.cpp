@@ -17,24 +17,24 @@ Ball ball_of(BallNumber number, Vec2 velocity) {
     return ball;
 }
 
-TEST(Sleep, SlowAndUndrivenFallsAsleep) {
+TEST(Sleep, ASlowBallWithoutAccelerationFallsAsleep) {
     Sleep sleep(0.01, {0, -10});
     std::vector<Ball> balls{ball_of(0, {0.001, 0}), ball_of(1, {0.02, 0}), ball_of(2, {})};
     sleep.watch(balls, 0.01);
-    balls[2].velocity = {0, -0.005};  // turning back on a slope
-    EXPECT_TRUE(sleep.settle(balls, {}));
+    balls[2].velocity = {0, -0.005};  // at its highest point on a slope
+    EXPECT_TRUE(sleep.update(balls, {}));
     EXPECT_TRUE(balls[0].asleep);
     EXPECT_EQ(balls[0].velocity, Vec2{});
     EXPECT_FALSE(balls[1].asleep);
     EXPECT_FALSE(balls[2].asleep);
 }
 
-TEST(Sleep, WhatNothingHoldsSleepsOnlyIfItDoesNotMove) {
+TEST(Sleep, ABallWithoutSupportSleepsOnlyIfItDoesNotMove) {
     Sleep drifting(0.01, {});
     std::vector<Ball> balls{ball_of(0, {1e-9, 0}), ball_of(1, {}), ball_of(2, {})};
     balls[2].spin = 1e-9;
     drifting.watch(balls, 0.01);
-    drifting.settle(balls, {});
+    drifting.update(balls, {});
     EXPECT_FALSE(balls[0].asleep);
     EXPECT_TRUE(balls[1].asleep);
     EXPECT_FALSE(balls[2].asleep);
@@ -43,42 +43,42 @@ TEST(Sleep, WhatNothingHoldsSleepsOnlyIfItDoesNotMove) {
     balls = {ball_of(0, {})};
     falling.watch(balls, 0.01);
     balls[0].velocity = {0, -1e-6};
-    EXPECT_FALSE(falling.settle(balls, {}));
+    EXPECT_FALSE(falling.update(balls, {}));
     EXPECT_FALSE(balls[0].asleep);
 }
 
-// The longer the moment, the more gravity gives in it, and so the more motion of balls in touch is rest.
-TEST(Sleep, BallsInTouchRestAtATwentiethOfWhatGravityGives) {
+// A longer interval allows more speed to balls in contact, since gravity gives more in it.
+TEST(Sleep, BallsInContactMayMoveAtATwentiethOfTheSpeedOfGravity) {
     for (const double moment : {0.01, 10.0}) {
         Sleep sleep(0.01, {0, -10});
         std::vector<Ball> balls{ball_of(0, {1, 0}), ball_of(1, {1, 0})};
         sleep.watch(balls, moment);
         for (Ball& ball : balls) ball.position.x += moment;
         const Contact touching[] = {{0, Other::ball(1), {}, {}, 0}};
-        EXPECT_EQ(sleep.settle(balls, touching), moment == 10);
+        EXPECT_EQ(sleep.update(balls, touching), moment == 10);
     }
 }
 
-// One that moves keeps those awake that it touches, and no more.
-TEST(Sleep, ABallSleepsBesideThoseThatRest) {
+// A moving ball keeps only the balls awake that it touches.
+TEST(Sleep, ABallSleepsBesideBallsAtRest) {
     Sleep sleep(0.01, {0, -10});
     std::vector<Ball> balls{ball_of(0, {}), ball_of(1, {}), ball_of(2, {}), ball_of(3, {0.02, 0})};
     balls[0].asleep = true;
     sleep.watch(balls, 0.01);
     const Contact row[] = {
         {0, Other::ball(1), {}, {}, 0}, {1, Other::ball(2), {}, {}, 0}, {2, Other::ball(3), {}, {}, 0}};
-    EXPECT_TRUE(sleep.settle(balls, row));
+    EXPECT_TRUE(sleep.update(balls, row));
     EXPECT_TRUE(balls[1].asleep);
     EXPECT_FALSE(balls[2].asleep);
     EXPECT_FALSE(balls[3].asleep);
 }
 
-TEST(Sleep, NewcomersAreLeftAlone) {
+TEST(Sleep, NewBallsAreIgnored) {
     Sleep sleep(0.01, {0, -10});
     std::vector<Ball> balls{ball_of(3, {})};
     sleep.watch(balls, 0.01);
     balls = {ball_of(3, {}), ball_of(4, {})};
-    sleep.settle(balls, {});
+    sleep.update(balls, {});
     EXPECT_TRUE(balls[0].asleep);
     EXPECT_FALSE(balls[1].asleep);
 }
@@ -90,7 +90,7 @@ TEST(Sleep, ASqueezedBallStaysAwake) {
     const Contact deep{0, Other::ball(2), {}, {}, -0.006 * 0.1},
         shallow{1, Other::part(0), {}, {}, -0.004 * 0.1};
     const Contact contacts[] = {deep, shallow};
-    sleep.settle(balls, contacts);
+    sleep.update(balls, contacts);
     EXPECT_FALSE(balls[0].asleep);
     EXPECT_TRUE(balls[1].asleep);
     EXPECT_FALSE(balls[2].asleep);
@@ -106,8 +106,8 @@ bool all_asleep(const World& world) {
     return std::ranges::all_of(world.balls(), &Ball::asleep);
 }
 
-// Who was woken or added, and is at rest, falls asleep at the end of the window.
-TEST(Sleep, AChangeFromOutsideIsHeeded) {
+// A ball at rest that was woken or added falls asleep at the end of the window.
+TEST(Sleep, AChangeFromOutsideWakes) {
     Scene scene = empty_scene({});
     add_ball(scene, {0, 0}, {1, 0});
     add_ball(scene, {0, 5}, {0, 1});
@@ -130,7 +130,7 @@ TEST(Sleep, AChangeFromOutsideIsHeeded) {
     joined->add(still);
     run(*joined, 0.3);
     EXPECT_TRUE(joined->balls()[2].asleep);
-    EXPECT_TRUE(joined->remove(0));  // each is in the place of another now, and awake
+    EXPECT_TRUE(joined->remove(0));  // indices have shifted, and all are awake
     EXPECT_FALSE(joined->balls()[1].asleep);
     run(*joined, 0.3);
     EXPECT_TRUE(joined->balls()[1].asleep);

@@ -1,4 +1,4 @@
-// Balls that a blow squeezes between others and walls: many impacts at one instant, or without end.
+// Balls that an impact drives between others and walls: many impacts at one instant, or without end.
 
 #include <cmath>
 #include <numbers>
@@ -16,8 +16,8 @@ double between(std::mt19937& random, double low, double high) {
     return low + (high - low) * (static_cast<double>(random()) / static_cast<double>(std::mt19937::max()));
 }
 
-/// A ball that lies between a floor and a wall that leans over it by up to 60°, and one that strikes it from
-/// the open side.
+/// A ball between a floor and a wall that leans over it by up to 60°, and a ball that hits it from the open
+/// side.
 Scene wedge(std::mt19937& random, double most_ratio) {
     const double lean = between(random, 0.5, 1.5), r = between(random, 0.03, 0.1);
     Scene scene = empty_scene({0, -9.81});
@@ -26,7 +26,7 @@ Scene wedge(std::mt19937& random, double most_ratio) {
     const Vec2 up{-std::cos(lean), std::sin(lean)}, inward{-std::sin(lean), -std::cos(lean)};
     add_part(scene, segment({-5, 0}, {5, 0}), {"", between(random, 0, 1), 0, 0});
     add_part(scene, segment({0, 0}, 5 * up), {"", between(random, 0, 1), 0, 0});
-    // In touch with both: at the height of its radius, and as far from the wall.
+    // The ball touches both: it is one radius above the floor and one radius from the wall.
     const Vec2 lies{-r * (1 - inward.y) / -inward.x, r};
     add_ball(scene, lies, {}, r, 1);
     const double other = between(random, 0.03, 0.1);
@@ -42,7 +42,7 @@ Scene wedge(std::mt19937& random, double most_ratio) {
     return scene;
 }
 
-/// Of 3,000 wedges, the deepest overlap of any two, in radii of the smaller ball.
+/// The deepest overlap of two balls in 3,000 wedges, in radii of the smaller ball.
 double deepest(double most_ratio, unsigned seed) {
     std::mt19937 random(seed);
     double deepest = 0;
@@ -61,7 +61,7 @@ double deepest(double most_ratio, unsigned seed) {
     return deepest;
 }
 
-TEST(Squeezed, ABlowOnABallInAWedgeDoesNotPressThemIntoEachOther) {
+TEST(Squeezed, AnImpactOnABallInAWedgeCausesNoDeepOverlap) {
     EXPECT_LT(deepest(2, 1), 0.01);
     EXPECT_LT(deepest(100, 2), 0.02);
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// The forces of the tick before, from which a solve begins (warm starting), looked up ball by ball.
+/// The contact forces of the previous tick, from which a solve starts (warm starting). Sorted by ball.
 
 #include <algorithm>
 #include <cstdint>
@@ -10,37 +10,38 @@
 
 namespace flipside::custom {
 
-class RememberedForces {
+class ForceCache {
   public:
     void reserve(std::size_t forces) { forces_.reserve(forces), merged_.reserve(forces); }
-    void clear() { forces_.clear(), settled_ = first_ = 0; }
+    void clear() { forces_.clear(), sorted_ = first_ = 0; }
 
-    /// Forgets the forces of which this holds.
+    /// Removes the forces for which `holds` is true.
     void forget_if(auto&& holds) {
         std::erase_if(forces_, holds);
-        settled_ = forces_.size();
+        sorted_ = forces_.size();
     }
-    /// Remembers a new force; it is not found before settle().
+    /// Adds a force; find() sees it after merge().
     void add(const ContactForce& force) { forces_.push_back(force); }
-    /// Puts the new forces where they belong. Cost: a sort of the new ones, and one pass.
-    void settle() {
-        const auto middle = forces_.begin() + static_cast<std::ptrdiff_t>(settled_);
+    /// Merges the new forces into the sorted ones. Cost: a sort of the new ones, and one pass.
+    void merge() {
+        const auto middle = forces_.begin() + static_cast<std::ptrdiff_t>(sorted_);
         std::ranges::sort(middle, forces_.end(), {}, rank);
         merged_.clear();
         std::ranges::merge(forces_.begin(), middle, middle, forces_.end(), std::back_inserter(merged_), {},
                            rank, rank);
         std::swap(forces_, merged_);
-        settled_ = forces_.size();
+        sorted_ = forces_.size();
     }
 
-    /// From here on forces are looked up anew.
-    void start() { first_ = 0; }
-    /// Goes on to the forces whose `b` this is; no less than the last. Cost: all calls together, one pass.
-    void go_on_to(std::uint32_t b) {
+    /// Starts a new pass of lookups.
+    void rewind() { first_ = 0; }
+    /// Advances to the forces of ball `b`, which rises from call to call. Cost: one pass for all calls
+    /// together.
+    void advance_to(std::uint32_t b) {
         while (first_ < forces_.size() && forces_[first_].b < b) ++first_;
     }
-    /// That between these two; nothing if they did not press. Cost: constant, where `b` is the one that was
-    /// gone on to; else that of a binary search.
+    /// The force between a and b, or null if there was none. Cost: constant for the `b` of the last
+    /// advance_to(), else a binary search.
     [[nodiscard]] const ContactForce* find(std::uint32_t a, std::uint32_t b) const {
         const auto ahead = all().subspan(first_);
         const bool here = ahead.empty() || ahead.front().b >= b;
@@ -48,7 +49,7 @@ class RememberedForces {
         while (force != ahead.end() && force->b == b && force->a < a) ++force;
         return force != ahead.end() && force->b == b && force->a == a ? &*force : nullptr;
     }
-    /// By `b`, then `a`.
+    /// Sorted by `b`, then `a`.
     [[nodiscard]] std::span<const ContactForce> all() const { return forces_; }
 
   private:
@@ -56,9 +57,9 @@ class RememberedForces {
         return std::uint64_t{force.b} << 32 | force.a;
     }
 
-    std::vector<ContactForce> forces_;  ///< those that are settled, in order, and the new ones
-    std::vector<ContactForce> merged_;  ///< scratch
-    std::size_t settled_ = 0;
+    std::vector<ContactForce> forces_;  ///< the sorted forces, then the new ones
+    std::vector<ContactForce> merged_;  ///< buffer of merge()
+    std::size_t sorted_ = 0;
     std::size_t first_ = 0;
 };
 

@@ -1,4 +1,4 @@
-#include "custom/islands/remembered_forces.hpp"
+#include "custom/islands/force_cache.hpp"
 
 #include <vector>
 
@@ -17,16 +17,16 @@ std::vector<ContactForce> some_forces(double normal) {
     return forces;
 }
 
-// For the ball that was gone on to and for later ones, there or not.
-RC_GTEST_PROP(RememberedForces, FindsWhatALookAtEachFinds, ()) {
+// For the ball of advance_to() and for later ones, with and without forces.
+RC_GTEST_PROP(ForceCache, AgreesWithALinearSearch, ()) {
     const std::vector<ContactForce> forces = some_forces(1);
-    RememberedForces known;
+    ForceCache known;
     const std::vector<ContactForce> backwards(forces.rbegin(), forces.rend());
     for (const ContactForce& force : backwards) known.add(force);
-    known.settle();
-    known.start();
+    known.merge();
+    known.rewind();
     for (BallNumber b = 0; b < 12; b += *rc::gen::inRange<BallNumber>(1, 4)) {
-        known.go_on_to(b);
+        known.advance_to(b);
         for (BallNumber later = b; later < 13; ++later)
             for (BallNumber a = 0; a < 7; ++a) {
                 const auto there = std::ranges::find_if(
@@ -38,19 +38,19 @@ RC_GTEST_PROP(RememberedForces, FindsWhatALookAtEachFinds, ()) {
     }
 }
 
-RC_GTEST_PROP(RememberedForces, KeepsTheOldThatAreNotForgottenBesideTheNew, ()) {
+RC_GTEST_PROP(ForceCache, MergesNewForcesWithThoseNotRemoved, ()) {
     const std::vector<ContactForce> old = some_forces(1), fresh = some_forces(2);
     const auto forgotten = *rc::gen::inRange<BallNumber>(0, 12);
-    RememberedForces known;
+    ForceCache known;
     for (const ContactForce& force : old) known.add(force);
-    known.settle();
+    known.merge();
     known.forget_if([&](const ContactForce& force) { return force.b >= forgotten; });
     std::vector<ContactForce> expected;
     for (const ContactForce& force : old)
         if (force.b < forgotten) expected.push_back(force);
     for (const ContactForce& force : fresh)
         if (force.b >= forgotten) known.add(force), expected.push_back(force);
-    known.settle();
+    known.merge();
     RC_ASSERT(std::ranges::equal(known.all(), expected));
 }
 
