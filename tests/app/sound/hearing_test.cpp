@@ -47,6 +47,33 @@ TEST(Hearing, TenSecondsOfPinballAreTheSameSamplesTwice) {
     EXPECT_LE(peak_of(samples), ceiling);
 }
 
+struct Loudness {
+    double rms = 0;
+    double limited = 0;  ///< share of the hundredths of a second in which the limiter is at work
+};
+
+Loudness of_rain(const char* engine_name, int balls) {
+    const Engine& engine = lab::engine_named(engine_name);
+    const auto scene =
+        std::make_shared<const Scene>(load_scene(FLIPSIDE_SOURCE_DIR "/assets/scenes/rain.json", balls));
+    Stage stage(scene, {{&engine, lab::settings_for(engine, *scene), engine_name, 1.0 / 60}}, View::single);
+    const Samples samples = played(stage, 3);
+    constexpr std::size_t hundredth = 2 * sample_rate / 100;
+    Loudness loudness{std::sqrt(power_of(samples)), 0};
+    for (std::size_t i = 0; i + hundredth <= samples.size(); i += hundredth)
+        if (peak_of(std::span(samples).subspan(i, hundredth)) > 0.97 * ceiling) loudness.limited += 1.0 / 300;
+    return loudness;
+}
+
+TEST(Hearing, AThousandRainingBallsAreLouderThanOneAndLeaveTheLimiterAlone) {
+    for (const char* engine : {"custom", "box2d"}) {
+        const Loudness one = of_rain(engine, 1), ten = of_rain(engine, 10), thousand = of_rain(engine, 1000);
+        EXPECT_GT(ten.rms, 2 * one.rms) << engine;
+        EXPECT_GT(thousand.rms, 1.5 * ten.rms) << engine;
+        for (const Loudness& rain : {one, ten, thousand}) EXPECT_LE(rain.limited, 0.01) << engine;
+    }
+}
+
 TEST(Hearing, SilenceWhereNothingHappens) {
     Stage stage("pinball", "custom", View::split, {}, {});
     EXPECT_EQ(peak_of(played(stage, 2)), 0);
