@@ -172,13 +172,10 @@ TEST(Ear, HearsATiltOnce) {
     EXPECT_NEAR(tilts[0].time, 1.2, 2.0 / 60);
 }
 
-TEST(Ear, HearsTheBonusOfAGroup) {
-    Game game;
-    game.play(0.1);
-    EXPECT_TRUE(game.heard.empty());
-    // One ball over each of the three lanes.
+/// A ball over each of these places of the lanes.
+void roll_over_lanes(Game& game, std::initializer_list<double> places) {
     State state = game.session.world().save();
-    for (const double x : {0.194, 0.242, 0.29}) {
+    for (const double x : places) {
         Ball ball = game.scene->launcher->ball;
         ball.number = state.next_number++;
         ball.position = {x, 0.925};
@@ -187,9 +184,24 @@ TEST(Ear, HearsTheBonusOfAGroup) {
     }
     game.session.restore(state);
     game.play(0.1);
-    EXPECT_EQ(game.session.game().score(), 3 * 50 + 1000 + 2500);  // the first is the skill shot
-    EXPECT_EQ(game.of(Source::rollover).size(), 3U);
-    EXPECT_EQ(game.of(Source::bonus).size(), 1U);
+}
+
+TEST(Ear, HearsWhatPaysABonusOnceInAStep) {
+    Game game;
+    game.play(0.1);
+    EXPECT_TRUE(game.heard.empty());
+    roll_over_lanes(game, {0.194});
+    EXPECT_EQ(game.session.game().score(), 50 + 2500);  // the skill shot
+    ASSERT_EQ(game.of(Source::bonus).size(), 1U);
+    EXPECT_NEAR(game.of(Source::bonus)[0].time, game.of(Source::rollover)[0].time, 1.0 / 60);
+    roll_over_lanes(game, {0.242, 0.29});
+    EXPECT_GE(game.session.game().score(), 3 * 50 + 2500 + 1000);  // all lanes, and a bumper
+    EXPECT_EQ(game.of(Source::bonus).size(), 2U);
+    Game both;
+    both.play(0.1);
+    roll_over_lanes(both, {0.194, 0.242, 0.29});
+    EXPECT_EQ(both.session.game().score(), 3 * 50 + 2500 + 1000);
+    EXPECT_EQ(both.of(Source::bonus).size(), 1U);
 }
 
 TEST(Ear, WhatIsPutIntoAnotherStateMakesNoSoundByItself) {
