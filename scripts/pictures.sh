@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Remakes the pictures of README.md in docs/ from the Release build, four by `flipside render` and one by the
+# Remakes the pictures of README.md in docs/ from the Release build, four by `flipside render` and two by the
 # window itself; and docs/lessons, a picture of every lesson as the window shows it and an
 # index of them, and docs/engine, the figures of docs/engine.md: the tables of some lessons without the lesson.
 # `scripts/pictures.sh lessons` makes the pictures of lessons alone, `scripts/pictures.sh lessons 05` one of them,
-# `scripts/pictures.sh engine` the figures alone. Needs no display.
+# `scripts/pictures.sh engine` the figures alone, `scripts/pictures.sh readme` those of README.md. Needs no display.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 if [[ -z ${IN_XVFB:-} ]]; then
@@ -18,7 +18,8 @@ render() { "$flipside" render "$@" --engine custom --width 1280 --height 800; }
 # Time and stage on show, as the window reported them last.
 on_show() { tail -n 2 "$folder/report" | head -n 1 | grep -oE '"(time|stage)":[0-9.e+-]+' || true; }
 
-# photograph PNG KEYS ARGUMENTS...: the window after these keys, once it stands still.
+# photograph PNG KEYS ARGUMENTS...: the window after these keys, once it stands still. $leave leads to where Escape
+# closes the window.
 photograph() {
     local picture=$1 keys=$2 window before=''
     shift 2
@@ -33,7 +34,8 @@ photograph() {
     done
     xdotool key F12
     until [[ -s $folder/flipside-1.png ]]; do sleep 0.1; done
-    xdotool key Escape
+    # shellcheck disable=SC2086  # none or one
+    xdotool key ${leave:-} Escape
     wait
     mv "$folder/flipside-1.png" "$picture"
 }
@@ -103,30 +105,34 @@ engine() {
     figure sleep 15 620
 }
 
-if [[ ${1:-} == lessons ]]; then
-    lessons "${2:-}"
-    exit
-fi
-if [[ ${1:-} == engine ]]; then
-    engine
-    exit
-fi
-lessons
-engine
+readme() {
+    render pinball --view split --at 1.6 --show tracks --out docs/split.png
+    render pinball --view overlay --at 1.6 --show tracks --out docs/overlay.png
+    "$flipside" render pinball --engine reference --view overlay --at 1.45 --width 1280 --height 800 --show tracks \
+        --out docs/reference.png
+    render toy --view split --at 4 --show boxes,cells,velocity --out docs/insides.png
+    # The last part but two is the left flipper.
+    leave=F4 photograph docs/draw.png "F4 shift+Tab shift+Tab shift+Tab" pinball --width 1280 --height 800
 
-render pinball --view split --at 1.6 --show tracks --out docs/split.png
-render pinball --view overlay --at 1.6 --show tracks --out docs/overlay.png
-"$flipside" render pinball --engine reference --view overlay --at 1.45 --width 1280 --height 800 --show tracks \
-    --out docs/reference.png
-render toy --view split --at 4 --show boxes,cells,velocity --out docs/insides.png
+    "$flipside" play pinball --no-settings --scale 1 --script assets/scenes/pinball.script.json --view split \
+        --width 1440 --height 900 --screenshots "$folder" &
+    window=$(xdotool search --sync --name '^Flipside$' | tail -n 1)
+    xdotool windowmove "$window" 0 0 windowfocus --sync "$window"
+    sleep 2
+    xdotool key F12
+    sleep 1
+    xdotool key Escape
+    wait
+    mv "$folder"/*.png docs/panel.png
+}
 
-"$flipside" play pinball --script assets/scenes/pinball.script.json --view split --width 1440 --height 900 \
-    --screenshots "$folder" &
-window=$(xdotool search --sync --name '^Flipside$' | tail -n 1)
-xdotool windowmove "$window" 0 0 windowfocus --sync "$window"
-sleep 2
-xdotool key F12
-sleep 1
-xdotool key Escape
-wait
-mv "$folder"/*.png docs/panel.png
+case ${1:-all} in
+    lessons) lessons "${2:-}" ;;
+    engine) engine ;;
+    readme) readme ;;
+    *)
+        lessons
+        engine
+        readme
+        ;;
+esac

@@ -45,6 +45,17 @@ class GameWindow : public WindowTest {
     fs::path home;
 };
 
+/// Where it charged faster, a frame more or less would miss the lanes of the pinball table.
+TEST_F(GameWindow, ALaunchIsChargedInTwoSeconds) {
+    start();
+    window->xdotool("keydown space");
+    const Json first = window->wait("a charge", [](const Json& s) { return s["charge"] > 0; });
+    const Json later = window->wait("half a charge", [](const Json& s) { return s["charge"] >= 0.5; });
+    window->xdotool("keyup space");
+    const auto rise = [&](const char* of) { return later[of].get<double>() - first[of].get<double>(); };
+    EXPECT_NEAR(rise("time") / rise("charge"), 2, 0.2);
+}
+
 TEST_F(GameWindow, AGameEndsWithACardAndSpaceBeginsAnother) {
     start();
     launch();

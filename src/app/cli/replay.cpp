@@ -92,8 +92,12 @@ int replay_file(const ReplayOptions& options) {
     const film::ExportOptions& film = options.film;
     require_distinct({{{"the replay", options.file}},
                       {{"--frames", film.frames}, {"--video", film.video}, {"--sound", film.sound}}});
+    const bool films = !film.frames.empty() || !film.video.empty() || !film.sound.empty();
+    if (!films && (film.part.from > 0 || film.part.to))
+        throw InputError(
+            "--from and --to take a part for a film: --frames, --video or --sound says of what sort");
     const lab::Replay replay = lab::load_replay(options.file);
-    if (!film.frames.empty() || !film.video.empty() || !film.sound.empty())
+    if (films)
         return make_film(replay, options.engine.empty() ? nullptr : &lab::engine_named(options.engine),
                          options);
     return options.engine.empty() ? check_replay(replay)
@@ -121,6 +125,12 @@ void add_replay(CLI::App& program, Action& chosen) {
     command.add_option("--fps", film.frames_per_second, "Frames per second of the game (default 60)")
         ->check(number_from(1, 240))
         ->type_name("N");
+    command.add_option("--from", film.part.from, "Where the film begins, s of the game (default 0)")
+        ->check(number_from(0, 1e7))
+        ->type_name("T");
+    command.add_option("--to", film.part.to, "Where it ends (default the end of the game)")
+        ->check(number_from(0, 1e7))
+        ->type_name("T");
     add_view(command, options->view, "split where there are several runs");
     command.add_option("--show", options->show, "What to draw of the engines' insides: boxes,cells,...")
         ->delimiter(',')

@@ -82,8 +82,8 @@ void write_pictures(const Film& film, ReplayStage& stage, const ExportOptions& o
 Exported export_film(const lab::Replay& replay, const Engine* other, const ExportOptions& options,
                      const std::function<void(double)>& progress) {
     ReplayStage heard(replay, options.view, other);
-    const Film film(heard.end(), options.frames_per_second);
-    Share share(progress, heard.end());
+    const Film film(heard.end(), options.frames_per_second, options.part);
+    Share share(progress, film.to());
     const bool pictures = !options.frames.empty() || !options.video.empty();
 
     std::optional<lab::report::MemoryFile> sound_of_video;
@@ -98,7 +98,7 @@ Exported export_film(const lab::Replay& replay, const Engine* other, const Expor
     write_sound(film, heard, sounds, share);
     while (heard.step()) continue;  // what is left after the last frame
     const std::string* parted = heard.parted();
-    Exported exported{film.frames(), heard.end(), parted != nullptr ? *parted : ""};
+    Exported exported{film.frames(), film.to() - film.from(), parted != nullptr ? *parted : ""};
     if (!pictures) return exported;
 
     std::optional<Video> video;

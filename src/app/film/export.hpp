@@ -18,6 +18,7 @@ struct ExportOptions {
     View view = View::split;
     Look look;
     unsigned frames_per_second = 60;
+    Part part;
     unsigned width = 1280, height = 800;  ///< px
 };
 
@@ -28,8 +29,8 @@ struct Exported {
 };
 
 /// `progress` is told the share of the whole, 0…1. Pictures and videos need an X server. Throws InputError
-/// where the other engine, if there is one, cannot run the scene, and for a folder that holds frames;
-/// lab::Failure where something cannot be written.
+/// where the other engine, if there is one, cannot run the scene, for a part that the game does not have, and
+/// for a folder that holds frames; lab::Failure where something cannot be written.
 Exported export_film(const lab::Replay& replay, const Engine* other, const ExportOptions& options,
                      const std::function<void(double)>& progress);
 

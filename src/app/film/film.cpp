@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "app/sound/hearing.hpp"
 #include "lab/process/failure.hpp"
+#include "world/input_error.hpp"
 
 namespace flipside::app::film {
 
@@ -14,10 +17,18 @@ namespace {
 
 constexpr double same_time = 1e-9;  ///< s
 
+std::string text_of(double number) {
+    std::ostringstream text;
+    text << std::setprecision(10) << number;
+    return text.str();
+}
+
 /// Hears a stage, and hands on each sample in its time: what the mixer's latency delays is cut off before.
 class Soundtrack {
   public:
-    explicit Soundtrack(const Audience& audience) : audience_(audience) {}
+    /// Hands on so many samples of each side, after so many.
+    Soundtrack(const Audience& audience, std::uint64_t after, std::uint64_t length)
+        : audience_(audience), late_(2 * (after + sound::Mixer::latency)), due_(2 * length) {}
 
     void hear(const Stage& stage, double from) {
         if (!audience_.sound) return;
@@ -38,9 +49,11 @@ class Soundtrack {
     void render(std::uint64_t length) {
         samples_.resize(2 * length);
         mixer_.render(samples_);
-        const std::size_t cut = std::min(late_, samples_.size());
+        const std::size_t cut = std::min<std::uint64_t>(late_, samples_.size());
         late_ -= cut;
-        audience_.sound(std::span(samples_).subspan(cut));
+        const std::size_t taken = std::min<std::uint64_t>(due_, samples_.size() - cut);
+        due_ -= taken;
+        if (taken > 0) audience_.sound(std::span(samples_).subspan(cut, taken));
     }
 
     const Audience& audience_;
@@ -48,19 +61,29 @@ class Soundtrack {
     sound::Hearing hearing_;
     std::vector<std::int16_t> samples_;
     std::uint64_t rendered_ = 0;
-    std::size_t late_ = std::size_t{2} * sound::Mixer::latency;
+    std::uint64_t late_, due_;  ///< samples of both sides still to be left out, and then to be handed on
 };
 
 }  // namespace
 
-Film::Film(double seconds, unsigned frames_per_second) : seconds_(seconds), rate_(frames_per_second) {
-    if (!(seconds <= longest))
-        throw lab::Failure("the game lasts " + std::to_string(std::llround(seconds / 3600)) +
-                           " hours; a film may last " + std::to_string(std::llround(longest / 3600)));
+Film::Film(double seconds, unsigned frames_per_second, const Part& part)
+    : from_(part.from), to_(part.to.value_or(seconds)), rate_(frames_per_second) {
+    if (!(from_ >= 0 && from_ <= to_ && to_ <= seconds + same_time))
+        throw InputError("no part of the game lies from " + text_of(from_) + " s to " + text_of(to_) +
+                         " s; allowed are times in order from 0 to " + text_of(seconds) + " s, its end");
+    if (!(to_ - from_ <= longest))
+        throw lab::Failure("the film would last " + text_of((to_ - from_) / 3600) +
+                           " hours; a film may last " + text_of(longest / 3600));
+    first_ = static_cast<std::uint64_t>(std::ceil(from_ * rate_ - same_time));
+    end_ = frames_until(to_);
+    of_game_ = std::max(end_, frames_until(seconds));
+    if (first_ >= end_)
+        throw InputError("no frame lies from " + text_of(from_) + " s to " + text_of(to_) + " s at " +
+                         std::to_string(rate_) + " frames per second");
 }
 
-std::uint64_t Film::frames() const {
-    return static_cast<std::uint64_t>(std::floor(seconds_ * rate_ + same_time)) + 1;
+std::uint64_t Film::frames_until(double time) const {
+    return static_cast<std::uint64_t>(std::floor(time * rate_ + same_time)) + 1;
 }
 
 std::uint64_t Film::sample_at(std::uint64_t frame) const {
@@ -68,8 +91,10 @@ std::uint64_t Film::sample_at(std::uint64_t frame) const {
 }
 
 void Film::play(ReplayStage& stage, const Audience& audience) const {
-    Soundtrack track(audience);
-    for (std::uint64_t frame = 0; frame < frames(); ++frame) {
+    Soundtrack track(audience, sample_at(first_), samples());
+    // The last frame sounds while it is shown, and the limiter looks ahead into the one after that.
+    const std::uint64_t heard = std::min(end_ + (audience.sound ? 2 : 0), of_game_);
+    for (std::uint64_t frame = 0; frame < heard; ++frame) {
         const double time = static_cast<double>(frame) / rate_;
         while (stage.time() < time - same_time) {
             const double from = stage.time();
@@ -77,11 +102,10 @@ void Film::play(ReplayStage& stage, const Audience& audience) const {
             track.hear(stage.stage(), from);
         }
         track.go_on(stage.stage(), sample_at(frame));
-        if (audience.frame) audience.frame(stage.stage());
-        if (audience.progress) audience.progress(time);
+        if (audience.frame && frame >= first_ && frame < end_) audience.frame(stage.stage());
+        if (audience.progress) audience.progress(std::min(time, to_));
     }
-    // What the last frame shows sounds while it is shown.
-    track.go_on(stage.stage(), samples());
+    track.go_on(stage.stage(), sample_at(heard));
     track.finish();
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 
 #include "app/film/replay_stage.hpp"
@@ -18,25 +19,37 @@ struct Audience {
     std::function<void(double time)> progress;
 };
 
-/// From the beginning of the replay to its end.
+/// Of a game what lies between two times, s.
+struct Part {
+    double from = 0;
+    std::optional<double> to;  ///< none: the end of the game
+};
+
+/// Frames and samples of a part are those of the whole film: what rings at its beginning is heard.
 class Film {
   public:
     static constexpr double longest = 6 * 3600;  ///< s: what a WAV file has room for, and a little less
 
-    /// Throws lab::Failure where it would be longer than that.
-    Film(double seconds, unsigned frames_per_second);
+    /// Of a game of so many seconds. Throws InputError where the part is not within it or no frame lies in
+    /// the part, lab::Failure where the film would be longer than `longest`.
+    Film(double seconds, unsigned frames_per_second, const Part& part = {});
 
-    [[nodiscard]] std::uint64_t frames() const;
+    [[nodiscard]] double from() const { return from_; }  ///< s
+    [[nodiscard]] double to() const { return to_; }      ///< s
+    [[nodiscard]] std::uint64_t frames() const { return end_ - first_; }
     /// Of sound, on each side: as long as all frames together.
-    [[nodiscard]] std::uint64_t samples() const { return sample_at(frames()); }
+    [[nodiscard]] std::uint64_t samples() const { return sample_at(end_) - sample_at(first_); }
     /// Nobody has made a step on the stage.
     void play(ReplayStage& stage, const Audience& audience) const;
 
   private:
+    [[nodiscard]] std::uint64_t frames_until(double time) const;
     [[nodiscard]] std::uint64_t sample_at(std::uint64_t frame) const;
 
-    double seconds_;
+    double from_, to_;  ///< s
     unsigned rate_;
+    /// Numbers in the whole film: of the first frame, of the one after the last, and of how many there are.
+    std::uint64_t first_ = 0, end_ = 0, of_game_ = 0;
 };
 
 }  // namespace flipside::app::film

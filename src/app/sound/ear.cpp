@@ -50,7 +50,7 @@ std::span<const Heard> Ear::listen(const lab::Session& session, std::span<const 
         if (scene_->launcher) hear_launches(session, events, from);
         if (scene_->rules) {
             hear_spinners(session, from);
-            hear_rules(session, events, from);
+            hear_rules(session);
         }
     }
     remember(session);
@@ -65,7 +65,7 @@ void Ear::remember(const lab::Session& session) {
     for (std::size_t i = 0; i < parts.size(); ++i)
         before_.moving[i] = i < before_.parts.size() && parts[i].angle != before_.parts[i].angle;
     before_.time = world.time();
-    before_.tilted = session.game().tilted();
+    before_.told = session.game().told();
     before_.balls.assign(balls.begin(), balls.end());
     before_.parts.assign(parts.begin(), parts.end());
     before_.spins.clear();
@@ -142,22 +142,20 @@ void Ear::hear_spinners(const lab::Session& session, double from) {
     }
 }
 
-/// A group of lanes or targets pays its bonus in the step in which one of them is hit and is not lit after
-/// it.
-void Ear::hear_rules(const lab::Session& session, std::span<const Event> events, double from) {
-    const lab::Game& game = session.game();
-    const double center = middle(view_bounds(*scene_));
-    if (game.tilted() && !before_.tilted) add(from, Source::tilt, 1, center);
-    for (const auto* groups : {&scene_->rules->lanes, &scene_->rules->targets})
-        for (const Rules::Group& group : *groups)
-            for (const Event& event : events) {
-                const bool touched = event.kind == EventKind::impact || event.kind == EventKind::sensor_begin;
-                if (!touched || event.other.is_ball || game.lit(event.other.index) ||
-                    std::ranges::find(group.parts, event.other.index) == group.parts.end())
-                    continue;
-                add(event.time, Source::bonus, 1, center);
-                break;
-            }
+/// A tilt, and what pays a bonus: once, however many come in one step.
+void Ear::hear_rules(const lab::Session& session) {
+    const std::vector<lab::Caption>& captions = session.game().captions();
+    const std::size_t told = session.game().told();
+    const std::size_t fresh = told > before_.told ? std::min(told - before_.told, captions.size()) : 0;
+    const auto hear = [&](Source source, std::initializer_list<lab::CaptionKind> kinds) {
+        for (const lab::Caption& caption : std::span(captions).last(fresh))
+            if (std::ranges::find(kinds, caption.kind) != kinds.end())
+                return add(caption.time, source, 1, middle(view_bounds(*scene_)));
+    };
+    using Kind = lab::CaptionKind;
+    hear(Source::tilt, {Kind::tilt});
+    hear(Source::bonus,
+         {Kind::lanes_complete, Kind::bank_complete, Kind::skill_shot, Kind::jackpot, Kind::bonus});
 }
 
 Roll Ear::roll(const lab::Session& session) const {

@@ -34,7 +34,7 @@ class Ear {
     void hear_flippers(const lab::Session& session, double from);
     void hear_launches(const lab::Session& session, std::span<const Event> events, double from);
     void hear_spinners(const lab::Session& session, double from);
-    void hear_rules(const lab::Session& session, std::span<const Event> events, double from);
+    void hear_rules(const lab::Session& session);
     void add(double time, Source source, double strength, double x, double pitch = 1);
     [[nodiscard]] double place(double x) const;
 
@@ -44,7 +44,7 @@ class Ear {
     /// As it was at the last call.
     struct {
         double time = -1;
-        bool tilted = false;
+        std::size_t told = 0;  ///< captions of the game
         std::vector<Ball> balls;
         std::vector<PartState> parts;
         std::vector<bool> moving;  ///< flippers

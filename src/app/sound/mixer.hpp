@@ -17,8 +17,9 @@ class Mixer {
     /// Samples from what happens to what is heard of it, always: the limiter looks ahead.
     static constexpr int latency = 128;
 
-    /// `delay` s after what was rendered last. What is too quiet to be heard is left out; where all voices
-    /// are taken, the quietest gives way to a louder one. Muted, nothing begins.
+    /// `delay` s after what was rendered last. What is too quiet to be heard is left out. Hits of one kind
+    /// within a block are one voice, of the sum of their powers; where all voices are taken, the quietest
+    /// gives way to a louder one. Muted, nothing begins. Cost: O(voices).
     void strike(const Strike& strike, double delay);
     void roll(std::size_t pane, const Roll& roll);
     /// Fades out or in within a hundredth of a second. What rings is over then.
@@ -32,13 +33,22 @@ class Mixer {
     static constexpr std::size_t block_size = latency / 2;
     using Block = std::array<Stereo, block_size>;
 
+    struct Playing {
+        Strike strike;
+        Voice voice;
+        [[nodiscard]] double level() const { return voice.level(); }
+    };
+
+    /// So that n voices are √n times as loud as one while they are few, and never louder than the room.
+    [[nodiscard]] double crowd_gain() const;
     [[nodiscard]] Block mix();
     void limit_next_block();
 
-    std::array<Voice, most_voices> voices_{};
+    std::array<Playing, most_voices> playing_{};
     std::array<Rolling, most_rolling> rolling_{};
     bool muted_ = false;
     double open_ = 1;                ///< 0 muted … 1
+    double crowd_ = 1;               ///< gain of all voices, at the end of next_
     Block next_{};                   ///< mixed, not limited yet
     Block now_{};                    ///< limited
     std::size_t read_ = block_size;  ///< of it

@@ -44,8 +44,8 @@ struct Strike {
     Source source = Source::wall;
     double strength = 0;     ///< m/s by which it changes a ball's speed, or as much
     double pitch = 1;        ///< on all frequencies; what is higher decays sooner
-    double friction = 0;     ///< µ of the surface: what grips is soft, and a soft hit takes longer
-    double restitution = 1;  ///< e of the surface: what takes energy from a ball takes it from the modes
+    double friction = 0;     ///< µ of the surface: rubber has much of it, and a hit of rubber takes longer
+    double restitution = 1;  ///< e of the surface: the lower, the greater the damping of the modes
     double pan = 0;          ///< −1 left … 1 right
 };
 

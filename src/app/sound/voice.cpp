@@ -42,6 +42,12 @@ Voice::Voice(const Strike& strike, int delay)
     length_ = left_ = pulse_ + static_cast<int>(decays_heard * longest * sample_rate);
 }
 
+double Voice::level() const {
+    if (length_ == 0) return 0;
+    const double left = static_cast<double>(left_) / length_, square = left * left;
+    return loudness_ * left * square * square;  // at first as fast as its longest mode decays
+}
+
 /// Its sum over the contact is 1.
 double Voice::force(int sample) const {
     return 0.5 * pi / pulse_ * math::sin(pi * (sample + 0.5) / pulse_);

@@ -24,9 +24,10 @@ class Voice {
 
     /// Adds its next samples, and goes on by as many. Cost: 5 resonators per sample.
     void add_to(std::span<Stereo> block);
+    [[nodiscard]] int waits() const { return delay_; }  ///< samples until it begins
     [[nodiscard]] bool ended() const { return left_ <= 0; }
     /// Roughly how loud it still is, to tell voices apart.
-    [[nodiscard]] double level() const { return length_ > 0 ? loudness_ * left_ / length_ : 0; }
+    [[nodiscard]] double level() const;
 
   private:
     struct Resonator {

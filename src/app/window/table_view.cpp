@@ -125,6 +125,18 @@ void draw_parts(Canvas& canvas, const Camera& camera, const Run& run, const Look
         draw_spinner(canvas, camera, scene.parts[spinner.part].shape, session.game().spinning(spinner.part));
 }
 
+/// How far the launch is charged, with a mark at every fifth to aim by.
+void draw_charge(Canvas& canvas, Vec2 foot, Vec2 way, double radius, double charge, sf::Color own) {
+    const double reach = std::max(canvas.scaled(70), 8 * radius), width = canvas.scaled(6);
+    canvas.line(foot, foot + reach * way, width, colour::rule);
+    canvas.line(foot, foot + charge * reach * way, width, blend(own, colour::lit, charge));
+    for (int fifth = 1; fifth < 5; ++fifth) {
+        const Vec2 mark = foot + 0.2 * fifth * reach * way;
+        canvas.line(mark - 0.5 * width * perp(way), mark + 0.5 * width * perp(way), canvas.scaled(1),
+                    colour::table);
+    }
+}
+
 void draw_launcher(Canvas& canvas, const Camera& camera, const Run& run, const Look& look) {
     const lab::Session& session = run.session();
     if (!session.scene().launcher) return;
@@ -142,13 +154,9 @@ void draw_launcher(Canvas& canvas, const Camera& camera, const Run& run, const L
         canvas.ring(at, radius, canvas.scaled(1.2), colour::quiet);
     }
     if (look.artwork && launcher.plunger) draw_plunger(canvas, camera, launcher, look.charge);
-    const double reach = std::max(canvas.scaled(70), 8 * radius);
-    if (look.charge > 0) {
-        const Vec2 foot = at + (radius + canvas.scaled(5)) * perp(way);
-        canvas.line(foot, foot + reach * way, canvas.scaled(6), colour::rule);
-        canvas.line(foot, foot + look.charge * reach * way, canvas.scaled(6),
-                    blend(colour_of(run), colour::lit, look.charge));
-    }
+    if (look.charge > 0)
+        draw_charge(canvas, at + (radius + canvas.scaled(5)) * perp(way), way, radius, look.charge,
+                    colour_of(run));
 }
 
 /// A hue per ball, well apart for neighbours (golden angle).

@@ -214,6 +214,7 @@ double Game::spinning(PartIndex spinner) const {
 void Game::tell(CaptionKind kind, long value, long of) {
     if (captions_.size() == most_captions) captions_.erase(captions_.begin());
     captions_.push_back({kind, time_, value, of});
+    ++told_;
 }
 
 }  // namespace flipside::lab

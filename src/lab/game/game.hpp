@@ -58,6 +58,8 @@ class Game {
     [[nodiscard]] int searches() const { return search_.begun(); }
     /// The last ones, oldest first.
     [[nodiscard]] const std::vector<Caption>& captions() const { return captions_; }
+    /// How many there have been, those that are not kept among them.
+    [[nodiscard]] std::size_t told() const { return told_; }
 
   private:
     /// What a ball's hit of a part, or its way over a sensor, means.
@@ -97,6 +99,7 @@ class Game {
     bool held_[2] = {false, false};  ///< flippers that were raised from outside, by Side
     bool drop_flippers_ = false;     ///< the tilt has yet to let them fall
     std::vector<Caption> captions_;
+    std::size_t told_ = 0;
 };
 
 }  // namespace flipside::lab

@@ -76,6 +76,26 @@ TEST_F(FilmCommand, WritesEveryFrameAndTheSameOnesTwice) {
     expect_refused(how + file("one"), 2, "holds frames already");
 }
 
+TEST_F(FilmCommand, WritesAPartOfTheGame) {
+    const std::string how = "replay '" + game + "' --fps 10 --width 400 --height 600 ";
+    const Result result = flipside(how + "--from 0.3 --to 0.75 --frames " + file("part"));
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(result.out, "5 frames, 0.45 s\n");
+    EXPECT_EQ(files_in("part"), 6U) << "five and their sound";
+    expect_good(how + "--frames " + file("whole"));
+    EXPECT_EQ(text_of(file("part/frame-000004.png")), text_of(file("whole/frame-000007.png")));
+    const std::string sound = text_of(file("part/sound.wav"));
+    EXPECT_TRUE(sound.substr(44) == text_of(file("whole/sound.wav")).substr(44 + 4 * 3 * 4410, 4 * 5 * 4410));
+
+    expect_refused(how + "--from 0.3", 2, "--frames, --video or --sound");
+    const std::string refused = how + "--sound " + file("x.wav");
+    expect_refused(refused + " --from -1", 2, "a number from 0");
+    expect_refused(refused + " --to 1.5", 2, "from 0 to 1 s, its end");
+    expect_refused(refused + " --from 0.5 --to 0.4", 2, "no part of the game lies from 0.5 s to 0.4 s");
+    expect_refused(refused + " --from 0.51 --to 0.52", 2, "no frame lies from 0.51 s to 0.52 s");
+    EXPECT_FALSE(fs::exists(file("x.wav")));
+}
+
 TEST_F(FilmCommand, AFilmOfAnotherCourseThanTheGamesIsMadeAndEndsWithOne) {
     nlohmann::json replay = nlohmann::json::parse(text_of(game));
     replay["runs"][0]["end"]["checksum"] = "0123456789abcdef";

@@ -11,6 +11,7 @@
 #include "app/sound/samples.hpp"
 #include "app/sound/wav_file.hpp"
 #include "lab/process/failure.hpp"
+#include "world/input_error.hpp"
 #include "world/scene_file.hpp"
 
 namespace flipside::app::film {
@@ -32,10 +33,9 @@ struct Shown {
     Samples samples;
 };
 
-Shown shown(const lab::Replay& replay, unsigned rate, View view = View::split,
-            const Engine* other = nullptr) {
-    ReplayStage stage(replay, view, other);
-    const Film film(stage.end(), rate);
+Shown shown(const lab::Replay& replay, unsigned rate, const Part& part = {}) {
+    ReplayStage stage(replay, View::split, nullptr);
+    const Film film(stage.end(), rate, part);
     Shown all;
     film.play(stage, {[&](const Stage& now) {
                           all.times.push_back(now.time());
@@ -64,6 +64,24 @@ TEST(Film, EveryFrameIsAtItsTime) {
             EXPECT_LT(film.times[i], due + 1.0 / 60);
         }
     }
+}
+
+TEST(Film, APartIsTheSameToTheBitAsInTheWholeFilm) {
+    const lab::Replay replay = game(3);
+    const Shown whole = shown(replay, 60), part = shown(replay, 60, {1.01, 2.0});
+    ASSERT_EQ(part.times.size(), 60U);  // the first one after 1.01 s is the 61st
+    EXPECT_EQ(part.times, std::vector<double>(whole.times.begin() + 61, whole.times.begin() + 121));
+    EXPECT_TRUE(
+        std::ranges::equal(part.samples, std::span(whole.samples).subspan(2 * 61 * 735, 2 * 60 * 735)));
+    EXPECT_GT(sound::peak_of(part.samples), 100);  // it rolls, and what rang before rings on
+    EXPECT_EQ(shown(replay, 60, {2, 3}).times.size(), 61U);
+    EXPECT_EQ(shown(replay, 60, {3, 3}).times.size(), 1U);
+}
+
+TEST(Film, OfAPartThatTheGameDoesNotHaveThereIsNone) {
+    for (const Part& part : {Part{-1, {}}, Part{2, 1}, Part{0, 3.1}, Part{3.1, {}}, Part{1.001, 1.002}})
+        EXPECT_THROW(Film(3, 60, part), InputError) << part.from;
+    EXPECT_EQ(Film(2 * Film::longest, 60, {Film::longest, {}}).frames(), 60 * Film::longest + 1);
 }
 
 TEST(Film, BothRunsGoOnAndEndAsInTheGame) {

@@ -47,6 +47,33 @@ TEST(Hearing, TenSecondsOfPinballAreTheSameSamplesTwice) {
     EXPECT_LE(peak_of(samples), ceiling);
 }
 
+struct Loudness {
+    double rms = 0;
+    double limited = 0;  ///< share of the hundredths of a second in which the limiter is at work
+};
+
+Loudness of_rain(const char* engine_name, int balls) {
+    const Engine& engine = lab::engine_named(engine_name);
+    const auto scene =
+        std::make_shared<const Scene>(load_scene(FLIPSIDE_SOURCE_DIR "/assets/scenes/rain.json", balls));
+    Stage stage(scene, {{&engine, lab::settings_for(engine, *scene), engine_name, 1.0 / 60}}, View::single);
+    const Samples samples = played(stage, 3);
+    constexpr std::size_t hundredth = 2 * sample_rate / 100;
+    Loudness loudness{std::sqrt(power_of(samples)), 0};
+    for (std::size_t i = 0; i + hundredth <= samples.size(); i += hundredth)
+        if (peak_of(std::span(samples).subspan(i, hundredth)) > 0.97 * ceiling) loudness.limited += 1.0 / 300;
+    return loudness;
+}
+
+TEST(Hearing, AThousandRainingBallsAreLouderThanOneAndLeaveTheLimiterAlone) {
+    for (const char* engine : {"custom", "box2d"}) {
+        const Loudness one = of_rain(engine, 1), ten = of_rain(engine, 10), thousand = of_rain(engine, 1000);
+        EXPECT_GT(ten.rms, 2 * one.rms) << engine;
+        EXPECT_GT(thousand.rms, 1.5 * ten.rms) << engine;
+        for (const Loudness& rain : {one, ten, thousand}) EXPECT_LE(rain.limited, 0.01) << engine;
+    }
+}
+
 TEST(Hearing, SilenceWhereNothingHappens) {
     Stage stage("pinball", "custom", View::split, {}, {});
     EXPECT_EQ(peak_of(played(stage, 2)), 0);
@@ -145,13 +172,10 @@ TEST(Ear, HearsATiltOnce) {
     EXPECT_NEAR(tilts[0].time, 1.2, 2.0 / 60);
 }
 
-TEST(Ear, HearsTheBonusOfAGroup) {
-    Game game;
-    game.play(0.1);
-    EXPECT_TRUE(game.heard.empty());
-    // One ball over each of the three lanes.
+/// A ball over each of these places of the lanes.
+void roll_over_lanes(Game& game, std::initializer_list<double> places) {
     State state = game.session.world().save();
-    for (const double x : {0.194, 0.242, 0.29}) {
+    for (const double x : places) {
         Ball ball = game.scene->launcher->ball;
         ball.number = state.next_number++;
         ball.position = {x, 0.925};
@@ -160,9 +184,24 @@ TEST(Ear, HearsTheBonusOfAGroup) {
     }
     game.session.restore(state);
     game.play(0.1);
-    EXPECT_EQ(game.session.game().score(), 3 * 50 + 1000 + 2500);  // the first is the skill shot
-    EXPECT_EQ(game.of(Source::rollover).size(), 3U);
-    EXPECT_EQ(game.of(Source::bonus).size(), 1U);
+}
+
+TEST(Ear, HearsWhatPaysABonusOnceInAStep) {
+    Game game;
+    game.play(0.1);
+    EXPECT_TRUE(game.heard.empty());
+    roll_over_lanes(game, {0.194});
+    EXPECT_EQ(game.session.game().score(), 50 + 2500);  // the skill shot
+    ASSERT_EQ(game.of(Source::bonus).size(), 1U);
+    EXPECT_NEAR(game.of(Source::bonus)[0].time, game.of(Source::rollover)[0].time, 1.0 / 60);
+    roll_over_lanes(game, {0.242, 0.29});
+    EXPECT_GE(game.session.game().score(), 3 * 50 + 2500 + 1000);  // all lanes, and a bumper
+    EXPECT_EQ(game.of(Source::bonus).size(), 2U);
+    Game both;
+    both.play(0.1);
+    roll_over_lanes(both, {0.194, 0.242, 0.29});
+    EXPECT_EQ(both.session.game().score(), 3 * 50 + 2500 + 1000);
+    EXPECT_EQ(both.of(Source::bonus).size(), 1U);
 }
 
 TEST(Ear, WhatIsPutIntoAnotherStateMakesNoSoundByItself) {

@@ -41,7 +41,7 @@ TEST(Mixer, AHarderHitIsBrighter) {
     EXPECT_GT(brightness(3), 1.3 * brightness(0.3));
 }
 
-TEST(Mixer, WhatGripsIsDullerThanSteel) {
+TEST(Mixer, FrictionMakesAHitDuller) {
     const auto brightness = [](double friction) {
         const Samples samples = sound_of({Source::wall, 1, 1, friction});
         return strength_at(samples, 2490) / strength_at(samples, 620);
@@ -72,10 +72,45 @@ TEST(Mixer, NothingClipsHoweverMuchSoundsAtOnce) {
     EXPECT_LT(longest, 20);
 }
 
+/// In step, their amplitudes would add up, and sixteen hits be sixteen times as loud.
+TEST(Mixer, HitsAtOnceAddTheirPowersAndAreOneVoice) {
+    const auto power = [](int hits, double apart, std::size_t voices) {
+        Mixer mixer;
+        for (int i = 0; i < hits; ++i) mixer.strike({Source::wall, 0.1}, apart * i);
+        EXPECT_EQ(mixer.voices(), voices);
+        return power_of(rendered(mixer, 2));
+    };
+    const double one = power(1, 0, 1);
+    EXPECT_NEAR(power(16, 0, 1) / one, 16, 3);  // and a little brighter
+    EXPECT_NEAR(power(16, 0.00005, 1) / one, 16, 3);
+    EXPECT_NEAR(power(16, 0.06, 16) / one, 16, 1);
+}
+
+TEST(Mixer, HitsThatAreOneVoiceComeFromWhereMostOfThemAre) {
+    Mixer mixer;
+    for (const double pan : {-1.0, 0.8, 1.0, 1.0}) mixer.strike({Source::wall, 0.1, 1, 0, 1, pan}, 0);
+    EXPECT_EQ(mixer.voices(), 1U);
+    Mixer alone;
+    alone.strike({Source::wall, 0.2, 1, 0, 1, 0.45}, 0);
+    const Samples samples = rendered(mixer, 0.5), same = rendered(alone, 0.5);
+    EXPECT_NEAR(power_of(samples, 0) / power_of(same, 0), 1, 0.02);
+    EXPECT_NEAR(power_of(samples, 1) / power_of(same, 1), 1, 0.02);
+}
+
+TEST(Mixer, ALoudHitIsHeardAmongManyQuietOnesAndTheLimiterHasNothingToDo) {
+    Mixer mixer;
+    for (int i = 0; i < 300; ++i) mixer.strike({i % 2 == 0 ? Source::wall : Source::ball, 2}, 0.001 * i);
+    mixer.strike({Source::bonus, 3}, 0.15);
+    const Samples samples = rendered(mixer, 0.5);
+    EXPECT_LT(peak_of(samples), 0.97 * ceiling);
+    const auto after = std::span(samples).subspan(2 * 8000);
+    EXPECT_GT(strength_at(after, 1046.5), 2 * strength_at(after, 620));
+}
+
 TEST(Mixer, PolyphonyIsBoundedAndTheLoudestStay) {
     Mixer mixer;
     mixer.strike({Source::bonus, 3}, 0);
-    for (int i = 0; i < 1000; ++i) mixer.strike({Source::wall, 0.02 + 0.00002 * i}, 0);
+    for (int i = 0; i < 400; ++i) mixer.strike({Source::wall, 0.02 + 0.00002 * i}, 0.002 * i);
     EXPECT_EQ(mixer.voices(), Mixer::most_voices);
     const Samples samples = rendered(mixer, 0.2);
     EXPECT_GT(strength_at(samples, 1046.5), 10 * strength_at(samples, 620));

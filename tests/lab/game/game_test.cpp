@@ -278,6 +278,15 @@ TEST_F(GameRules, AFlipperShiftsTheLightsOfLanesThatSaySo) {
     EXPECT_EQ(last().kind, CaptionKind::lanes_complete);
 }
 
+TEST_F(GameRules, TheLastCaptionsAreKeptAndAllAreCounted) {
+    launch();
+    const std::size_t before = game.told();
+    for (int i = 0; i < 20; ++i) see({hit(i % 2 == 0 ? lane_a : lane_b)});
+    EXPECT_EQ(game.told(), before + 31);  // 1 skill shot, 20 lanes, 10 times all of them
+    EXPECT_EQ(game.captions().size(), 8U);
+    EXPECT_EQ(last().kind, CaptionKind::lanes_complete);
+}
+
 TEST_F(GameRules, TheSkillShotIsTheLitLaneAndNothingElseBefore) {
     EXPECT_EQ(game.skill_shot(), lane_a);
     launch();
