@@ -3,12 +3,20 @@
 #include <algorithm>
 #include <functional>
 #include <tuple>
+#include <utility>
 
 #include "custom/broad_phase/capacity.hpp"
 
 namespace flipside::custom {
 
 namespace {
+
+/// A contact whose normal has a larger downward component, as a sine, presses a ball from above and does not
+/// support it.
+constexpr double most_from_above = 0.1;
+/// A support is lost when it is farther away than this, in radii: balls of a heap move by less as they come
+/// to rest.
+constexpr double lost_distance = 1e-3;
 
 auto key(const Contact& contact) {
     return std::tie(contact.ball, contact.other);
@@ -50,6 +58,7 @@ void TouchList::reserve(std::size_t primitives, std::size_t balls) {
     reserve_for(moving_, primitives + balls);
     for (auto* list : {&before_, &now_}) reserve_for(*list, balls, touches_per_ball);
     reserve_for(pairs_, balls, pairs_per_ball);
+    reserve_for(woken_, balls);
     for (auto* list : {&sensed_before_, &sensed_}) reserve_for(*list, balls, touches_per_ball);
 }
 
@@ -137,20 +146,39 @@ void TouchList::report_touches(double time, std::vector<Event>& events) const {
     each_missing(before_, now_, key, ended);
 }
 
-bool TouchList::wake_unsupported(std::span<Ball> balls, Vec2 gravity) const {
+void TouchList::wake_unsupported(std::span<Ball> balls, Vec2 gravity) {
+    woken_.assign(balls.size(), 0);
     bool any = false;
     const auto wake = [&](BallNumber number) {
-        const auto ball = std::ranges::lower_bound(balls, number, {}, &Ball::number);
-        if (ball == balls.end() || ball->number != number || !ball->asleep) return;
-        ball->asleep = false;
+        const Ball* found = find(balls, number);
+        if (found == nullptr || !found->asleep) return;
+        const auto i = static_cast<std::size_t>(found - balls.data());
+        balls[i].asleep = false;
+        woken_[i] = 1;
         any = true;
     };
+    const auto is_woken = [&](BallNumber number) {
+        const Ball* found = find(balls, number);
+        return found != nullptr && woken_[static_cast<std::size_t>(found - balls.data())] != 0;
+    };
+    const double most = most_from_above * length(gravity);
     each_missing(before_, now_, key, [&](const Contact& ended) {
+        const Ball *ball = find(balls, ended.ball),
+                   *other = ended.other.is_ball ? find(balls, ended.other.index) : nullptr;
+        if (ball != nullptr && other != nullptr &&
+            touch(ball->position, ball->radius, other->position, other->radius).separation <=
+                lost_distance * std::min(ball->radius, other->radius))
+            return;
         const double along = dot(ended.normal, gravity);
-        if (along < 0) wake(ended.ball);
-        if (along > 0 && ended.other.is_ball) wake(ended.other.index);
+        if (along < most) wake(ended.ball);
+        if (-along < most && ended.other.is_ball) wake(ended.other.index);
     });
-    return any;
+    while (std::exchange(any, false))
+        for (const Contact& contact : now_) {
+            if (!contact.other.is_ball) continue;
+            if (is_woken(contact.ball)) wake(contact.other.index);
+            if (is_woken(contact.other.index)) wake(contact.ball);
+        }
 }
 
 void TouchList::report_sensors(double time, std::vector<Sensed>& crossed, std::vector<Event>& events) const {

@@ -34,8 +34,11 @@ class TouchList {
     void report_touches(double time, std::vector<Event>& events) const;
     void report_sensors(double time, std::vector<Sensed>& crossed, std::vector<Event>& events) const;
 
-    /// Wakes sleepers that lost a touch from below between the last two searches. Whether there were any.
-    bool wake_unsupported(std::span<Ball> balls, Vec2 gravity) const;
+    /// Wakes the sleeping balls that lost a support between the last two searches, and all that they touch
+    /// through sleeping balls: what was in equilibrium with that support may not be without it. A support is
+    /// any contact but one from above.
+    /// Cost: where one was lost, contacts · log(balls) for each pass through a chain of touching balls.
+    void wake_unsupported(std::span<Ball> balls, Vec2 gravity);
 
     /// Makes room for so many primitives and balls.
     void reserve(std::size_t primitives, std::size_t balls);
@@ -51,6 +54,7 @@ class TouchList {
     std::vector<Sensed> sensed_before_, sensed_;
     std::vector<Proxy> moving_;
     std::vector<Pair> pairs_;  ///< candidates
+    std::vector<char> woken_;  ///< per ball: by wake_unsupported()
     std::uint64_t narrow_tests_ = 0;
 };
 

@@ -91,8 +91,8 @@ void Windows::begin(std::vector<Ball>& balls, StepRecord& record) {
 void Windows::end_window(std::vector<Ball>& balls) {
     in_window_ = false;
     contacts_.refresh(layout_, table_, balls, solver_.find_pairs(balls));
-    if (settings_.sleep) fell_asleep_ |= sleep_.update(balls, contacts_.contacts());
     contacts_.wake_unsupported(balls, table_.scene().gravity);
+    if (settings_.sleep) fell_asleep_ |= sleep_.update(balls, contacts_.contacts());
 }
 
 std::shared_ptr<const State> Windows::origin() const {

@@ -1,0 +1,60 @@
+#include "custom/touch_list.hpp"
+
+#include <gtest/gtest.h>
+
+#include "custom/broad_phase/registry.hpp"
+#include "custom/scenes.hpp"
+
+namespace flipside::custom::test {
+namespace {
+
+constexpr Vec2 gravity{0, -9.81};
+
+/// Sleeping balls of 0.1 m on a floor: three in a row, one on the first two.
+class TouchListTest : public ::testing::Test {
+  protected:
+    TouchListTest() {
+        Scene scene = empty_scene(gravity);
+        for (const double x : {0.0, 0.2, 0.4}) add_ball(scene, {x, 0.1});
+        add_ball(scene, {0.1, 0.1 + 0.2 * std::sqrt(0.75)});
+        add_part(scene, segment({-1, 0}, {1, 0}));
+        for (Ball& ball : scene.balls) ball.asleep = true;
+        scene_ = std::make_shared<const Scene>(scene);
+        balls_ = scene.balls;
+    }
+
+    /// Which balls are awake after `index` has been moved and no longer sleeps.
+    std::vector<bool> awake_after(std::size_t index, Vec2 by) {
+        const Table table(scene_);
+        const Layout layout(*scene_);
+        const auto broad = make_broad_phase(*scene_, layout.still_proxies(), Settings(engine().settings));
+        TouchList touches;
+        touches.reserve(layout.size(), balls_.size());
+        touches.search(layout, table, balls_, *broad);
+        balls_[index].position += by;
+        balls_[index].asleep = false;
+        touches.search(layout, table, balls_, *broad);
+        touches.wake_unsupported(balls_, gravity);
+        std::vector<bool> awake;
+        for (const Ball& ball : balls_) awake.push_back(!ball.asleep);
+        return awake;
+    }
+
+    std::shared_ptr<const Scene> scene_;
+    std::vector<Ball> balls_;
+};
+
+TEST_F(TouchListTest, ASupportLostAtTheSideWakesAllThatTouch) {
+    EXPECT_EQ(awake_after(2, {0.001, 0}), (std::vector{true, true, true, true}));
+}
+
+TEST_F(TouchListTest, ASupportIsNotLostWithinAThousandthOfARadius) {
+    EXPECT_EQ(awake_after(2, {0.00005, 0}), (std::vector{false, false, true, false}));
+}
+
+TEST_F(TouchListTest, WhatLeavesFromAboveWakesNone) {
+    EXPECT_EQ(awake_after(3, {0, 0.1}), (std::vector{false, false, false, true}));
+}
+
+}  // namespace
+}  // namespace flipside::custom::test
