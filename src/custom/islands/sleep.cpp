@@ -16,6 +16,9 @@ constexpr double contact_speed = 0.05;
 constexpr double contact_gain = 0.02;
 /// A ball that gains more than this part of the speed that gravity gives in the interval has no support.
 constexpr double falling = 0.5;
+/// A ball wakes the sleeping balls that it touches if it is faster than the limit for rest by this factor.
+/// Less keeps heaps awake: what has just woken is pushed by forces that are found anew.
+constexpr double faster_to_wake = 4;
 
 std::size_t index_of(std::span<const Ball> balls, BallNumber number) {
     return static_cast<std::size_t>(std::ranges::lower_bound(balls, number, {}, &Ball::number) -
@@ -66,15 +69,18 @@ bool Sleep::update(std::span<Ball> balls, std::span<const Contact> contacts) {
     return any;
 }
 
-/// Finds the balls at rest that touch no moving ball and lie on no ball that stays awake.
+/// Finds the balls that may sleep: those at rest that touch no moving ball and lie on no ball that stays
+/// awake.
 void Sleep::find_sleepers(std::span<const Ball> balls, std::span<const Contact> contacts) {
     carried_.clear();
+    const double wake_speed = faster_to_wake * speed_limit(true);
     for (Finding& finding : findings_) finding.may_sleep = finding.at_rest;
     for (const Contact& contact : contacts) {
         if (!contact.other.is_ball) continue;
         const std::size_t a = index_of(balls, contact.ball), b = index_of(balls, contact.other.index);
         const auto disturbs = [&](std::size_t i, std::size_t other) {
-            return balls[other].asleep ? !balls[i].asleep && findings_[i].squeezed : !findings_[i].at_rest;
+            if (!balls[other].asleep) return !findings_[i].at_rest;
+            return !balls[i].asleep && (findings_[i].squeezed || length(balls[i].velocity) > wake_speed);
         };
         findings_[a].may_sleep &= !disturbs(b, a);
         findings_[b].may_sleep &= !disturbs(a, b);

@@ -1,7 +1,8 @@
 #pragma once
 /// Sleep. A ball falls asleep when it and all awake balls that it touches were at rest during an interval,
 /// and all balls that carry it sleep. Only this interval counts, so a saved state needs no sleep timer. A
-/// heap falls asleep ball by ball, from below.
+/// heap falls asleep ball by ball, from below. A sleeping ball wakes beside a ball that moves, for the forces
+/// on it change then.
 ///
 /// Approximation, *early rest*: a single ball may sleep when it is slower than sleep_speed; balls in contact
 /// when they are slower than a twentieth of the speed that gravity gives in the interval, since the island
@@ -10,6 +11,9 @@
 /// may turn back on a slope, or belong to a heap that begins to slide. A ball without support sleeps only if
 /// it does not move at all. A ball that overlaps anything by more than half a hundredth of its radius does
 /// not sleep: it is still pushed out.
+///
+/// Approximation, *sleepers carry any load*: a sleeping ball stands like a part. Slow balls that come to rest
+/// on it later do not move it, though they might if it were awake.
 
 #include <cstdint>
 #include <span>
@@ -29,9 +33,9 @@ class Sleep {
     void reserve(std::size_t balls);
     /// Notes the awake balls that may be at rest, `interval` seconds before update().
     void watch(std::span<const Ball> balls, double interval);
-    /// Puts balls to sleep, with zero velocity, and wakes sleeping balls that an awake ball carries.
-    /// `contacts` are all contacts of the balls. Returns whether any fell asleep. Cost: O((balls + contacts)
-    /// · log).
+    /// Puts balls to sleep, with zero velocity, and wakes sleeping balls that an awake ball carries or
+    /// pushes. `contacts` are all contacts of the balls. Returns whether any fell asleep. Cost: O((balls +
+    /// contacts) · log).
     bool update(std::span<Ball> balls, std::span<const Contact> contacts);
 
   private:

@@ -73,6 +73,19 @@ TEST(Sleep, ABallSleepsBesideBallsAtRest) {
     EXPECT_FALSE(balls[3].asleep);
 }
 
+TEST(Sleep, ABallThatMovesWakesTheSleeperThatItTouches) {
+    for (const double speed : {0.03, 0.05}) {  // at rest: 0.01 m/s
+        Sleep sleep(0.01, {0, -10});
+        std::vector<Ball> balls{ball_of(0, {}), ball_of(1, {}), ball_of(2, {speed, 0})};
+        balls[0].asleep = balls[1].asleep = true;
+        sleep.watch(balls, 0.01);
+        const Contact row[] = {{0, Other::ball(1), {}, {}, 0}, {1, Other::ball(2), {}, {}, 0}};
+        sleep.update(balls, row);
+        EXPECT_TRUE(balls[0].asleep);
+        EXPECT_EQ(balls[1].asleep, speed == 0.03);
+    }
+}
+
 TEST(Sleep, NewBallsAreIgnored) {
     Sleep sleep(0.01, {0, -10});
     std::vector<Ball> balls{ball_of(3, {})};
