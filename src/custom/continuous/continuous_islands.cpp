@@ -10,7 +10,7 @@ namespace {
 /// Radii: a member that moves no farther than this in a long tick creeps.
 constexpr double creep_distance = 0.02;
 /// Contacts with balls in a row, each within a tick of the one before, that show an inelastic collapse.
-constexpr int most_hits = 10;
+constexpr int most_hits = 20;
 
 }  // namespace
 
