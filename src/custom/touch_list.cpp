@@ -14,9 +14,6 @@ namespace {
 /// A contact whose normal has a larger downward component, as a sine, presses a ball from above and does not
 /// support it.
 constexpr double most_from_above = 0.1;
-/// A support is lost when it is farther away than this, in radii: balls of a heap move by less as they come
-/// to rest.
-constexpr double lost_distance = 1e-3;
 
 auto key(const Contact& contact) {
     return std::tie(contact.ball, contact.other);
@@ -163,12 +160,6 @@ void TouchList::wake_unsupported(std::span<Ball> balls, Vec2 gravity) {
     };
     const double most = most_from_above * length(gravity);
     each_missing(before_, now_, key, [&](const Contact& ended) {
-        const Ball *ball = find(balls, ended.ball),
-                   *other = ended.other.is_ball ? find(balls, ended.other.index) : nullptr;
-        if (ball != nullptr && other != nullptr &&
-            touch(ball->position, ball->radius, other->position, other->radius).separation <=
-                lost_distance * std::min(ball->radius, other->radius))
-            return;
         const double along = dot(ended.normal, gravity);
         if (along < most) wake(ended.ball);
         if (-along < most && ended.other.is_ball) wake(ended.other.index);
