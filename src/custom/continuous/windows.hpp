@@ -5,8 +5,8 @@
 /// outside the solver has changed the world.
 ///
 /// A ball falls asleep at the end of a window if it was at rest in the last sixtieth of a second; a sleeping
-/// ball that has lost a contact from below wakes there. If all balls sleep and no part moves, the world is
-/// quiet, and a step costs nothing per ball.
+/// ball that has lost a support wakes there, and so does one beside a ball that moves. If all balls sleep and
+/// no part moves, the world is quiet, and a step costs nothing per ball.
 
 #include <memory>
 
