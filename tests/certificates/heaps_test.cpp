@@ -88,7 +88,7 @@ TEST(HeapCertificates, WithOtherDamageAreRejected) {
     };
     expect(says([](HeapJson& r) { r["rests"] = HeapJson::array(); }), "flies by the equation of motion");
     expect(says([](HeapJson& r) { r["rests"][0]["until"] = 0.4; }), "rests as long as forces hold it");
-    expect(says([](HeapJson& r) { r["balls"][1]["legs"][0]["velocity"] = {0, 1e-3}; }), "rests as long as");
+    expect(says([](HeapJson& r) { r["balls"][1]["legs"][0]["velocity"] = {0, 1e-3}; }), "stays in contact");
     // Farther apart than what counts as touching, 2e-3 radii, and deeper than 1e-2.
     for (const double dy : {3e-4, -2e-3})
         expect(says([&](HeapJson& r) {
@@ -117,16 +117,16 @@ TEST(HeapCertificates, ForcesActOnBothSides) {
     HeapJson own = certified(column(2));
     HeapJson rest = own["rests"][0];
     rest["forces"] = {
-        {{"ball", 0}, {"other", -1}, {"primitive", 0}, {"normal", heap_gravity}, {"friction", 0.0}}};
+        {{"ball", 0}, {"other", -1}, {"feature", 0}, {"normal", heap_gravity}, {"friction", 0.0}}};
     own["rests"].insert(own["rests"].begin(), rest);
     const Checked checked = check_certificate(own.dump());
     EXPECT_EQ(checked.code, 1);
-    EXPECT_NE(checked.says.find("rests by one set of forces"), std::string::npos) << checked.says;
+    EXPECT_NE(checked.says.find("forces balance its weight"), std::string::npos) << checked.says;
 }
 
 TEST(HeapCertificates, OnWhatCannotBeTouchedAreRejected) {
     HeapJson run = certified(column(2));
-    run["parts"][0]["sensor"] = true;
+    run["parts"][0]["collides_with"] = 0;
     EXPECT_NE(check_certificate(run.dump()).says.find("can be touched"), std::string::npos);
     HeapJson layers = certified(column(2));
     layers["balls"][1]["collides_with"] = 0;
