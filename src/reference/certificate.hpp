@@ -16,7 +16,8 @@ namespace flipside::reference {
 struct Beginning {
     enum class Why { given, goes_on, meets_part, meets_ball };
     Why why = Why::goes_on;        ///< given: from outside (the start, a launch, a nudge)
-    std::uint32_t met = 0;         ///< index of a primitive of the scene's surface, or the number of a ball
+    std::uint32_t met = 0;         ///< index of a feature of the scene's surface, or the number of a ball
+    std::size_t met_leg = 0;       ///< of that ball: which of its legs begins by the same touch
     std::optional<double> within;  ///< s: the touch is isolated by this much on either side
     Vec2 velocity_before;
     double spin_before = 0;
@@ -33,7 +34,7 @@ struct Leg {
     double drag = 0, spin = 0;
     std::vector<Vec2> displacements;
     std::vector<double> spins;
-    std::optional<std::uint32_t> held;  ///< primitive along which it moves
+    std::optional<std::uint32_t> held;  ///< feature along which it moves
 };
 
 struct CertifiedBall {
@@ -73,7 +74,7 @@ struct TargetChange {
 struct RestingForce {
     BallNumber ball = 0;
     std::optional<BallNumber> other;  ///< a ball, or else
-    std::uint32_t primitive = 0;      ///< one of the scene's surface
+    std::uint32_t feature = 0;        ///< one of the scene's surface
     double normal = 0, friction = 0;  ///< N, on the ball, along the normal to it and perp of that
 };
 

@@ -46,10 +46,12 @@ void Simulation<R>::note_meeting(Place i) {
     // Wide enough for a reader of the numbers rounded to double.
     const R size = length(movers_[i].path.at(now_).position) + movers_[i].radius;
     const R half = isolated_within(movers_[i], R(0x1p-48), R(0x1p-48 * size));
-    const auto note = [&](Mover& mover, Beginning::Why why, std::uint32_t met, const V<R>& normal) {
+    const auto note = [&](Mover& mover, Beginning::Why why, std::uint32_t met, std::size_t met_leg,
+                          const V<R>& normal) {
         Beginning& begins = mover.begins;
         begins = {why,
                   met,
+                  met_leg,
                   {},
                   narrow(mover.path.at(now_).velocity),
                   static_cast<double>(mover.path.spinning_at(now_).spin),
@@ -59,12 +61,13 @@ void Simulation<R>::note_meeting(Place i) {
     Mover& mover = movers_[i];
     const V<R> place = mover.path.at(now_).position;
     if (mover.next == Next::feature)
-        return note(mover, Beginning::Why::meets_part, features_[mover.met].primitive,
+        return note(mover, Beginning::Why::meets_part, mover.met, 0,
                     closest(mover.met, place, mover.radius).normal);
     Mover& other = movers_[mover.met];
     const V<R> normal = unit(V<R>(place - other.path.at(now_).position));
-    note(mover, Beginning::Why::meets_ball, other.ball.number, normal);
-    note(other, Beginning::Why::meets_ball, mover.ball.number, -normal);
+    const auto next_leg = [&](const Mover& one) { return certificate_->balls[one.ball.number].legs.size(); };
+    note(mover, Beginning::Why::meets_ball, other.ball.number, next_leg(other), normal);
+    note(other, Beginning::Why::meets_ball, mover.ball.number, next_leg(mover), -normal);
 }
 
 template <class R>
@@ -82,7 +85,7 @@ void Simulation<R>::note_leg(Mover& mover, bool given) {
     leg.spin = static_cast<double>(path.spin);
     note_pair_of_parts(mover, leg.start);
     if (path.rides) {
-        leg.held = features_[mover.held[0]].primitive;
+        leg.held = mover.held[0];
         for (std::size_t k = 1; k <= taylor_order<R>; ++k) {
             if (k > 1) leg.displacements.push_back(narrow(path.displacements[k]));
             leg.spins.push_back(static_cast<double>(path.spins[k]));
@@ -91,7 +94,7 @@ void Simulation<R>::note_leg(Mover& mover, bool given) {
     }
     if (path.spin_rate != 0) leg.spins.push_back(static_cast<double>(path.spin_rate));
     if (path.rests) return;
-    if (mover.held[0] != nothing) leg.held = features_[mover.held[0]].primitive;
+    if (mover.held[0] != nothing) leg.held = mover.held[0];
     leg.acceleration = narrow(path.acceleration);
     leg.drag = static_cast<double>(path.drag);
     leg.roll = narrow(path.roll);
@@ -137,7 +140,7 @@ void Simulation<R>::note_pair_of_parts(Mover& mover, double start) {
     for (int k = 0; k < 2; ++k)
         rest.forces.push_back({mover.ball.number,
                                {},
-                               features_[mover.held[k]].primitive,
+                               mover.held[k],
                                static_cast<double>(mover.held_force[k]),
                                static_cast<double>(mover.held_friction[k])});
 }
@@ -153,7 +156,7 @@ void Simulation<R>::note_rest(Heap& heap) {
         RestingForce& force = rest.forces.emplace_back();
         force.ball = number(support.disc);
         if (support.other != Support::still) force.other = number(support.other);
-        if (heap.features[k] != nothing) force.primitive = features_[heap.features[k]].primitive;
+        if (heap.features[k] != nothing) force.feature = heap.features[k];
         force.normal = support.normal_force;
         force.friction = support.friction_force;
     }

@@ -75,11 +75,11 @@ const Damage damages[] = {
          legs[i]["normal"] = {x - 1e-6 * y, y + 1e-6 * x};
          return true;
      }},
-    {"wrong primitive",
+    {"wrong feature",
      [](Json& run, Json& legs, std::size_t i) {
-         if (!hits_part(legs[i]) || run["primitives"].size() < 9) return false;
+         if (!hits_part(legs[i]) || run["features"].size() < 9) return false;
          legs[i]["met"] =
-             (legs[i]["met"].get<std::size_t>() + run["primitives"].size() / 2) % run["primitives"].size();
+             (legs[i]["met"].get<std::size_t>() + run["features"].size() / 2) % run["features"].size();
          return true;
      }},
     {"gravity",
@@ -129,6 +129,7 @@ const Damage damages[] = {
     {"contact left out",
      [](Json&, Json& legs, std::size_t i) {
          if (legs[i]["held"] < 0 || i + 1 == legs.size()) return false;
+         if (legs[i]["start"] == legs[i + 1]["start"]) return false;
          legs[i]["held"] = -1;
          return true;
      }},
@@ -141,7 +142,7 @@ const Damage damages[] = {
     {"place of a part",
      [](Json& run, Json& legs, std::size_t i) {
          if (!hits_part(legs[i])) return false;
-         for (Json& point : run["primitives"][legs[i]["met"].get<std::size_t>()]["points"]) {
+         for (Json& point : run["features"][legs[i]["met"].get<std::size_t>()]["points"]) {
              add(point[0], 1e-6);
              add(point[1], 1e-6);
          }
@@ -150,7 +151,7 @@ const Damage damages[] = {
     {"restitution",
      [](Json& run, Json& legs, std::size_t i) {
          if (!hits_part(legs[i])) return false;
-         const std::size_t part = run["primitives"][legs[i]["met"].get<std::size_t>()]["part"];
+         const std::size_t part = run["features"][legs[i]["met"].get<std::size_t>()]["part"];
          const std::size_t material = run["parts"][part]["material"];
          if (run["materials"][material]["kick"] > 0) return false;
          add(run["materials"][material]["restitution"], 1e-3);
@@ -165,11 +166,12 @@ const Damage damages[] = {
              const double a = legs[i]["position"][k], b = legs[i + 1]["position"][k];
              return a + share * (b - a);
          };
-         run["primitives"].push_back({{"part", 0},
-                                      {"type", "point"},
-                                      {"points", {{along(0), along(1)}}},
-                                      {"radii", Json::array()},
-                                      {"angles", Json::array()}});
+         run["features"].push_back({{"part", 0},
+                                    {"type", "round"},
+                                    {"points", {{along(0), along(1)}}},
+                                    {"radius", 0},
+                                    {"wide", false},
+                                    {"joined", {false, false}}});
          return true;
      }},
 };
@@ -219,8 +221,8 @@ TEST(Damages, AFileThatIsNoCertificateIsRefused) {
     EXPECT_TRUE(refused([](Json& run) { run["balls"][0]["legs"][1]["met"] = 99; }));
     EXPECT_TRUE(refused([](Json& run) { run["balls"][0]["radius"] = 0; }));
     EXPECT_TRUE(refused([](Json& run) { run["balls"][0]["legs"][1]["start"] = -1; }));
-    EXPECT_TRUE(refused([](Json& run) { run["primitives"][0]["type"] = "spline"; }));
-    EXPECT_TRUE(refused([](Json& run) { run["primitives"][0]["part"] = 7; }));
+    EXPECT_TRUE(refused([](Json& run) { run["features"][0]["type"] = "spline"; }));
+    EXPECT_TRUE(refused([](Json& run) { run["features"][0]["part"] = 7; }));
     EXPECT_TRUE(refused([](Json& run) { run.erase("inputs"); }));
 }
 

@@ -12,10 +12,16 @@ std::string_view stage_of(Fault fault) {
     switch (fault) {
         case Fault::drift:
             return "integration";
+        case Fault::unpaired:
+            return "broad phase";
         case Fault::missed:
         case Fault::invented:
         case Fault::normal:
             return "narrow phase";
+        case Fault::tunnelled:
+            return "continuous collision";
+        case Fault::let_through:
+            return "gate";
         case Fault::late:
         case Fault::early:
             return "time of impact";
@@ -43,6 +49,12 @@ std::string in_words(Fault fault, double amount) {
             return with("drift in flight of ", amount, " m");
         case Fault::missed:
             return with("contact missed at ", amount, " m/s");
+        case Fault::unpaired:
+            return with("contact missed, its pair not found, at ", amount, " m/s");
+        case Fault::tunnelled:
+            return with("tunnelled at ", amount, " m/s");
+        case Fault::let_through:
+            return with("let through at ", amount, " m/s");
         case Fault::invented:
             return with("contact invented at ", amount, " m/s");
         case Fault::late:

@@ -30,26 +30,30 @@ inline constexpr double most_tolerance = 1;
 
 /// Exhaustive and exclusive: every divergence has one.
 enum class Fault {
-    drift,     ///< the path in flight is not exact; nothing was met
-    missed,    ///< a contact that should be is not made at all
-    invented,  ///< a contact is made that should not be
-    late,      ///< the right contact, but later, or at a place further on
-    early,     ///< or earlier
-    normal,    ///< at the right time, but along another normal
-    impulse,   ///< at the right time and normal, but with another impulse: restitution, kick
-    friction,  ///< all that is right but the tangential impulse
-    resting,   ///< a contact that presses or slides, or one too slow to bounce, is not held exactly
-    motion,    ///< what was met moves by itself and is in another place than it should be
-    stopped,   ///< the run ended before its time: refused, or not a number
-    unknown    ///< none of these
+    drift,        ///< the path in flight is not exact; nothing was met
+    missed,       ///< a contact that should be is not made although the pair was found and overlaps
+    unpaired,     ///< the same, and the broad phase did not find the pair
+    tunnelled,    ///< it lay between two steps, after each of which the ball touches nothing there
+    let_through,  ///< it is a gate that should have been closed
+    invented,     ///< a contact is made that should not be
+    late,         ///< the right contact, but later, or at a place further on
+    early,        ///< or earlier
+    normal,       ///< at the right time, but along another normal
+    impulse,      ///< at the right time and normal, but with another impulse: restitution, kick
+    friction,     ///< all that is right but the tangential impulse
+    resting,      ///< a contact that presses or slides, or one too slow to bounce, is not held exactly
+    motion,       ///< what was met moves by itself and is in another place than it should be
+    stopped,      ///< the run ended before its time: refused, or not a number
+    unknown       ///< none of these
 };
-inline constexpr std::string_view fault_names[] = {"drift",   "missed", "invented", "late",
-                                                   "early",   "normal", "impulse",  "friction",
-                                                   "resting", "motion", "stopped",  "unknown"};
+inline constexpr std::string_view fault_names[] = {
+    "drift",  "missed",  "unpaired", "tunnelled", "let-through", "invented", "late",   "early",
+    "normal", "impulse", "friction", "resting",   "motion",      "stopped",  "unknown"};
 constexpr std::string_view name_of(Fault fault) {
     return fault_names[static_cast<int>(fault)];
 }
-/// The stage of a step that such a fault comes from: integration, narrow phase, time of impact, response.
+/// The stage of a step that such a fault comes from: integration, broad phase, narrow phase, continuous
+/// collision, time of impact, response.
 [[nodiscard]] std::string_view stage_of(Fault fault);
 /// "late by 0.0021 s", "normal off by 3.1 degrees": what the amount of such a fault means, in words.
 [[nodiscard]] std::string in_words(Fault fault, double amount);
@@ -64,8 +68,9 @@ struct Blame {
     std::optional<Other> other;  ///< what was met; nothing in flight
     BallNumber ball = 0;
     double time = 0;  ///< s, of the exact impact; where there is none, of the contender's or the step's end
-    /// drift, resting: m from the exact path. missed, invented: m/s of approach. late, early: s. normal: rad.
-    /// impulse, friction: m/s by which the velocity after it differs. motion: rad of the part. Never below 0.
+    /// drift, resting: m from the exact path. missed and its kin, invented: m/s of approach. late, early: s.
+    /// normal: rad. impulse, friction: m/s by which the velocity after it differs. motion: rad of the part.
+    /// Never below 0.
     double amount = 0;
 };
 

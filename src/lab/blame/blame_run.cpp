@@ -61,7 +61,7 @@ RunBlame blame_run(const std::shared_ptr<const Scene>& scene, const Contender& c
                 result.radii = apart.radii;
                 result.ball = apart.ball;
                 const auto exact = make_exact(scene);
-                result.blame = find_blame({*scene, history, ends, apart.radii}, *exact);
+                result.blame = find_blame({*scene, history, ends, apart.radii, &own.world()}, *exact);
                 return result;
             }
             if (ends.empty() && !reference.world().balls().empty()) {

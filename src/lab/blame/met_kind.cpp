@@ -1,5 +1,6 @@
 #include "lab/blame/met_kind.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "custom/geometry/narrow_phase.hpp"
@@ -23,22 +24,28 @@ Pose pose_of(const Part& part, double angle) {
     return {};
 }
 
+/// How a disc lies to each primitive of a part.
+void each_touch(const Scene& scene, PartIndex part, const PartState& state, Vec2 center, double radius,
+                const auto& visit) {
+    const Pose pose = pose_of(scene.parts[part], state.angle);
+    for (const Primitive& primitive : surface_of(scene))
+        if (primitive.part == part) visit(primitive, custom::touch(center, radius, primitive, pose));
+}
+
 /// The primitive of a part nearest to a disc: how it is touched.
 struct Nearest {
     custom::Touch touch;
     std::string_view kind = "none";
 };
 Nearest nearest(const Scene& scene, PartIndex part, const PartState& state, Vec2 center, double radius) {
-    const Pose pose = pose_of(scene.parts[part], state.angle);
     Nearest found;
     double least = INFINITY;
-    for (const Primitive& primitive : surface_of(scene)) {
-        if (primitive.part != part) continue;
-        const custom::Touch touch = custom::touch(center, radius, primitive, pose);
-        if (std::abs(touch.separation) >= least) continue;
-        least = std::abs(touch.separation);
-        found = {touch, std::visit(KindOfPrimitive{}, primitive.is)};
-    }
+    each_touch(scene, part, state, center, radius,
+               [&](const Primitive& primitive, const custom::Touch& touch) {
+                   if (std::abs(touch.separation) >= least) return;
+                   least = std::abs(touch.separation);
+                   found = {touch, std::visit(KindOfPrimitive{}, primitive.is)};
+               });
     return found;
 }
 
@@ -54,6 +61,14 @@ std::string_view met_kind(const Scene& scene, Other other, const PartState& stat
 
 Vec2 surface_normal(const Scene& scene, PartIndex part, const PartState& state, Vec2 center, double radius) {
     return nearest(scene, part, state, center, radius).touch.normal;
+}
+
+double separation(const Scene& scene, PartIndex part, const PartState& state, Vec2 center, double radius) {
+    double least = INFINITY;
+    each_touch(scene, part, state, center, radius, [&](const Primitive&, const custom::Touch& touch) {
+        least = std::min(least, touch.separation);
+    });
+    return least;
 }
 
 }  // namespace flipside::lab

@@ -16,4 +16,8 @@ namespace flipside::lab {
 [[nodiscard]] Vec2 surface_normal(const Scene& scene, PartIndex part, const PartState& state, Vec2 center,
                                   double radius);
 
+/// The distance of a disc from the surface of a part, m; below 0 where they overlap. Cost as above.
+[[nodiscard]] double separation(const Scene& scene, PartIndex part, const PartState& state, Vec2 center,
+                                double radius);
+
 }  // namespace flipside::lab

@@ -6,6 +6,7 @@
 #include "lab/blame/approach.hpp"
 #include "lab/blame/continuation.hpp"
 #include "lab/blame/met_kind.hpp"
+#include "lab/blame/missed_contact.hpp"
 #include "lab/blame/wrong_impact.hpp"
 #include "world/refusal.hpp"
 
@@ -105,7 +106,17 @@ Blame WrongStep::lacking(const Event& exact_impact) {
     if (own_before(exact_impact)) return make(Fault::impulse, exact_impact, exact_impact.speed);
     if (due.time > history_.end - match_ && comes_after_the_end(due))
         return make(Fault::late, due, history_.end - due.time);
-    return make(Fault::missed, due, due.speed);
+    return make(why_missed({in_.scene, due, history_.states[step_around(due.time) - 1],
+                            history_.states[step_around(due.time)]},
+                           in_.own),
+                due, due.speed);
+}
+
+/// The step, up to this one, in which a time lies.
+std::size_t WrongStep::step_around(double time) const {
+    std::size_t step = step_;
+    while (step > 1 && history_.states[step - 1].clock.time > time) --step;
+    return step;
 }
 
 /// The contender has an impact in this step, the exact engine has not.

@@ -35,6 +35,7 @@ class WrongStep {
     /// before as impacts may differ.
     [[nodiscard]] std::optional<Event> exact_before(const Event& like);
     [[nodiscard]] bool comes_after_the_end(const Event& due);
+    [[nodiscard]] std::size_t step_around(double time) const;
     [[nodiscard]] bool touches(std::span<const Contact> contacts, const Event& pair) const;
     [[nodiscard]] double off_the_path();
 

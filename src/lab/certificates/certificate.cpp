@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "reference/feature.hpp"
 #include "reference/world.hpp"
 #include "world/json_file.hpp"
 #include "world/refusal.hpp"
@@ -30,35 +31,25 @@ CertificateJson list_of(const Things& things, Write write) {
     return list;
 }
 
-CertificateJson primitive_json(const char* type, const std::vector<Vec2>& points,
-                               std::vector<double> radii = {}, std::vector<double> angles = {}) {
-    return {{"type", type},
-            {"points", list_of(points, pair_of)},
-            {"radii", std::move(radii)},
-            {"angles", std::move(angles)}};
-}
-struct PrimitiveJson {
-    CertificateJson operator()(const primitive::Point& p) const { return primitive_json("point", {p.at}); }
-    CertificateJson operator()(const primitive::Segment& s) const {
-        return primitive_json("segment", {s.a, s.b});
+CertificateJson to_json(const reference::Feature<reference::Real113>& feature) {
+    CertificateJson json = {{"part", feature.part}, {"type", "line"}, {"points", CertificateJson::array()},
+                            {"radius", 0},          {"wide", false},  {"joined", {false, false}}};
+    const auto add_point = [&](const auto& at) { json["points"].push_back(pair_of(narrow(at))); };
+    if (const auto* line = std::get_if<reference::Line<reference::Real113>>(&feature.is)) {
+        add_point(line->start);
+        add_point(line->start + line->length * line->along);
+        json["joined"] = {line->before.joined, line->past.joined};
+        return json;
     }
-    CertificateJson operator()(const primitive::Arc& a) const {
-        return primitive_json("arc", {a.center}, {a.radius}, {a.from, a.to});
-    }
-    CertificateJson operator()(const primitive::Circle& c) const {
-        return primitive_json("circle", {c.center}, {c.radius});
-    }
-    CertificateJson operator()(const primitive::Polygon& p) const {
-        return primitive_json("polygon", p.points);
-    }
-    CertificateJson operator()(const primitive::Taper& t) const {
-        return primitive_json("taper", {t.a, t.b}, {t.radius_a, t.radius_b});
-    }
-};
-
-CertificateJson to_json(const Primitive& primitive) {
-    CertificateJson json = std::visit(PrimitiveJson{}, primitive.is);
-    json["part"] = primitive.part;
+    const auto& curve = std::get<reference::Curve<reference::Real113>>(feature.is);
+    json["type"] = curve.round ? "round" : "arc";
+    json["radius"] = static_cast<double>(curve.radius);
+    add_point(curve.center);
+    if (curve.full) return json;
+    add_point(curve.center + curve.radius * curve.from);
+    add_point(curve.center + curve.radius * curve.to);
+    json["wide"] = curve.wide;
+    json["joined"] = {curve.before.joined, curve.past.joined};
     return json;
 }
 
@@ -68,6 +59,7 @@ CertificateJson to_json(const Leg& leg) {
     return {{"start", leg.start},
             {"why", reasons[static_cast<int>(begins.why)]},
             {"met", begins.met},
+            {"met_leg", begins.met_leg},
             {"within", begins.within.value_or(-1)},
             {"normal", pair_of(begins.normal)},
             {"velocity_before", pair_of(begins.velocity_before)},
@@ -98,7 +90,7 @@ CertificateJson to_json(const CertifiedBall& certified) {
 CertificateJson to_json(const reference::RestingForce& force) {
     return {{"ball", force.ball},
             {"other", force.other ? std::int64_t{*force.other} : -1},
-            {"primitive", force.primitive},
+            {"feature", force.feature},
             {"normal", force.normal},
             {"friction", force.friction}};
 }
@@ -111,21 +103,37 @@ Vec2 pivot_of(const Part& part) {
 
 CertificateJson part_json(const Scene& scene, PartIndex index, const Certificate& certificate) {
     const Part& part = scene.parts[index];
-    CertificateJson turns = CertificateJson::array(), changes = CertificateJson::array();
+    CertificateJson turns = CertificateJson::array();
     if (const auto motion = certificate.motions.find(index); motion != certificate.motions.end())
         for (const auto& span : motion->second)
             turns.push_back({{"since", span.since}, {"angle", span.angle}, {"rate", span.rate}});
-    for (const auto& change : certificate.targets)
-        if (change.part == index) changes.push_back({{"time", change.time}, {"down", change.down}});
     return {{"name", part.name},
             {"material", part.material},
             {"layer", part.layer},
             {"collides_with", part.collides_with},
-            {"sensor", part.sensor},
             {"gate", pair_of(gate_of(part) != nullptr ? gate_of(part)->normal : Vec2{})},
             {"pivot", pair_of(pivot_of(part))},
-            {"turns", std::move(turns)},
-            {"target", std::move(changes)}};
+            {"turns", std::move(turns)}};
+}
+
+/// When a part is not there: for one ball while a gate lets it through, for all while a target is down.
+CertificateJson absences_json(const Certificate& certificate, double seconds) {
+    CertificateJson absences = CertificateJson::array();
+    const auto add = [&](PartIndex part, std::int64_t ball, double from, std::optional<double> until) {
+        absences.push_back(
+            {{"part", part}, {"ball", ball}, {"from", from}, {"until", until.value_or(seconds)}});
+    };
+    for (const auto& passage : certificate.passages)
+        add(passage.gate, passage.ball, passage.from, passage.until);
+    for (auto down = certificate.targets.begin(); down != certificate.targets.end(); ++down) {
+        if (!down->down) continue;
+        const auto up = std::find_if(down, certificate.targets.end(), [&](const auto& change) {
+            return change.part == down->part && !change.down;
+        });
+        add(down->part, -1, down->time,
+            up != certificate.targets.end() ? std::optional(up->time) : std::nullopt);
+    }
+    return absences;
 }
 
 /// Only what happened up to then.
@@ -153,12 +161,6 @@ CertificateJson whole(const Session& session, const Certificate& certificate, co
     const Scene& scene = session.scene();
     CertificateJson parts = CertificateJson::array();
     for (PartIndex i = 0; i < scene.parts.size(); ++i) parts.push_back(part_json(scene, i, certificate));
-    const auto passage_json = [&](const reference::Passage& passage) {
-        return CertificateJson{{"ball", passage.ball},
-                               {"gate", passage.gate},
-                               {"from", passage.from},
-                               {"until", passage.until.value_or(certified.seconds)}};
-    };
     const auto rest_json = [&](const reference::Rest& rest) {
         return CertificateJson{
             {"from", rest.from},
@@ -168,7 +170,7 @@ CertificateJson whole(const Session& session, const Certificate& certificate, co
     // JSON has no infinity.
     constexpr double far = std::numeric_limits<double>::max();
     const auto finite = [&](Vec2 v) { return Vec2{std::clamp(v.x, -far, far), std::clamp(v.y, -far, far)}; };
-    return {{"format", "flipside-certificate/2"},
+    return {{"format", "flipside-certificate/3"},
             {"scene", scene.name},
             {"precision", std::stoi(session.settings().text("precision"))},
             {"start", start},
@@ -186,8 +188,8 @@ CertificateJson whole(const Session& session, const Certificate& certificate, co
                                                              {"kick", m.kick}};
                                   })},
             {"parts", std::move(parts)},
-            {"primitives",
-             list_of(surface_of(scene), [](const Primitive& primitive) { return to_json(primitive); })},
+            {"features", list_of(reference::features_of<reference::Real113>(surface_of(scene), scene),
+                                 [](const auto& feature) { return to_json(feature); })},
             {"inputs", list_of(certificate.inputs,
                                [](const reference::Input& input) {
                                    return CertificateJson{
@@ -195,7 +197,7 @@ CertificateJson whole(const Session& session, const Certificate& certificate, co
                                        {"ball", input.ball ? std::int64_t{*input.ball} : -1},
                                        {"velocity", pair_of(input.velocity)}};
                                })},
-            {"passages", list_of(certificate.passages, passage_json)},
+            {"absences", absences_json(certificate, certified.seconds)},
             {"rests", list_of(certificate.rests, rest_json)},
             {"balls", list_of(certificate.balls, [](const auto& entry) { return to_json(entry.second); })}};
 }

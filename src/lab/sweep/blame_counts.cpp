@@ -33,6 +33,10 @@ std::string beginning_of(const BlameShares::Share& share) {
             return at + "wrong friction";
         case Fault::motion:
             return at + "mistimed parts";
+        case Fault::unpaired:
+            return at + "pairs not found";
+        case Fault::let_through:
+            return at + "balls let through";
         default:
             return at + std::string(name_of(share.fault)) + " contacts";
     }

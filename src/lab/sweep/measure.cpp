@@ -123,10 +123,10 @@ bool diverged(const Outcome& outcome) {
 }
 
 Blame blame_of(const Outcome& outcome, const Window& window, const History& history, const Scene& scene,
-               World& exact) {
+               World* own, World& exact) {
     std::vector<KnownEnd> ends;
     for (const Window::End& end : window.ends) ends.push_back({end.ball, end.position, end.radius});
-    return find_blame({scene, history, ends, outcome.error}, exact);
+    return find_blame({scene, history, ends, outcome.error, own}, exact);
 }
 
 double time_window(World& world, const Window& window, double dt) {

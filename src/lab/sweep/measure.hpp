@@ -33,11 +33,11 @@ struct Unmatched {
 [[nodiscard]] Outcome run_window(World& world, const Window& window, double dt, History& history);
 /// The outcome where the world could not even be made.
 [[nodiscard]] Outcome refused_window(const Window& window, double dt, const std::string& why);
-/// A run diverged whose error is above exact_radii. Its first wrong decision; `exact` is a world of the
-/// reference for the scene, in double precision.
+/// A run diverged whose error is above exact_radii. Its first wrong decision; `own` is the world that ran, or
+/// null, `exact` one of the reference for the scene, in double precision. What they hold is lost.
 [[nodiscard]] bool diverged(const Outcome& outcome);
 [[nodiscard]] Blame blame_of(const Outcome& outcome, const Window& window, const History& history,
-                             const Scene& scene, World& exact);
+                             const Scene& scene, World* own, World& exact);
 /// CPU time of the same steps and nothing else, s, once the caches know the world.
 [[nodiscard]] double time_window(World& world, const Window& window, double dt);
 

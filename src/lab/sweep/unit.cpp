@@ -88,7 +88,8 @@ Run run_of(const Task& task, const Plan& plan, const Unit& unit, const Block& bl
             not_timed,
             not_timed};
     if (diverged(run.outcome))
-        run.blame = charge_of(blame_of(run.outcome, window, history, scene, exact), scene);
+        run.blame =
+            charge_of(blame_of(run.outcome, window, history, scene, lane.made->world.get(), exact), scene);
     return run;
 }
 

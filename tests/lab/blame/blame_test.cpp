@@ -39,7 +39,7 @@ Blame blame_of(World& world, const std::shared_ptr<const Scene>& scene, int step
     go_on(*exact, history.states.front(), history.end, history);
     for (const Ball& ball : exact->balls()) ends.push_back({ball.number, ball.position, ball.radius});
     const double error = worst(world.balls(), ends).radii;
-    return find_blame({*scene, history, ends, error}, *exact);
+    return find_blame({*scene, history, ends, error, &world}, *exact);
 }
 
 Blame blame_of(const Engine& engine, const std::vector<std::string>& changes,
@@ -78,20 +78,66 @@ TEST(Blame, SemiImplicitEulerDriftsByHalfOfGTimesStepTimesTime) {
     EXPECT_NEAR(blame.amount, 0.5 * 9.81 * blame_dt * blame.time, 1e-5);
 }
 
-TEST(Blame, TunnellingIsAContactMissed) {
+TEST(Blame, AContactBetweenTwoStepsIsForContinuousCollision) {
     const auto scene = std::make_shared<Scene>(empty_scene());
     add_part(*scene, segment({50, -10}, {50, 10}));
     scene->parts.back().name = "thin wall";
     add_ball(*scene, {0, 0}, {2000, 0});
     const Blame blame = blame_of(engine_named("custom"), {"solver=simple"}, scene, 2);
-    EXPECT_EQ(blame.fault, Fault::missed);
+    EXPECT_EQ(blame.fault, Fault::tunnelled);
+    EXPECT_EQ(stage_of(blame.fault), "continuous collision");
     EXPECT_EQ(blame.kind, "segment");
     EXPECT_EQ(blame.other, Other::part(0));
     EXPECT_NEAR(blame.time, 49.9 / 2000, 1e-12);
     EXPECT_NEAR(blame.amount, 2000, 1e-9);
-    EXPECT_NE(in_words(blame, *scene).find("contact missed at 2000 m/s at segment 'thin wall', ball 0"),
+    EXPECT_NE(in_words(blame, *scene).find("tunnelled at 2000 m/s at segment 'thin wall', ball 0"),
               std::string::npos)
         << in_words(blame, *scene);
+}
+
+/// Box2D looks for times of impact between balls only where they are bullets.
+TEST(Blame, BallsThatPassThroughEachOtherAreForContinuousCollision) {
+    const auto scene = std::make_shared<Scene>(empty_scene());
+    add_ball(*scene, {0, 0}, {20, 0});
+    add_ball(*scene, {1, 0}, {-20, 0});
+    const Blame blame = blame_of(engine_named("box2d"), {"bullets=off"}, scene, 3);
+    EXPECT_EQ(blame.fault, Fault::tunnelled);
+    EXPECT_EQ(stage_of(blame.fault), "continuous collision");
+    EXPECT_EQ(blame.kind, "ball");
+    EXPECT_NEAR(blame.time, 0.8 / 40, 1e-12);
+}
+
+/// Slow enough to be in the floor after the step: it is not the motion that hid the contact.
+TEST(Blame, AnOverlapThatIsNotHeededIsForTheNarrowPhase) {
+    const auto scene = aslant_on_floor();
+    FaultyWorld world(scene, Does::pass);
+    const Blame blame = blame_of(world, scene, 16);
+    EXPECT_EQ(blame.fault, Fault::missed);
+    EXPECT_EQ(stage_of(blame.fault), "narrow phase");
+    EXPECT_EQ(blame.other, Other::part(0));
+    EXPECT_NEAR(blame.time, 0.2, 2 * blame_dt);
+}
+
+TEST(Blame, AnOverlapWhosePairIsNotFoundIsForTheBroadPhase) {
+    const auto scene = aslant_on_floor();
+    FaultyWorld world(scene, Does::overlook);
+    const Blame blame = blame_of(world, scene, 16);
+    EXPECT_EQ(blame.fault, Fault::unpaired);
+    EXPECT_EQ(stage_of(blame.fault), "broad phase");
+    EXPECT_EQ(blame.other, Other::part(0));
+    EXPECT_NEAR(blame.time, 0.2, 2 * blame_dt);
+}
+
+TEST(Blame, AGateThatIsHeldOpenIsForTheGate) {
+    const auto scene = std::make_shared<Scene>(empty_scene());
+    add_part(*scene, {shape::Gate{{-10, 0}, {10, 0}, {0, 1}}});
+    add_ball(*scene, {0, 0.5}, {1, -2});
+    FaultyWorld world(scene, Does::open_gate);
+    const Blame blame = blame_of(world, scene, 16);
+    EXPECT_EQ(blame.fault, Fault::let_through);
+    EXPECT_EQ(stage_of(blame.fault), "gate");
+    EXPECT_EQ(blame.kind, "gate");
+    EXPECT_NEAR(blame.time, 0.2, 2 * blame_dt);
 }
 
 TEST(Blame, ANormalThatIsTurnedIsOffByThatAngle) {
@@ -212,7 +258,7 @@ TEST(RunBlame, TellsTheFirstDivergenceOfALongRun) {
     };
     const RunBlame simple = run("simple");
     ASSERT_TRUE(simple.blame);
-    EXPECT_EQ(simple.blame->fault, Fault::missed);
+    EXPECT_EQ(simple.blame->fault, Fault::tunnelled);
     EXPECT_NEAR(simple.until, 2 * blame_dt, 1e-12);
     const RunBlame continuous = run("continuous");
     EXPECT_FALSE(continuous.blame);

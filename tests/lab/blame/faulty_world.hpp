@@ -17,7 +17,9 @@ class FaultyWorld final : public World {
         weaken,
         delay,
         rub,
-        pass,
+        pass,      // what it meets, though its broad phase lists the pair
+        overlook,  // the same, and it lists no pair
+        open_gate,
         bounce_off_nothing,
         refuse,
         forget_flipper
@@ -46,7 +48,9 @@ class FaultyWorld final : public World {
         std::erase_if(events_, [](const Event& event) { return event.kind != EventKind::impact; });
         if (!events_.empty()) spoil(events_.front(), before.balls.front(), ball, dt, end);
         if (does_ == Does::forget_flipper) after.parts[0].angle = before.parts[0].angle;
-        if (does_ == Does::pass) events_.clear();
+        if (does_ == Does::open_gate) after.parts[0].open = true;
+        if (passes()) events_.clear();
+        if (trace_ != nullptr) write_trace();
         exact_->restore(after);
     }
     void apply(const Control& control) override { exact_->apply(control); }
@@ -61,9 +65,17 @@ class FaultyWorld final : public World {
     [[nodiscard]] State save() const override { return exact_->save(); }
     void restore(const State& state) override { exact_->restore(state); }
     void inspect(Inspector&) const override {}
-    void trace(Trace*) override {}
+    void trace(Trace* trace) override { trace_ = trace; }
 
   private:
+    [[nodiscard]] bool passes() const {
+        return does_ == Does::pass || does_ == Does::overlook || does_ == Does::open_gate;
+    }
+    void write_trace() {
+        trace_->stages.clear();
+        TraceStage& stage = trace_->stage("broad phase", "FaultyWorld");
+        if (does_ != Does::overlook) stage.add("pair").with("ball", 0U).with_other(Other::part(0), *scene_);
+    }
     void spoil(Event& impact, const Ball& before, Ball& ball, double dt, double end) {
         const double jump = impact.impulse / ball.mass, since = end - impact.time;
         const auto change = [&](Vec2 velocity) {
@@ -91,6 +103,8 @@ class FaultyWorld final : public World {
                 change(amount_ * perp(impact.normal));
                 break;
             case Does::pass:
+            case Does::overlook:
+            case Does::open_gate:
                 ball = before;
                 ball.position += dt * before.velocity;
                 break;
@@ -104,6 +118,7 @@ class FaultyWorld final : public World {
     double amount_, at_;
     std::unique_ptr<World> exact_;
     std::vector<Event> events_;
+    Trace* trace_ = nullptr;
 };
 
 }  // namespace flipside::lab

@@ -1,0 +1,23 @@
+#pragma once
+/// Why a contact that was due was not made: what the engine's states, and a repetition of its step with a
+/// trace, give evidence of.
+
+#include "lab/blame/blame.hpp"
+#include "world/world.hpp"
+
+namespace flipside::lab {
+
+struct MissedContact {
+    const Scene& scene;
+    const Event& due;             ///< the impact that should have been
+    const State &before, &after;  ///< the engine's, around it
+};
+
+/// let_through: it is a gate that the engine holds open. tunnelled: the ball touches what it should have met
+/// neither before nor after the step, so only a continuous test could have found it. Otherwise the ball lies
+/// in it after the step: unpaired where the broad phase of that step, made again from the state before by
+/// `own`, does not list the pair, else missed. Engines whose trace has no list of pairs, and a null `own`,
+/// are taken to have offered it.
+[[nodiscard]] Fault why_missed(const MissedContact& contact, World* own);
+
+}  // namespace flipside::lab
