@@ -171,6 +171,78 @@ TEST_F(EditWindow, ASceneIsDrawnFromNothingAndRunsOnAllEngines) {
     EXPECT_EQ(played["panes"][0]["flippers"].size(), 1U);
 }
 
+/// Three walls and a ball: what Shift picks is moved, copied and deleted together, and undone as one.
+TEST_F(EditWindow, SeveralThingsArePickedMovedCopiedAndDeletedTogether) {
+    open();
+    begin_edit();
+    click("New");
+    edit("an empty table", [](const Json& e) { return e["name"] == "" && e["parts"] == 0; });
+    draw("w", 0.1, 0.3, 0.2, 0.3);
+    draw("w", 0.1, 0.5, 0.2, 0.5);
+    draw("w", 0.1, 0.7, 0.2, 0.7);
+    window->key("b");
+    window->xdotool("mousemove " + pixel(settled(), 0.4, 0.8) + " click 1");
+    edit("a ball", [](const Json& e) { return e["balls"] == 1; });
+    window->key("s");
+    const Json all = settled();
+    const auto click_at = [&](double x, double y, const char* held = nullptr) {
+        const std::string shift = held ? std::string("keydown ") + held + " sleep 0.1 " : "";
+        window->xdotool(shift + "mousemove " + pixel(all, x, y) + " click 1" +
+                        (held ? std::string(" sleep 0.1 keyup ") + held : ""));
+    };
+    const auto picked = [&](int count) {
+        return edit(std::to_string(count) + " picked",
+                    [&](const Json& e) { return e["selection"] == count; });
+    };
+    click_at(0.15, 0.3);
+    picked(1);
+    click_at(0.15, 0.5, "shift");
+    picked(2);
+    click_at(0.4, 0.8, "shift");
+    const Json three = picked(3);
+    EXPECT_TRUE(three["edit"]["handles"].empty());
+    EXPECT_TRUE(settled()["controls"].contains("several things"));
+    click_at(0.15, 0.5, "shift");
+    picked(2);
+    click_at(0.15, 0.5, "shift");
+    picked(3);
+    // Dragged by one of them, all move; the wall that was not picked stays.
+    drag(pixel(all, 0.15, 0.3), pixel(all, 0.25, 0.34));
+    edit("a move", [](const Json& e) {
+        return e["selection"] == 3 && e["thing"]["shape"]["a"] != Json::parse("[0.1,0.3]");
+    });
+    window->key("ctrl+d");
+    edit("copies", [](const Json& e) { return e["parts"] == 5 && e["balls"] == 2 && e["selection"] == 3; });
+    window->key("Delete");
+    edit("the first ones alone",
+         [](const Json& e) { return e["parts"] == 3 && e["balls"] == 1 && e["selection"] == 0; });
+
+    const fs::path file = folder / "moved.json";
+    save_as(file);
+    edit("the file", [&](const Json& e) { return e["unsaved"] == false; });
+    const Json scene = Json::parse(read_file(file));
+    EXPECT_EQ(scene["parts"][0]["shape"]["a"], Json::parse("[0.2,0.34]"));
+    EXPECT_EQ(scene["parts"][1]["shape"]["a"], Json::parse("[0.2,0.54]"));
+    EXPECT_EQ(scene["parts"][2]["shape"]["a"], Json::parse("[0.1,0.7]"));
+    EXPECT_EQ(scene["balls"][0]["position"], Json::parse("[0.5,0.84]"));
+    for (int i = 0; i < 3; ++i) window->key("ctrl+z");  // each of them took one step
+    edit("as it was drawn", [](const Json& e) { return e["parts"] == 3 && e["balls"] == 1; });
+    window->key("ctrl+a");
+    picked(4);
+    window->key("Delete");
+    edit("nothing", [](const Json& e) { return e["parts"] == 0 && e["balls"] == 0; });
+    window->key("ctrl+z");
+    edit("all of it", [](const Json& e) { return e["parts"] == 3 && e["balls"] == 1; });
+}
+
+TEST_F(EditWindow, GeneratedBallsAreSaidNotToBeEditable) {
+    open("rain");
+    begin_edit();
+    const Json state = settled();
+    EXPECT_TRUE(state["controls"].contains("generated"));
+    EXPECT_EQ(state["edit"]["balls"], 0);
+}
+
 TEST_F(EditWindow, WhatIsWrongIsSaidAndUndone) {
     open("drop");
     const Json state = begin_edit();

@@ -73,6 +73,16 @@ TEST(Plot, ARangeHoldsItsCurves) {
     EXPECT_EQ(plot.bottom, 0);
 }
 
+/// A table without balls has an energy of 0 J, and not of some picojoules.
+TEST(Plot, OfNothingTheRangeIsAUnit) {
+    Plot plot{"t", "t"};
+    plot.curves.push_back({"a", {}, {{0, 0}, {1, 0}}, "", nullptr});
+    fit(plot, 0, 1);
+    EXPECT_EQ(plot.bottom, 0);
+    EXPECT_GE(plot.top, 1);
+    EXPECT_LE(plot.top, 2);
+}
+
 TEST(Plots, ShowWhatEachStepCostAndFound) {
     Stage stage("rain", "custom", View::split, {"custom.solver=simple"}, {});
     for (int i = 0; i < 30; ++i) stage.step();

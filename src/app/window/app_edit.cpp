@@ -98,7 +98,11 @@ bool App::take_for_drawing(const sf::Event& event) {
     if (event.type == sf::Event::Closed) return false;
     if (browser_.is_open()) return browser_.process(event);
     if (!editor_.on()) return false;
-    const Pointing pointing{layout_.panes.front(), camera_, scale_, ImGui::GetIO().KeyCtrl,
+    const Pointing pointing{layout_.panes.front(),
+                            camera_,
+                            scale_,
+                            ImGui::GetIO().KeyCtrl,
+                            ImGui::GetIO().KeyShift,
                             clock_.getElapsedTime().asSeconds()};
     if (controls_.help_open && event.type == sf::Event::KeyPressed &&
         event.key.code == sf::Keyboard::Escape) {

@@ -48,7 +48,7 @@ std::vector<std::string> facts(const Canvas& canvas, const Run& run, std::option
     if (pace) parts.push_back("slow: " + with_unit(*pace, 2, "×"));
     if (!run.uncertainty_history().empty()) parts.push_back(claim_in_words(run));
     if (run.step_cost() > 0) parts.push_back(engineering(run.step_cost(), "s") + " per step");
-    parts.push_back(energy_in_words(run.energy_drift()));
+    if (!world.balls().empty()) parts.push_back(energy_in_words(run.energy_drift()));
     std::vector<std::string> lines(1);
     const auto fits = [&](const std::string& words) {
         return canvas.lettering().width(words, Type::small) <= rooms[lines.size() - 1];

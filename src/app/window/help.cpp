@@ -7,6 +7,7 @@
 
 #include "app/window/keys.hpp"
 #include "app/window/panel_parts.hpp"
+#include "app/window/theme.hpp"
 
 namespace flipside::app {
 
@@ -23,7 +24,22 @@ KeyLines key_lines() {
     return lines;
 }
 
+namespace {
+
+/// All that is below the help, darker.
+void draw_shade(const Rect& place) {
+    ImGui::SetNextWindowPos(imgui_vector(place.x, place.y));
+    ImGui::SetNextWindowSize(imgui_vector(place.width, place.height));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, imgui_color(with_alpha(colour::around, 0.6)));
+    ImGui::Begin("help shade", nullptr, docked | ImGuiWindowFlags_NoInputs);
+    ImGui::End();
+    ImGui::PopStyleColor();
+}
+
+}  // namespace
+
 void draw_help(const Rect& place, const KeyLines& lines, ControlPlaces& places) {
+    draw_shade(place);
     const float size = ImGui::GetFontSize();
     const float of_keys = 7.4F * size,
                 of_meaning = std::min(27 * size, 0.42F * static_cast<float>(place.width) - of_keys);

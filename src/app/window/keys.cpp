@@ -70,7 +70,7 @@ constexpr KeyUse uses[] = {
      {K::F6, no, no},
      none,
      "F6",
-     "Work the controls: arrows move, Space uses, Enter types; Esc goes back"},
+     "Work the controls by arrows, Space and Enter; Esc goes back"},
     {Action::larger, {K::Equal, K::Add, no}, Held::ctrl, "Ctrl +", "Everything larger"},
     {Action::smaller, {K::Hyphen, K::Subtract, no}, Held::ctrl, "Ctrl −", "Everything smaller"},
     {Action::usual_size, {K::Num0, K::Numpad0, no}, Held::ctrl, "Ctrl 0", "The size that suits the window"},

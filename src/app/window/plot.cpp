@@ -48,6 +48,7 @@ void fit(Plot& plot, double from, double to) {
             any = true;
         }
     if (low > 0 && low < 0.5 * high) low = 0;
+    if (low == 0 && high == 0) high = 1;  // a range that says that there is nothing
     const double span = std::max(high - low, 1e-9 + 0.02 * std::max(std::abs(high), std::abs(low)));
     plot.bottom = low == 0 ? 0 : 0.5 * (low + high) - 0.55 * span;
     plot.top = 0.5 * (low + high) + 0.55 * span;

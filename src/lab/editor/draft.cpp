@@ -90,6 +90,12 @@ void Draft::set(const Path& path, const OrderedJson& value) {
     refresh();
 }
 
+void Draft::move(std::span<const Item> items, Vec2 by) {
+    for (const Item& item : items)
+        if (const OrderedJson* thing = find(item)) document_.set(path_of(item), moved(*thing, by));
+    refresh();
+}
+
 std::string Draft::free_name(const std::string& stem) const {
     std::set<std::string> taken;
     for (const Part& part : sketch_.parts) taken.insert(part.name);

@@ -48,6 +48,7 @@ class Draft {
     /// What follows changes the document within the step that is open; end_step() ends it.
     void set(const Path& path, const OrderedJson& value);
     void replace(const Item& item, const OrderedJson& thing) { set(path_of(item), thing); }
+    void move(std::span<const Item> items, Vec2 by);
     /// What a tool makes of these points, in the first material that suits it.
     Item add(const Tool& tool, std::span<const Vec2> points);
     Item duplicate(const Item& item, Vec2 by);

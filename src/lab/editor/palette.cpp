@@ -11,7 +11,8 @@ namespace {
 constexpr std::string_view two = "Press at one end, let go at the other. Near another end it joins.";
 
 constexpr Tool all_tools[] = {
-    {"Select", 'S', "", 1, "Click a part, drag it or its handles. Click the ground for the table itself."},
+    {"Select", 'S', "", 1,
+     "Click a part, drag it or its handles; Shift picks several. Click the ground for the table itself."},
     {"Wall", 'W', "wall", 2, two},
     {"Walls", 'L', "walls", 0,
      "Click corner after corner; Enter or a double click ends, the first corner closes."},

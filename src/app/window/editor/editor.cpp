@@ -25,7 +25,7 @@ constexpr double join_reach = 10;   ///< px, of ends
 void Editor::show(lab::Draft draft) {
     draft_ = std::move(draft);
     saved_ = draft_->document().text();
-    selected_ = {lab::Item::Kind::bounds, 0};
+    selection_.clear();
     tool_ = 0;
     pen_.clear();
     drag_.reset();
@@ -77,8 +77,8 @@ void Editor::save_to(const std::filesystem::path& file) {
 }
 
 std::vector<lab::Handle> Editor::handles(const Camera& camera, double scale) const {
-    const lab::OrderedJson* thing = draft_->find(selected_);
-    if (thing == nullptr || draws()) return {};
+    const lab::OrderedJson* thing = draft_->find(selected());
+    if (thing == nullptr || draws() || selection_.size() > 1) return {};
     std::vector<lab::Handle> handles = lab::handles_of(*thing);
     const std::vector<lab::Handle> all = handles;
     // What is small on the screen is moved and not changed; zooming in brings its handles.
@@ -94,9 +94,11 @@ std::vector<lab::Handle> Editor::handles(const Camera& camera, double scale) con
 }
 
 std::optional<Editor::TurnHandle> Editor::turn_handle(const Camera& camera, double scale) const {
-    const lab::OrderedJson* thing = draft_->find(selected_);
-    if (thing == nullptr || draws() || selected_.kind != lab::Item::Kind::part) return std::nullopt;
-    const auto& is = draft_->sketch().parts[selected_.index].shape.is;
+    const lab::Item item = selected();
+    const lab::OrderedJson* thing = draft_->find(item);
+    if (thing == nullptr || draws() || item.kind != lab::Item::Kind::part || selection_.size() > 1)
+        return std::nullopt;
+    const auto& is = draft_->sketch().parts[item.index].shape.is;
     if (std::holds_alternative<shape::Point>(is) || std::holds_alternative<shape::Circle>(is))
         return std::nullopt;
     const Vec2 about = camera.to_pixels(lab::middle_of(*thing));
@@ -105,7 +107,7 @@ std::optional<Editor::TurnHandle> Editor::turn_handle(const Camera& camera, doub
         far = std::max(far, length(camera.to_pixels(handle.at) - about) + scale * turn_beyond);
     const double reach = std::min(far, scale * 120);
     // Across its direction, where no handle is: not on the side to which a flipper goes.
-    const auto* flip = std::get_if<motion::Flip>(&draft_->sketch().parts[selected_.index].motion);
+    const auto* flip = std::get_if<motion::Flip>(&draft_->sketch().parts[item.index].motion);
     const double direction = lab::direction_of(*thing).value_or(0);
     const double side = flip != nullptr && flip->raised > direction ? -0.5 : 0.5;
     const Vec2 way = from_angle(direction + side * std::numbers::pi);
@@ -136,10 +138,10 @@ std::optional<lab::Item> Editor::item_at(Vec2 at, double reach) const {
     return std::nullopt;
 }
 
-std::vector<Vec2> Editor::ends_but_of(const std::optional<lab::Item>& item) const {
+std::vector<Vec2> Editor::ends_but_of(std::span<const lab::Item> items) const {
     std::vector<Vec2> ends;
     const auto add = [&](const lab::Item& other) {
-        if (other == item) return;
+        if (std::ranges::find(items, other) != items.end()) return;
         if (const lab::OrderedJson* thing = draft_->find(other))
             for (const Vec2 joint : lab::joints_of(*thing)) ends.push_back(joint);
     };
@@ -158,10 +160,6 @@ void Editor::take(const lab::Tool& tool) {
     draft_->end_step();
 }
 
-void Editor::keep_selection_valid() {
-    if (draft_->find(selected_) == nullptr) selected_ = {lab::Item::Kind::bounds, 0};
-}
-
 void Editor::undo() {
     drag_.reset();
     if (!pen_.empty()) return pen_.pop_back();
@@ -173,27 +171,6 @@ void Editor::redo() {
     drag_.reset();
     draft_->redo();
     keep_selection_valid();
-}
-
-void Editor::remove_selected() {
-    if (selected_.kind == lab::Item::Kind::bounds) return;
-    drag_.reset();
-    draft_->end_step();
-    draft_->remove(selected_);
-    draft_->end_step();
-    selected_ = {lab::Item::Kind::bounds, 0};
-}
-
-void Editor::duplicate_selected() {
-    if (selected_.kind != lab::Item::Kind::part && selected_.kind != lab::Item::Kind::ball) return;
-    drag_.reset();
-    draft_->end_step();
-    // Seen apart from the first one at any zoom: by some pitches, and more for a ball.
-    const double by = selected_.kind == lab::Item::Kind::ball
-                          ? 2.5 * draft_->sketch().balls[selected_.index].radius
-                          : 2 * pitch;
-    selected_ = draft_->duplicate(selected_, {by, -by});
-    draft_->end_step();
 }
 
 }  // namespace flipside::app

@@ -3,6 +3,7 @@
 /// scene's document is in lab/editor; how it looks is in editor_view.hpp.
 
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,6 +25,7 @@ struct Pointing {
     const Camera& camera;
     double scale = 1;        ///< of letters and controls
     bool unsnapped = false;  ///< Ctrl is held
+    bool adding = false;     ///< Shift is held
     double now = 0;          ///< wall time, s
 };
 
@@ -58,10 +60,14 @@ class Editor {
     [[nodiscard]] const lab::Draft& draft() const { return *draft_; }
     /// Of the panel: within the step that is open.
     [[nodiscard]] lab::Draft& draft() { return *draft_; }
-    /// The bounds, which is to say the table, where nothing is picked.
-    [[nodiscard]] const lab::Item& selected() const { return selected_; }
-    void select(const lab::Item& item) { selected_ = item; }
-    /// Of the selected thing, those that are far enough from others to be seized.
+    /// What is moved, copied and taken away: parts, balls, the launcher.
+    [[nodiscard]] const std::vector<lab::Item>& selection() const { return selection_; }
+    [[nodiscard]] bool is_selected(const lab::Item& item) const;
+    /// The last one that was picked, or the bounds, which is to say the table, where nothing is.
+    [[nodiscard]] lab::Item selected() const;
+    /// It alone; of the bounds: nothing.
+    void select(const lab::Item& item);
+    /// Of the selected thing, if it is the only one, those that are far enough from others to be seized.
     [[nodiscard]] std::vector<lab::Handle> handles(const Camera& camera, double scale) const;
     /// Where the selected thing is turned, and about what; nothing for what has no direction.
     struct TurnHandle {
@@ -111,6 +117,9 @@ class Editor {
     bool press_with_ctrl(const sf::Event::KeyEvent& key);
     bool escape();
     void nudge(Vec2 by);
+    void select_one_more_or_less(const lab::Item& item);
+    void select_all();
+    [[nodiscard]] std::vector<lab::Item> all_items() const;
     void select_next(int by);
     void remove_corner_or_selected(const Pointing& pointing);
 
@@ -123,7 +132,7 @@ class Editor {
     void begin_drag(EditDrag::What what, Vec2 pixel, const Pointing& pointing);
     [[nodiscard]] std::optional<lab::Handle> handle_at(Vec2 pixel, const Camera& camera, double scale) const;
     [[nodiscard]] std::optional<lab::Item> item_at(Vec2 at, double reach) const;
-    [[nodiscard]] std::vector<Vec2> ends_but_of(const std::optional<lab::Item>& item) const;
+    [[nodiscard]] std::vector<Vec2> ends_but_of(std::span<const lab::Item> items) const;
     [[nodiscard]] lab::SnapRules rules(const Pointing& pointing) const;
     void keep_selection_valid();
 
@@ -132,7 +141,7 @@ class Editor {
     std::string name_;
     std::optional<lab::OwnFile> own_;
     std::string saved_;  ///< the text that is in the file, or with which it began
-    lab::Item selected_{lab::Item::Kind::bounds, 0};
+    std::vector<lab::Item> selection_;
     std::size_t tool_ = 0;  ///< of lab::tools()
     std::vector<Vec2> pen_;
     lab::Snapped target_;

@@ -201,9 +201,34 @@ void table_fields(const FieldSet& fields) {
                   {"Rest speed", "A slower approach does not bounce, mm/s", "mm/s", mm, 0, 1e9, 0.01});
 }
 
+/// What "generate" in the file makes is not listed there one by one.
+void generated_note(const lab::Draft& draft, ControlPlaces& places) {
+    const std::size_t balls = draft.scene()->balls.size() - draft.sketch().balls.size();
+    const std::size_t parts = draft.scene()->parts.size() - draft.sketch().parts.size();
+    if (draft.problem() || balls + parts == 0) return;
+    ImGui::TextWrapped(
+        "%zu balls and %zu parts, drawn pale, are generated. They cannot be picked: their number and size "
+        "are "
+        "under \"generate\" in the file.",
+        balls, parts);
+    note(places, "generated");
+}
+
+/// Of several things there are no fields.
+void several_things(const Editor& editor, ControlPlaces& places) {
+    ImGui::Spacing();
+    ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[1]);
+    ImGui::Text("%zu things", editor.selection().size());
+    ImGui::PopFont();
+    ImGui::TextWrapped(
+        "They are moved, copied and deleted together. Shift and a click picks one more, or one less.");
+    note(places, "several things");
+}
+
 }  // namespace
 
 void draw_properties(Editor& editor, ControlPlaces& places) {
+    if (editor.selection().size() > 1) return several_things(editor, places);
     // The fields of one thing are not those of another, which would get what was typed for the first.
     const lab::Item picked = editor.selected();
     ImGui::PushID(static_cast<int>(picked.index) * 4 + static_cast<int>(picked.kind));
@@ -213,9 +238,10 @@ void draw_properties(Editor& editor, ControlPlaces& places) {
     const char* titles[] = {"Part", "Ball", "Launcher", "Table"};
     ImGui::TextUnformatted(titles[static_cast<int>(picked.kind)]);
     ImGui::PopFont();
-    if (picked.kind == lab::Item::Kind::bounds)
+    if (picked.kind == lab::Item::Kind::bounds) {
         table_fields(fields);
-    else if (picked.kind == lab::Item::Kind::ball)
+        generated_note(editor.draft(), places);
+    } else if (picked.kind == lab::Item::Kind::ball)
         ball_fields(editor, fields, places);
     else if (picked.kind == lab::Item::Kind::launcher)
         launcher_fields(editor, fields, places);

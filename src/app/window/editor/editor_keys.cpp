@@ -28,6 +28,8 @@ std::vector<std::pair<std::string, std::string>> edit_key_lines() {
     std::vector<std::pair<std::string, std::string>> lines{
         {"F4", "Leave the edit mode and play what is drawn"},
         {"Click", "Pick a part, ball or launcher; the ground: the table itself"},
+        {"Shift click", "Pick one thing more, or one less"},
+        {"Ctrl A", "Pick everything"},
         {"Drag", "Move it, or pull at a handle; the ground: move the view"},
         {"Wheel", "Zoom"},
         {"Ctrl, held", "No snapping"},
@@ -89,6 +91,7 @@ bool Editor::press_key(const sf::Event::KeyEvent& key, const Pointing& pointing)
 bool Editor::press_with_ctrl(const sf::Event::KeyEvent& key) {
     if (key.code == Key::Z) key.shift ? redo() : undo();
     if (key.code == Key::Y) redo();
+    if (key.code == Key::A) select_all();
     if (key.code == Key::D) duplicate_selected();
     if (key.code == Key::S) (key.shift ? save_as_wanted : save_wanted) = true;
     return true;
@@ -100,41 +103,19 @@ bool Editor::escape() {
     else if (draws())
         take(lab::tools().front());
     else
-        selected_ = {lab::Item::Kind::bounds, 0};
+        selection_.clear();
     return true;
-}
-
-void Editor::nudge(Vec2 by) {
-    const lab::OrderedJson* thing = draft_->find(selected_);
-    if (thing == nullptr || selected_.kind == lab::Item::Kind::bounds) return;
-    draft_->end_step();
-    draft_->replace(selected_, lab::moved(*thing, by));
-    draft_->end_step();
-}
-
-void Editor::select_next(int by) {
-    std::vector<lab::Item> items;
-    const Scene& scene = draft_->sketch();
-    for (std::size_t i = 0; i < scene.parts.size(); ++i) items.push_back({lab::Item::Kind::part, i});
-    for (std::size_t i = 0; i < scene.balls.size(); ++i) items.push_back({lab::Item::Kind::ball, i});
-    if (scene.launcher) items.push_back({lab::Item::Kind::launcher, 0});
-    if (items.empty()) return;
-    const auto count = static_cast<std::ptrdiff_t>(items.size());
-    const auto at = std::ranges::find(items, selected_) - items.begin();
-    const std::ptrdiff_t next = at == count ? (by > 0 ? 0 : count - 1) : (at + by + count) % count;
-    selected_ = items[static_cast<std::size_t>(next)];
-    take(lab::tools().front());
 }
 
 void Editor::remove_corner_or_selected(const Pointing& pointing) {
     const Vec2 in_pane = mouse_pixel_ - Vec2{pointing.pane.x, pointing.pane.y};
     const auto handle = handle_at(in_pane, pointing.camera, pointing.scale);
     if (handle && handle->role == lab::Role::corner) {
-        const lab::OrderedJson& before = *draft_->find(selected_);
+        const lab::OrderedJson& before = *draft_->find(selected());
         const lab::OrderedJson after = lab::without_corner(before, handle->index);
         if (after != before) {
             draft_->end_step();
-            draft_->replace(selected_, after);
+            draft_->replace(selected(), after);
             return draft_->end_step();
         }
     }

@@ -82,7 +82,12 @@ bool Editor::press(Vec2 pixel, const Pointing& pointing) {
         return true;
     }
     if (const auto item = item_at(at, pointing.scale * click_pixels / pointing.camera.scale)) {
-        selected_ = *item;
+        if (pointing.adding) {
+            select_one_more_or_less(*item);
+            return true;
+        }
+        if (std::erase(selection_, *item) == 0) selection_.clear();
+        selection_.push_back(*item);
         begin_drag(EditDrag::What::move, pixel, pointing);
         return true;
     }
@@ -91,10 +96,12 @@ bool Editor::press(Vec2 pixel, const Pointing& pointing) {
 }
 
 void Editor::begin_drag(EditDrag::What what, Vec2 pixel, const Pointing& pointing) {
-    drag_.emplace(what, *draft_->find(selected_));
+    drag_.emplace(what, *draft_->find(selected()));
     drag_->from = metres_at(pixel, pointing);
     drag_->pixel = pixel;
-    drag_->ends = ends_but_of(selected_);
+    std::vector<lab::Item> own = selection_;
+    if (own.empty()) own.push_back(selected());
+    drag_->ends = ends_but_of(own);
 }
 
 void Editor::move(Vec2 pixel, const Pointing& pointing) {
@@ -112,7 +119,7 @@ void Editor::aim(Vec2 pixel, const Pointing& pointing) {
         target_ = {at, lab::SnappedTo::nothing};
         return;
     }
-    std::vector<Vec2> ends = ends_but_of(std::nullopt);
+    std::vector<Vec2> ends = ends_but_of({});
     if (pen_.size() > 2) ends.push_back(pen_.front());
     target_ = lab::snap(at, ends, pen_.empty() ? std::nullopt : std::optional(pen_.back()), rules(pointing));
 }
@@ -141,9 +148,9 @@ void Editor::finish_pen() {
                                                        : static_cast<std::size_t>(tool().points);
     if (points.size() < least) return;
     draft_->end_step();
-    selected_ = draft_->add(tool(), points);
+    select(draft_->add(tool(), points));
     if (closed && tool().name == "Walls") {
-        lab::Path path = path_of(selected_);
+        lab::Path path = path_of(selected());
         path.insert(path.end(), {"shape", "closed"});
         draft_->set(path, true);
     }
@@ -155,8 +162,10 @@ void Editor::release(Vec2 pixel, const Pointing& pointing) {
     const bool moved = length(pixel - pressed_pixel_) > pointing.scale * click_pixels;
     if (draws() && was_pressed && !pen_.empty() && moved) put_point(pixel, pointing);
     if (drag_) draft_->end_step();
+    // A click on one of several picks that one; only a drag moves them all.
+    if (drag_ && !drag_->moved) select(selected());
     drag_.reset();
-    if (ground_ && was_pressed && !moved) selected_ = {lab::Item::Kind::bounds, 0};
+    if (ground_ && was_pressed && !moved && !pointing.adding) selection_.clear();
 }
 
 void Editor::drag_to(Vec2 at, const Pointing& pointing) {
@@ -172,11 +181,12 @@ void Editor::drag_to(Vec2 at, const Pointing& pointing) {
         default: {
             std::vector<Vec2> own = lab::joints_of(drag_->before);
             if (own.empty()) own.push_back(lab::middle_of(drag_->before));
-            thing = lab::moved(drag_->before, lab::snap_move(at - drag_->from, own, drag_->ends, snapping));
+            draft_->revert_step();
+            return draft_->move(selection_, lab::snap_move(at - drag_->from, own, drag_->ends, snapping));
         }
     }
     draft_->revert_step();
-    draft_->replace(selected_, thing);
+    draft_->replace(selected(), thing);
 }
 
 lab::OrderedJson Editor::turned_to(Vec2 at, bool snapping) const {

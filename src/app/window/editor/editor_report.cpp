@@ -22,6 +22,7 @@ std::string state_of(const Editor& editor, const Rect& pane, const Camera& camer
     j["unsaved"] = editor.unsaved();
     const lab::Path path = path_of(editor.selected());
     j["selected"] = path;
+    j["selection"] = editor.selection().size();
     const lab::OrderedJson* thing = editor.draft().find(editor.selected());
     j["thing"] = thing == nullptr ? lab::OrderedJson() : *thing;
     j["handles"] = lab::OrderedJson::object();

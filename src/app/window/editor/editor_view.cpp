@@ -83,7 +83,7 @@ void draw_things(Canvas& canvas, const Camera& camera, const Editor& editor) {
                        {with_alpha(colour::part, 0.5), with_alpha(colour::solid, 0.5), canvas.scaled(1.5)});
     for (std::size_t i = 0; i < scene.parts.size(); ++i) {
         ShapeStyle style = plain_style(canvas, scene, scene.parts[i]);
-        const bool picked = editor.selected() == lab::Item{Kind::part, i};
+        const bool picked = editor.is_selected({Kind::part, i});
         if (picked) {
             draw_motion(canvas, camera, scene.parts[i]);
             style.line = colour::lit;
@@ -93,7 +93,7 @@ void draw_things(Canvas& canvas, const Camera& camera, const Editor& editor) {
         draw_shape(canvas, camera, scene.parts[i].shape, {}, style);
     }
     if (scene.launcher)
-        draw_drawn_launcher(canvas, camera, *scene.launcher, editor.selected().kind == Kind::launcher);
+        draw_drawn_launcher(canvas, camera, *scene.launcher, editor.is_selected({Kind::launcher, 0}));
     if (!editor.draft().problem())
         for (std::size_t i = scene.balls.size(); i < good.balls.size(); ++i)
             canvas.disc(camera.to_pixels(good.balls[i].position), camera.scale * good.balls[i].radius,
@@ -103,7 +103,7 @@ void draw_things(Canvas& canvas, const Camera& camera, const Editor& editor) {
         const Vec2 at = camera.to_pixels(ball.position);
         const double radius = camera.scale * ball.radius;
         canvas.steel(at, radius, sf::Color::Transparent);
-        if (editor.selected() == lab::Item{Kind::ball, i})
+        if (editor.is_selected({Kind::ball, i}))
             canvas.ring(at, radius + canvas.scaled(3), canvas.scaled(1.5), colour::lit);
         else if (!(ball.velocity == Vec2{}))
             canvas.arrow(at, camera.to_pixels(ball.position + lab::velocity_seconds * ball.velocity),

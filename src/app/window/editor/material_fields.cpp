@@ -62,7 +62,7 @@ void material_fields(Editor& editor, const FieldSet& fields, ControlPlaces& plac
             {"Friction", "Coefficient µ; of two materials the geometric mean counts", "", 1, 0, 1000});
         fields.number(material / "kick", {"Kick", "Least speed away after a hit, m/s", "m/s", 1, 0, 1e6});
         const std::size_t users = users_of(editor.draft().sketch(), material.back());
-        ImGui::TextDisabled("%zu %s of it", users, users == 1 ? "thing is" : "things are");
+        ImGui::TextDisabled("Used by %zu", users);
         ImGui::SameLine();
     }
     if (ImGui::SmallButton("New material")) {
