@@ -37,6 +37,9 @@ struct TraceItem {
     TraceItem& with(std::string_view name, std::string_view value) {
         return with(name, TraceValue(std::string(value)));
     }
+    TraceItem& with(std::string_view name, std::string value) {
+        return with(name, TraceValue(std::move(value)));
+    }
     /// Of any number of balls, steps or places.
     template <std::unsigned_integral N>
     requires(!std::same_as<N, bool>) TraceItem& with(std::string_view name, N value) {
