@@ -1,4 +1,4 @@
-// What a trace says of the exact engine: the paths with which a step begins, and its events in order of time,
+// Writes the trace of the exact engine: the paths at the start of the step, and the events in order of time,
 // each with an interval that isolates it.
 
 #include <algorithm>
@@ -46,7 +46,7 @@ void Simulation<R>::trace_next(TraceItem& item, const Mover& mover) const {
     if (mover.next == Next::ball) item.with("next_ball", movers_[mover.met].ball.number);
 }
 
-/// The path of every ball when the step begins.
+/// Writes the path of every ball at the start of the step.
 template <class R>
 void Simulation<R>::trace_paths() {
     TraceStage& stage = trace_->stage("paths and predictions so far", "src/reference/predict.cpp: predict");
@@ -74,7 +74,7 @@ void Simulation<R>::trace_paths() {
                  " held by a part; each has a path and one next event, and nothing is done until the first.";
 }
 
-/// Handles an event, and writes what it was and what followed.
+/// Handles an event, and writes it with its result.
 template <class R>
 void Simulation<R>::trace_event(Place i) {
     constexpr std::string_view events = "events";
