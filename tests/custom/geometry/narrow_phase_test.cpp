@@ -53,7 +53,7 @@ TEST(NarrowPhase, ArcFromBothSidesAndBeyondItsEnds) {
     const Touch beyond = touch({3, -1}, 0.5, quarter);
     EXPECT_TRUE(beyond.past_end);
     expect_touch(beyond, {3, 1}, {0, -1}, 1.5);
-    // From the centre the arc's middle is as near as any.
+    // All points of the arc are equally close to the centre; the result is its middle.
     expect_touch(touch({1, 1}, 0.5, quarter), {1 + 2 * s, 1 + 2 * s}, {-s, -s}, 1.5);
 }
 
@@ -146,8 +146,8 @@ double size() {
     return *rc::gen::inRange(10, 1500) * 1e-3;
 }
 
-/// The found point lies on the surface, and no sample is nearer: for all primitives alike. Inside a solid
-/// the separation is that to the nearest surface, negative.
+/// For all primitives, the point lies on the surface and no sample is closer. Inside a solid the separation
+/// is the negative distance from the closest surface.
 void check_against_samples(const Primitive& primitive, bool solid) {
     const Vec2 center = fill_proxies();
     const double radius = size();
