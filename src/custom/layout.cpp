@@ -18,7 +18,7 @@ Layout::Layout(const Scene& scene)
     }
     for (const Primitive& primitive : primitives_) {
         const Part& part = scene.parts[primitive.part];
-        always_stops_.push_back(!part.sensor && !part.target && gate_of(part) == nullptr);
+        always_collides_.push_back(!part.sensor && !part.target && gate_of(part) == nullptr);
         material_of_.push_back(part.material);
     }
     for (PartIndex part = 0; part < scene.parts.size(); ++part)
@@ -34,7 +34,8 @@ Proxy Layout::proxy(const Table& table, PrimitiveIndex i, double begin, double e
     Box box = bounds_of(primitives_[i], first);
     if (turned != 0) {
         box = united(box, bounds_of(primitives_[i], last));
-        // Between the two, a point at distance d bulges out by less than d·(1 − cos(turned/2)).
+        // Between both poses, a point at distance d from the pivot is outside by less than d·(1 −
+        // cos(turned/2)).
         const double dx = std::max(box.max.x - first.pivot.x, first.pivot.x - box.min.x);
         const double dy = std::max(box.max.y - first.pivot.y, first.pivot.y - box.min.y);
         box = grown(box, length({dx, dy}) * std::min(2.0, turned * turned / 8));
@@ -42,7 +43,7 @@ Proxy Layout::proxy(const Table& table, PrimitiveIndex i, double begin, double e
     return {box, part.layer, part.collides_with, false, turned != 0};
 }
 
-bool stops(const Table& table, const Primitive& primitive, const Pose& pose, const Ball& ball) {
+bool should_collide(const Table& table, const Primitive& primitive, const Pose& pose, const Ball& ball) {
     const Part& part = table.scene().parts[primitive.part];
     const PartState& state = table.parts()[primitive.part];
     if (part.sensor || state.down) return false;

@@ -1,6 +1,6 @@
 #pragma once
-/// The primitives of the table made ready for the step: the still ones first, then the moving ones, so that a
-/// primitive's index is also its handle in the broad phase; balls have the handles after them.
+/// The primitives of the table, prepared for the step: the still ones first, then the moving ones. So the
+/// index of a primitive is also its handle in the broad phase; the handles of balls follow.
 
 #include <span>
 
@@ -11,9 +11,10 @@ namespace flipside::custom {
 
 using PrimitiveIndex = std::uint32_t;
 
-/// Whether a primitive answers a ball now: no sensor, no target that is down, no gate that lets this ball
-/// through (gate.hpp).
-[[nodiscard]] bool stops(const Table& table, const Primitive& primitive, const Pose& pose, const Ball& ball);
+/// Whether a primitive collides with a ball now. Sensors, targets that are down, and gates that let the ball
+/// through (gate.hpp) do not.
+[[nodiscard]] bool should_collide(const Table& table, const Primitive& primitive, const Pose& pose,
+                                  const Ball& ball);
 
 class Layout {
   public:
@@ -23,29 +24,30 @@ class Layout {
     [[nodiscard]] std::span<const Primitive> primitives() const { return primitives_; }
     [[nodiscard]] PrimitiveIndex size() const { return static_cast<PrimitiveIndex>(primitives_.size()); }
     [[nodiscard]] bool moves(PrimitiveIndex i) const { return i >= still_; }
-    /// Pose and rate (rad/s) of a primitive `ahead` seconds from now; cheap for what is still.
+    /// Pose and rate (rad/s) of a primitive `ahead` seconds from now; cheap for still primitives.
     [[nodiscard]] Pose pose(const Table& table, PrimitiveIndex i, double ahead) const {
         return moves(i) ? table.pose(primitives_[i].part, ahead) : Pose{};
     }
     [[nodiscard]] double rate(const Table& table, PrimitiveIndex i, double ahead) const {
         return moves(i) ? table.rate(primitives_[i].part, ahead) : 0;
     }
-    /// Whether it is no sensor, target or gate.
-    [[nodiscard]] bool always_stops(PrimitiveIndex i) const { return always_stops_[i]; }
-    /// The same as stops() above; cheap for most primitives.
-    [[nodiscard]] bool stops(const Table& table, PrimitiveIndex i, const Pose& pose, const Ball& ball) const {
-        return always_stops_[i] || custom::stops(table, primitives_[i], pose, ball);
+    /// Whether a primitive is no part of a sensor, target or gate.
+    [[nodiscard]] bool always_collides(PrimitiveIndex i) const { return always_collides_[i]; }
+    /// The same as should_collide() above; cheap for most primitives.
+    [[nodiscard]] bool should_collide(const Table& table, PrimitiveIndex i, const Pose& pose,
+                                      const Ball& ball) const {
+        return always_collides_[i] || custom::should_collide(table, primitives_[i], pose, ball);
     }
-    /// Of the still primitives, by index.
+    /// Proxies of the still primitives, by index.
     [[nodiscard]] const std::vector<Proxy>& still_proxies() const { return still_proxies_; }
-    /// Parts that are gates.
+    /// Indices of the parts that are gates.
     [[nodiscard]] std::span<const PartIndex> gates() const { return gates_; }
 
-    /// Proxies of the moving primitives and then of the balls. Primitives cover their way from `begin` to
-    /// `end` seconds from the table's now. `box_of` gives the box of a ball; it is active unless asleep
-    /// and `all_active` is false. A primitive is active when it turns meanwhile.
-    void place(const Table& table, std::span<const Ball> balls, double begin, double end, bool all_active,
-               auto&& box_of, std::vector<Proxy>& moving) const {
+    /// Fills `moving` with the proxies of the moving primitives, then of the balls. The box of a primitive
+    /// covers its motion from `begin` to `end`, s after the table's time. `box_of` gives the box of a ball.
+    /// Balls are active if awake or if `all_active`; a primitive is active if it turns in that interval.
+    void fill_proxies(const Table& table, std::span<const Ball> balls, double begin, double end,
+                      bool all_active, auto&& box_of, std::vector<Proxy>& moving) const {
         moving.clear();
         for (PrimitiveIndex i = still_; i < primitives_.size(); ++i)
             moving.push_back(proxy(table, i, begin, end));
@@ -54,7 +56,7 @@ class Layout {
                 {box_of(ball), ball.layer, ball.collides_with, true, all_active || !ball.asleep});
     }
 
-    /// What happens between two materials.
+    /// Restitution, friction and kick between two materials.
     [[nodiscard]] const Mixed& mixed(std::uint32_t a, std::uint32_t b) const {
         return mixed_[a * materials_ + b];
     }
@@ -63,7 +65,7 @@ class Layout {
         return mixed(ball.material, material_of_[i]);
     }
 
-    /// Of a moving primitive, as in place().
+    /// Proxy of a moving primitive, as in fill_proxies().
     [[nodiscard]] Proxy proxy(const Table& table, PrimitiveIndex i, double begin, double end) const;
 
   private:
@@ -72,7 +74,7 @@ class Layout {
     PrimitiveIndex still_ = 0;
     std::vector<Proxy> still_proxies_;
     std::vector<PartIndex> gates_;
-    std::vector<char> always_stops_;          ///< per primitive
+    std::vector<char> always_collides_;       ///< per primitive
     std::vector<std::uint32_t> material_of_;  ///< per primitive
     std::size_t materials_;
     std::vector<Mixed> mixed_;

@@ -7,20 +7,20 @@ namespace flipside::custom {
 
 namespace {
 
-/// Coulomb's tangential impulse along perp(normal), for a slip of `slip` m/s there that an impulse of
-/// `sticking_mass`·slip would stop.
+/// Coulomb's friction impulse along perp(normal), for a slip of `slip` m/s there; an impulse of
+/// sticking_mass·slip would stop it.
 double friction_impulse(double friction, double normal_impulse, double slip, double sticking_mass) {
     const double limit = friction * normal_impulse;
     return std::clamp(-sticking_mass * slip, -limit, limit);
 }
 
-/// Outgoing normal speed of an impact at `speed`.
+/// Normal speed after an impact at `speed`.
 double bounce(const Mixed& material, double speed) {
     return std::max(material.restitution * speed, material.kick);
 }
 
-/// Mass against a tangential impulse at the rim of a disc: 1/(1/m + r²/I) with I = ½mr².
-double rim_mass(double mass) {
+/// Effective mass for a tangential impulse on a disc: 1/(1/m + r²/I) with I = ½mr².
+double tangent_mass(double mass) {
     return mass / 3;
 }
 
@@ -35,7 +35,7 @@ Impact respond(Ball& ball, const Touch& touch, Vec2 surface_velocity, const Mixe
 
     const double depth = -touch.separation;
     const double speed_squared = closing * closing + 2 * dot(around.gravity, normal) * depth;
-    const double rounding = 1e-3 * closing;  // all that is left where the ball merely rests
+    const double rounding = 1e-3 * closing;  // speed of a ball at rest, due to rounding
     const double speed = speed_squared > rounding * rounding ? std::sqrt(speed_squared) : 0;
 
     Impact impact{speed > around.rest_speed, normal, speed, 0};
@@ -45,7 +45,7 @@ Impact respond(Ball& ball, const Touch& touch, Vec2 surface_velocity, const Mixe
     if (material.friction > 0) {
         const double slip = dot(relative, tangent) - ball.radius * ball.spin;
         const double friction =
-            friction_impulse(material.friction, impact.impulse, slip, rim_mass(ball.mass));
+            friction_impulse(material.friction, impact.impulse, slip, tangent_mass(ball.mass));
         ball.velocity += friction / ball.mass * tangent;
         ball.spin -= ball.radius * friction / inertia(ball);
     }
@@ -59,8 +59,9 @@ Impact respond(Ball& a, Ball& b, const Mixed& material, const Surroundings& arou
 
     const Vec2 normal = unit(between), tangent = perp(normal);
     const double speed = -dot(relative, normal);
-    // Gravity drives a ball into the one it rests on while nobody looks: that much is no impact.
-    const bool resting = speed <= around.rest_speed + std::abs(dot(around.gravity, normal)) * around.driven;
+    // The speed that gravity gives a resting ball between two searches for contacts is no impact.
+    const bool resting =
+        speed <= around.rest_speed + std::abs(dot(around.gravity, normal)) * around.gravity_time;
     const double out = resting ? 0 : bounce(material, speed);
     const double inverse_mass = 1 / a.mass + 1 / b.mass;
     const Impact impact{!resting, normal, speed, (speed + out) / inverse_mass};
@@ -69,7 +70,7 @@ Impact respond(Ball& a, Ball& b, const Mixed& material, const Surroundings& arou
     if (material.friction > 0) {
         const double slip = dot(relative, tangent) - a.radius * a.spin - b.radius * b.spin;
         const double friction =
-            friction_impulse(material.friction, impact.impulse, slip, rim_mass(1 / inverse_mass));
+            friction_impulse(material.friction, impact.impulse, slip, tangent_mass(1 / inverse_mass));
         impulse += friction * tangent;
         a.spin -= a.radius * friction / inertia(a);
         b.spin -= b.radius * friction / inertia(b);

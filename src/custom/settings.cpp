@@ -13,7 +13,7 @@ constexpr std::string_view solvers[] = {"continuous", "simple"};
 constexpr RetiredChoice retired_solvers[] = {
     {"discrete", "take continuous, which is exact and faster, or simple, which steps as it did"},
     {"auto", "take continuous, which it chose for few balls and which now serves any number"}};
-/// Of every broad phase, and what leaves the choice to the engine.
+/// The names of all broad phases, and "auto".
 constexpr auto broad_phase_names = [] {
     std::array<std::string_view, std::size(broad_phases) + 1> names{};
     std::ranges::transform(broad_phases, names.begin(), &BroadPhaseKind::name);

@@ -1,5 +1,5 @@
 #pragma once
-/// The settings of this engine, read once when a world is made.
+/// The settings of this engine, read once when a world is created.
 
 #include <cstdint>
 

@@ -19,7 +19,7 @@ auto key(const Contact& contact) {
     return std::tie(contact.ball, contact.other);
 }
 
-/// The ball with a number, or null; `balls` are by rising number.
+/// The ball with a number, or null; `balls` are sorted by number.
 const Ball* find(std::span<const Ball> balls, BallNumber number) {
     const auto at = std::ranges::lower_bound(balls, number, {}, &Ball::number);
     return at != balls.end() && at->number == number ? &*at : nullptr;
@@ -39,7 +39,7 @@ void sort_unique(std::vector<Sensed>& list) {
     list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-/// Visits what is in `these` and not in `those`; both in order of key.
+/// Visits the elements of `these` that are not in `those`; both are sorted by key.
 template <class T>
 void each_missing(const std::vector<T>& these, const std::vector<T>& those, auto&& key_of, auto&& visit) {
     auto other = those.begin();
@@ -59,7 +59,7 @@ void TouchList::reserve(std::size_t primitives, std::size_t balls) {
     for (auto* list : {&sensed_before_, &sensed_}) reserve_for(*list, balls, touches_per_ball);
 }
 
-void TouchList::keep_sleepers(std::span<const Ball> balls) {
+void TouchList::keep_sleeping(std::span<const Ball> balls) {
     for (const Contact& contact : before_)
         if (sleeps(balls, contact.ball) && (!contact.other.is_ball || sleeps(balls, contact.other.index)))
             now_.push_back(contact);
@@ -71,7 +71,7 @@ void TouchList::test(const Layout& layout, const Table& table, const Ball& ball,
     const Primitive& primitive = layout.primitive(index);
     const Pose pose = layout.pose(table, index, 0);
     const bool sensor = table.scene().parts[primitive.part].sensor;
-    if (!sensor && !layout.stops(table, index, pose, ball)) return;
+    if (!sensor && !layout.should_collide(table, index, pose, ball)) return;
     const Touch found = touch(ball.position, ball.radius, primitive, pose);
     if (found.past_end) return;
     if (sensor && found.separation <= 0) sensed_.push_back({ball.number, primitive.part});
@@ -100,7 +100,7 @@ void TouchList::search(const Layout& layout, const Table& table, std::span<const
     const auto box_of = [](const Ball& ball) {
         return bounds_of(ball.position, ball.radius * (1 + touch_distance));
     };
-    layout.place(table, balls, 0, 0, true, box_of, moving_);
+    layout.fill_proxies(table, balls, 0, 0, true, box_of, moving_);
     broad.find_pairs(moving_, pairs_);
     test_pairs(layout, table, balls);
 }
@@ -108,14 +108,14 @@ void TouchList::search(const Layout& layout, const Table& table, std::span<const
 void TouchList::refresh(const Layout& layout, const Table& table, std::span<const Ball> balls,
                         std::span<const Pair> pairs) {
     begin();
-    keep_sleepers(balls);
+    keep_sleeping(balls);
     pairs_.assign(pairs.begin(), pairs.end());
     test_pairs(layout, table, balls);
 }
 
 void TouchList::test_pairs(const Layout& layout, const Table& table, std::span<const Ball> balls) {
     narrow_tests_ = pairs_.size();
-    if (narrow_tests_ == 0) return;  // what was kept of sleepers is in order
+    if (narrow_tests_ == 0) return;  // the kept contacts are sorted
     const Handle first_ball = layout.size();
     for (const Pair pair : pairs_) {
         const Ball& ball = balls[pair.b - first_ball];
@@ -131,7 +131,7 @@ void TouchList::test_pairs(const Layout& layout, const Table& table, std::span<c
     const auto same = [](const Contact& a, const Contact& b) { return key(a) == key(b); };
     now_.erase(std::unique(now_.begin(), now_.end(), same), now_.end());
     sort_unique(sensed_);
-    // The lists change places at the next search: let both grow now, not one after the other.
+    // The lists are swapped in the next search, so both get the same capacity now.
     before_.reserve(now_.capacity());
     sensed_before_.reserve(sensed_.capacity());
 }
@@ -173,7 +173,7 @@ void TouchList::wake_unsupported(std::span<Ball> balls, Vec2 gravity) {
 }
 
 void TouchList::report_sensors(double time, std::vector<Sensed>& crossed, std::vector<Event>& events) const {
-    // What was crossed within the step began in it, and ended in it unless the ball is still there.
+    // A sensor crossed within the step has a begin event, and an end event unless the ball is still inside.
     const auto sensor_event = [&](EventKind kind) {
         return [=, &events](const Sensed& s) {
             events.push_back({time, kind, s.ball, Other::part(s.sensor), {}, {}, 0, 0});

@@ -1,6 +1,6 @@
 #pragma once
-/// Which balls touch what at an instant. It follows from the state of a world alone, so a world continued
-/// from a saved state knows the same touches as one that ran through.
+/// The contacts of all balls at an instant. They follow from the state of a world alone, so a world that
+/// continues from a saved state has the same contacts.
 
 #include "custom/layout.hpp"
 #include "custom/tolerances.hpp"
@@ -17,20 +17,20 @@ struct Sensed {
 
 class TouchList {
   public:
-    /// Finds all touches now.
+    /// Finds all contacts.
     void search(const Layout& layout, const Table& table, std::span<const Ball> balls, BroadPhase& broad);
-    /// The same where the pairs of awake balls whose boxes overlap are known. What sleeps beside what stands
-    /// still touches what it touched before.
+    /// The same from known pairs of overlapping boxes with an awake ball. Contacts of sleeping balls with
+    /// each other and with still parts are kept.
     void refresh(const Layout& layout, const Table& table, std::span<const Ball> balls,
                  std::span<const Pair> pairs);
-    /// One per touching pair (the deepest where there are several), by ball, then other.
+    /// One contact per touching pair (the deepest if there are several), sorted by ball, then other.
     [[nodiscard]] std::span<const Contact> contacts() const { return now_; }
-    /// Candidates of the last search, for those who want to see them.
+    /// The candidate pairs of the last search.
     [[nodiscard]] std::span<const Pair> pairs() const { return pairs_; }
-    /// Shapes tested in the last search.
+    /// Number of narrow-phase tests in the last search.
     [[nodiscard]] std::uint64_t narrow_tests() const { return narrow_tests_; }
-    /// Reports what began and ended between the last two searches. `crossed` are the sensors that balls met
-    /// in between (used up as scratch).
+    /// Reports contacts and sensor overlaps that began or ended between the last two searches. `crossed`: the
+    /// sensors with which balls overlapped in between (used as a buffer).
     void report_touches(double time, std::vector<Event>& events) const;
     void report_sensors(double time, std::vector<Sensed>& crossed, std::vector<Event>& events) const;
 
@@ -40,13 +40,13 @@ class TouchList {
     /// Cost: where one was lost, contacts · log(balls) for each pass through a chain of touching balls.
     void wake_unsupported(std::span<Ball> balls, Vec2 gravity);
 
-    /// Makes room for so many primitives and balls.
+    /// Reserves memory for so many primitives and balls.
     void reserve(std::size_t primitives, std::size_t balls);
 
   private:
     void begin();
     void test_pairs(const Layout& layout, const Table& table, std::span<const Ball> balls);
-    void keep_sleepers(std::span<const Ball> balls);
+    void keep_sleeping(std::span<const Ball> balls);
     void test(const Layout& layout, const Table& table, const Ball& ball, PrimitiveIndex index);
     void test(const Ball& lower, const Ball& ball);
 

@@ -26,12 +26,12 @@ CustomWorld::CustomWorld(std::shared_ptr<const Scene> scene, const Settings& set
     fill_statistics(0);
 }
 
-/// Lists grow here, when balls join, and hardly ever in a step.
+/// Lists grow here, when balls are added, and hardly ever in a step.
 void CustomWorld::reserve_for() {
     custom::reserve_for(balls_, balls_.size() + 1);
     if (simple_) simple_->reserve(balls_.size());
     if (windows_) windows_->reserve(balls_.size());
-    guard_.reserve(balls_.capacity(), std::max(least_room, balls_.capacity() * contacts_per_ball));
+    guard_.reserve(balls_.capacity(), std::max(least_capacity, balls_.capacity() * contacts_per_ball));
     contacts_.reserve(layout_.size(), balls_.size());
     custom::reserve_for(table_.memory().forces, balls_.size(), contacts_per_ball);
     custom::reserve_for(table_.reported_lost(), balls_.size());
@@ -59,7 +59,7 @@ void CustomWorld::make_step(double dt) {
     record_.statistics = {};
     launch();
     if (simple_) {
-        step_simply(dt);
+        step_simple(dt);
     } else {
         contacts_skipped_ |= !contacts_found_;
         windows_->step(dt, balls_, record_);
@@ -88,7 +88,7 @@ void CustomWorld::launch() {
     }
 }
 
-void CustomWorld::step_simply(double dt) {
+void CustomWorld::step_simple(double dt) {
     record_.broad_seconds = record_.flight_seconds = record_.contact_seconds = record_.report_seconds = 0;
     simple_->step(table_, balls_, dt, *broad_, record_);
     table_.advance(dt);
@@ -101,7 +101,7 @@ void CustomWorld::step_simply(double dt) {
     watch.lap(record_.report_seconds);
 }
 
-/// The balls that have left the bounds in a step of the simple solver.
+/// Handles the balls that have left the bounds in a step of the simple solver.
 void CustomWorld::lose_balls() {
     auto& reported = table_.reported_lost();
     const auto outside = [&](const Ball& ball) { return !scene_->bounds.contains(ball.position); };
@@ -123,12 +123,12 @@ std::span<const Contact> CustomWorld::contacts() const {
     return contacts_.contacts();
 }
 
-/// After a step of the continuous solver.
+/// Finds the contacts after a step of the continuous solver.
 void CustomWorld::find_contacts() const {
     if (contacts_found_) return;
     contacts_found_ = true;
     contacts_last_ = windows_->quiet();
-    // What slept all the time touches what it touched before.
+    // Balls that slept since then have the same contacts.
     if (contacts_skipped_ || windows_->fell_asleep())
         contacts_.search(layout_, table_, balls_, *broad_);
     else
@@ -139,7 +139,7 @@ void CustomWorld::find_contacts() const {
     sort_events();
 }
 
-/// Where balls have changed otherwise than by a step of the continuous solver.
+/// Finds the contacts after balls have changed in any way but by a step of the continuous solver.
 void CustomWorld::search_contacts() {
     contacts_found_ = true;
     contacts_last_ = contacts_skipped_ = false;
@@ -163,7 +163,7 @@ void CustomWorld::fill_statistics(std::uint64_t pair_tests) {
     statistics.asleep = static_cast<std::uint64_t>(all_sleep ? std::ssize(balls_)
                                                              : std::ranges::count_if(balls_, &Ball::asleep));
     if (windows_) {
-        // Events of all kinds take turns: there are no stages.
+        // Events of all kinds alternate, so there are no stages.
         statistics.broad_phase.name = "cells";
         return;
     }
@@ -178,7 +178,7 @@ void CustomWorld::wake_all() {
     for (Ball& ball : balls_) ball.asleep = false;
 }
 
-/// Something from outside changes the world.
+/// Prepares for a change of the world from outside.
 void CustomWorld::interrupt() {
     contacts_last_ = false;
     if (windows_) windows_->interrupt();

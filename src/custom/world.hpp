@@ -1,5 +1,5 @@
 #pragma once
-/// The bespoke engine's world: joins table, broad phase, solver and reports behind the World interface.
+/// The world of the bespoke engine: table, broad phase, solver and reports behind the World interface.
 
 #include <memory>
 
@@ -36,7 +36,7 @@ class CustomWorld final : public World {
     void reserve_for();
     void make_step(double dt);
     void launch();
-    void step_simply(double dt);
+    void step_simple(double dt);
     void lose_balls();
     void find_contacts() const;
     void search_contacts();
@@ -52,14 +52,14 @@ class CustomWorld final : public World {
     Table table_;
     Layout layout_;
     std::unique_ptr<BroadPhase> broad_;
-    std::unique_ptr<SimpleSolver> simple_;  ///< the solver is this one
-    std::unique_ptr<Windows> windows_;      ///< or this one
-    std::vector<Ball> balls_;               ///< by rising number
+    std::unique_ptr<SimpleSolver> simple_;  ///< if the solver is this one
+    std::unique_ptr<Windows> windows_;      ///< if it is this one
+    std::vector<Ball> balls_;               ///< sorted by number
     StepGuard guard_{engine_name};
-    // Contacts, and events of those that begin and end, are found when somebody asks for them.
+    // Contacts, and their begin and end events, are found on request.
     mutable bool contacts_found_ = false;
-    mutable bool contacts_skipped_ = false;  ///< in a step since they were found last
-    mutable bool contacts_last_ = false;     ///< until something from outside changes the world: it is quiet
+    mutable bool contacts_skipped_ = false;  ///< a step has passed since they were found last
+    mutable bool contacts_last_ = false;     ///< they do not change, since the world is quiet
     mutable TouchList contacts_;
     mutable StepRecord record_;
 };

@@ -1,9 +1,9 @@
 #pragma once
-/// The broad phase: a grid of cells that each know the features and sensors near them and the balls whose
-/// centres they hold. A cell is at least as wide as the largest ball, so a ball can only meet what is listed
-/// in its own cell, and balls of its own and the eight cells around. A ball changes cell by an event
-/// (Rapaport 1980, "The event scheduling problem in molecular dynamic simulation"). Cells at the border reach
-/// to infinity.
+/// The broad phase: a grid whose cells list the features and sensors that balls in them can touch, and the
+/// balls whose centres they contain. A cell is at least as wide as the largest ball, so a ball can only touch
+/// features of its own cell, and balls of its own and the eight adjacent cells. A ball changes its cell by an
+/// event (Rapaport 1980, "The event scheduling problem in molecular dynamic simulation"). Cells at the border
+/// extend to infinity.
 
 #include <cstdint>
 #include <vector>
@@ -17,11 +17,11 @@ class Cells {
     using Index = std::uint32_t;
     static constexpr std::int32_t none = -1;
 
-    /// Something that stands still, or the box of all its poses.
+    /// A feature, sensor or gate with the box of all its poses.
     struct Still {
         Box box;
         PartIndex part = 0;
-        bool senses = false;  ///< a sensor or gate, listed by its part; else a feature, listed by its place
+        bool senses = false;  ///< a sensor or gate, listed by its part; else a feature, listed by its index
     };
     /// For balls of up to `radius`. `things` holds the features first, in order.
     void build(const Box& area, const std::vector<Still>& things, std::size_t balls, double radius);
@@ -59,8 +59,8 @@ class Cells {
     Index columns_ = 1, rows_ = 1;
     std::vector<std::vector<std::uint32_t>> features_;
     std::vector<std::vector<PartIndex>> sensors_;
-    std::vector<std::int32_t> first_;            ///< ball, by cell
-    std::vector<std::int32_t> next_, previous_;  ///< by ball
+    std::vector<std::int32_t> first_;            ///< first ball of each cell
+    std::vector<std::int32_t> next_, previous_;  ///< per ball
 };
 
 }  // namespace flipside::reference

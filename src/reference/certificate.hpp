@@ -1,7 +1,7 @@
 #pragma once
-/// What a run of the exact engine was made of, for a check that needs nothing of the engine: every path of
-/// every ball and why it began, and how the parts moved. All numbers are rounded to double; times are in s
-/// since the certificate began.
+/// The certificate of a run of the exact engine, for a check that is independent of the engine: every path of
+/// every ball with the reason for its start, and the motion of the parts. All numbers are rounded to double;
+/// times are in s since the start of the certificate.
 
 #include <map>
 #include <optional>
@@ -16,16 +16,16 @@ namespace flipside::reference {
 struct Beginning {
     enum class Why { given, goes_on, meets_part, meets_ball };
     Why why = Why::goes_on;        ///< given: from outside (the start, a launch, a nudge)
-    std::uint32_t met = 0;         ///< index of a feature of the scene's surface, or the number of a ball
-    std::size_t met_leg = 0;       ///< of that ball: which of its legs begins by the same touch
-    std::optional<double> within;  ///< s: the touch is isolated by this much on either side
+    std::uint32_t met = 0;         ///< index of a primitive of the scene's surface, or the number of a ball
+    std::size_t met_leg = 0;       ///< of that ball: which of its legs begins by the same contact
+    std::optional<double> within;  ///< s: half the width of the interval that isolates the contact
     Vec2 velocity_before;
     double spin_before = 0;
     Vec2 normal;  ///< unit, to the ball
 };
 
-/// A path from `start` to the start of the ball's next one, with t counted from `start`: the solution of
-/// v' = acceleration − drag·v, and Σ displacements[k]·t^(k+2) more. The spin is `roll`·v where roll is not 0,
+/// A path from `start` to the start of the ball's next path, with t relative to `start`: the solution of
+/// v' = acceleration − drag·v, plus Σ displacements[k]·t^(k+2). The spin is `roll`·v where roll is not 0,
 /// else spin + Σ spins[k]·t^(k+1).
 struct Leg {
     Beginning begins;
@@ -48,7 +48,7 @@ struct TurningSpan {
     double since = 0, angle = 0, rate = 0;
 };
 
-/// A ball is let through by a gate, from its coming within a radius to its leaving.
+/// A gate lets a ball through, from the time at which it is within a radius until it has left.
 struct Passage {
     BallNumber ball = 0;
     PartIndex gate = 0;
@@ -56,7 +56,8 @@ struct Passage {
     std::optional<double> until;
 };
 
-/// From outside: one ball's velocity is set (a launch), or that of all is changed by this (a nudge).
+/// A change from outside: the velocity of one ball is set (a launch), or that of all balls changes by this (a
+/// nudge).
 struct Input {
     double time = 0;
     std::optional<BallNumber> ball;  ///< none: all
@@ -70,7 +71,7 @@ struct TargetChange {
     bool down = false;
 };
 
-/// A force between a ball and what it rests on.
+/// A contact force between a resting ball and its support.
 struct RestingForce {
     BallNumber ball = 0;
     std::optional<BallNumber> other;  ///< a ball, or else
@@ -78,8 +79,7 @@ struct RestingForce {
     double normal = 0, friction = 0;  ///< N, on the ball, along the normal to it and perp of that
 };
 
-/// A ball that rests on two parts, or balls of a heap on parts and each other, and the forces that hold them
-/// so.
+/// A ball at rest on two parts, or the balls of a heap, with the contact forces that balance their weights.
 struct Rest {
     double from = 0;
     std::optional<double> until;

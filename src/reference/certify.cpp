@@ -1,4 +1,4 @@
-// What the exact engine writes down for those who check it (certificate.hpp).
+// Writes the certificate of the exact engine (certificate.hpp).
 
 #include <algorithm>
 
@@ -21,7 +21,7 @@ R isolate(const R& time, R half, const R& margin, auto&& gap) {
 
 }  // namespace
 
-/// Half the width of an interval about now that isolates the touch of a ball that meets something.
+/// Half the width of an interval around now that isolates the impact of a ball.
 /// `digit` is what times are rounded to, relative, and `margin` what counts as no gap, m.
 template <class R>
 R Simulation<R>::isolated_within(const Mover& mover, const R& digit, const R& margin) const {
@@ -39,11 +39,11 @@ R Simulation<R>::isolated_within(const Mover& mover, const R& digit, const R& ma
     });
 }
 
-/// Before a ball is moved to where it meets something.
+/// Notes an impact before the ball is moved there.
 template <class R>
 void Simulation<R>::note_meeting(Place i) {
-    constexpr double longest = 1e-6;  // s; over more of its path a ball may have turned round
-    // Wide enough for a reader of the numbers rounded to double.
+    constexpr double longest = 1e-6;  // s; over a longer time the ball may have reversed
+    // Wide enough for numbers rounded to double.
     const R size = length(movers_[i].path.at(now_).position) + movers_[i].radius;
     const R half = isolated_within(movers_[i], R(0x1p-48), R(0x1p-48 * size));
     const auto note = [&](Mover& mover, Beginning::Why why, std::uint32_t met, std::size_t met_leg,
@@ -128,7 +128,7 @@ void Simulation<R>::note_passage(const Mover& mover, PartIndex gate, bool begins
         if (passage.ball == mover.ball.number && passage.gate == gate && !passage.until) passage.until = time;
 }
 
-/// Of a ball that begins or ends to rest on two parts.
+/// Notes a ball that begins or ends to rest on two parts.
 template <class R>
 void Simulation<R>::note_pair_of_parts(Mover& mover, double start) {
     if (mover.noted_rest) certificate_->rests[*mover.noted_rest].until = start;

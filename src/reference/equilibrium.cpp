@@ -11,7 +11,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-/// A force that is 1 along an edge of a cone: what it does to the discs on both sides.
+/// A unit force along an edge of a friction cone, with its effect on both discs.
 struct Edge {
     std::size_t support = 0;
     double side = 0;  ///< of the edge n + side·µt; 0 without friction
@@ -121,7 +121,7 @@ class LeastSquares {
             shunned_[best] = 1;
             if (!factors_.append(edges_[best])) continue;
             in_use_.push_back(best);
-            if (!(solution().back() > 0)) {  // rounding wanted it
+            if (!(solution().back() > 0)) {  // chosen by rounding only
                 in_use_.pop_back();
                 factors_.remove(in_use_.size());
                 continue;
@@ -154,7 +154,7 @@ class LeastSquares {
         }
         return edge;
     }
-    /// Of the forces not in use, the one along which most is missing; none where that is rounding.
+    /// The unused force with the largest residual along it; none if all are rounding.
     [[nodiscard]] std::size_t most_wanted() const {
         Numbers scale = needed_;
         for (double& one : scale) one = std::abs(one);
@@ -177,12 +177,12 @@ class LeastSquares {
         Numbers x = factors_.solve(needed_), left = needed_;
         for (std::size_t i = 0; i < x.size(); ++i)
             for (const auto& [row, value] : edges_[in_use_[i]].entries) left[row] -= value * x[i];
-        const Numbers more = factors_.solve(left);  // what the first lost by rounding
+        const Numbers more = factors_.solve(left);  // iterative refinement
         for (std::size_t i = 0; i < x.size(); ++i) x[i] += more[i];
         return x;
     }
-    /// Goes towards the least squares of the forces in use as far as none becomes negative, and takes out
-    /// those that become zero; until it gets there.
+    /// Moves towards the least-squares solution of the forces in use until one becomes zero, removes that
+    /// one, and repeats until it reaches the solution.
     void drop_what_would_pull() {
         for (;;) {
             const Numbers x = solution();
@@ -228,7 +228,7 @@ class LeastSquares {
     std::vector<Edge> edges_;
     Numbers forces_;                   ///< along the edges, N
     std::vector<std::size_t> in_use_;  ///< the edges that are factored, in order
-    std::vector<char> shunned_;        ///< tried in vain since forces last changed
+    std::vector<char> shunned_;        ///< tried without effect since the forces changed last
     Factors factors_;
 };
 

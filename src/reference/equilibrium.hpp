@@ -8,8 +8,9 @@
 /// each force that is tried, about n³ in all.
 ///
 /// A heap that is statically indeterminate has many solutions; any will do, as rest is then one of the
-/// motions that the laws allow (without friction the only one). Where there is no solution, what is left of
-/// the weights is a motion that no contact hinders and in which the weights do work (Farkas' lemma).
+/// motions that the laws allow (without friction the only one). If there is no solution, the
+/// residual of the weights is a motion that violates no contact and in which the weights do work (Farkas'
+/// lemma).
 
 #include <cstdint>
 #include <span>
@@ -22,7 +23,7 @@ namespace flipside::reference {
 /// Contact forces balance the weight of every disc to this share of it, in force and in torque over radius.
 constexpr double balance_tolerance = 1e-10;
 
-/// Where a disc touches another, or something that stands still.
+/// A contact of a disc with another disc or with a static part.
 struct Support {
     static constexpr std::uint32_t still = ~0U;
     std::uint32_t disc = 0, other = still;  ///< indices of discs
@@ -32,7 +33,7 @@ struct Support {
     double friction_force = 0;              ///< N, on the disc along perp(normal)
 };
 
-/// What the forces that were found leave unbalanced.
+/// The residual of the forces that were found.
 struct Imbalance {
     double share = 0;        ///< of the weight of the disc, the largest
     std::uint32_t disc = 0;  ///< whose that is

@@ -32,7 +32,7 @@ void Simulation<R>::report(EventKind kind, const Mover& mover, Other other, cons
                        static_cast<double>(impact.impulse)});
 }
 
-/// Events that follow each other without time passing cannot be put in order; and a step has an end.
+/// Refuses series of events in which no time passes, and steps that take too long.
 template <class R>
 void Simulation<R>::keep_order(Mover& mover) {
     constexpr double instant = 1e-9;  // s; bounces that die away at e = 0.99 are 1,600 in the last of it
@@ -55,7 +55,7 @@ void Simulation<R>::keep_order(Mover& mover) {
                             : " without end" + at_time(now_) + ": it is squeezed or in a pile"));
 }
 
-/// After an impact.
+/// Notes an impact.
 template <class R>
 void Simulation<R>::require_speed(const Mover& mover, Other met) const {
     Ball ball = mover.ball;
@@ -78,12 +78,12 @@ void Simulation<R>::handle(Place i) {
             if (movers_[mover.met].gone || movers_[mover.met].changes != mover.met_changes) return predict(i);
             return hit_ball(i);
         case Next::look_again:
-            // Only the time for looking ahead was over, or the ball rests in a heap by now.
+            // Only the horizon of the prediction was reached, or the ball rests in a heap by now.
             if (mover.met != 0 || mover.heap != 0) return predict(i);
             advance(mover);
-            if (mover.lets_go) mover.left = mover.held[0];
+            if (mover.separates) mover.left = mover.held[0];
             if (mover.held[1] != nothing) mover.body.spin = R(0);
-            set_out(i);
+            start_path(i);
             return predict(i);
         case Next::cell:
             return cross_cell(i);
@@ -123,7 +123,7 @@ void Simulation<R>::hit_feature(Place i) {
     const V<R> surface = turns == nullptr ? V<R>{} : cross(turns->rate, point - turns->pivot);
     const V<R> relative = body.velocity - surface;
     const R closing = -dot(relative, normal);
-    // Slower than this it only brushes along.
+    // A slower approach is a sliding contact.
     if (closing <= 4096 * epsilon<R>() * (length(body.velocity) + length(relative))) {
         if (closing > 0) body.velocity += closing * normal;
     } else {
@@ -136,7 +136,7 @@ void Simulation<R>::hit_feature(Place i) {
             if (certificate_) note_target(index);
         }
     }
-    set_out(i);
+    start_path(i);
     predict(i);
     if (parts_[index].down) release(index);
 }
@@ -167,15 +167,15 @@ void Simulation<R>::hit_ball(Place i) {
             report(EventKind::impact, a, Other::ball(b.ball.number), impact,
                    b.body.position + b.radius * normal, normal);
     }
-    set_out(i);
-    set_out(j);
+    start_path(i);
+    start_path(j);
     if (slow && a.heap == 0) refuse_piles(a, b);
     predict(i);
     predict(j);
 }
 
-/// Balls that touch, do not move apart, and are driven together; or that are so by a third, with which slow
-/// touches then alternate without end.
+/// Whether two balls are in resting contact: they touch, do not separate, and accelerate towards each other;
+/// or a third ball drives them together, with slow contacts that alternate without end.
 template <class R>
 void Simulation<R>::refuse_piles(Mover& a, Mover& b) const {
     constexpr double moment = 1e-4;  // s
@@ -202,7 +202,7 @@ void Simulation<R>::refuse_piles(Mover& a, Mover& b) const {
     refuse();
 }
 
-/// A ball enters or leaves a sensor, or leaves a gate.
+/// Handles a ball that enters or leaves a sensor, or leaves a gate.
 template <class R>
 void Simulation<R>::sense(Place i) {
     Mover& mover = movers_[i];
@@ -225,7 +225,7 @@ void Simulation<R>::sense(Place i) {
 template <class R>
 void Simulation<R>::lose(Place i) {
     Mover& mover = movers_[i];
-    // On the border it is still inside: the first point that is not.
+    // The border is still inside: take the first point outside.
     Vec2 point = narrow(mover.path.at(now_).position);
     const Box& bounds = scene_->bounds;
     if (mover.met == 0) point.x = std::nextafter(bounds.min.x, -INFINITY);

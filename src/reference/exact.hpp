@@ -1,5 +1,5 @@
 #pragma once
-/// The exact simulation, whatever numbers it computes with.
+/// The interface of the exact simulation, independent of its number type.
 
 #include <chrono>
 #include <memory>
@@ -15,17 +15,17 @@
 namespace flipside::reference {
 
 struct Counts {
-    std::uint64_t pair_tests = 0;    ///< things looked at because they are listed near
-    std::uint64_t narrow_tests = 0;  ///< searches for a time of touch
+    std::uint64_t pair_tests = 0;    ///< candidates from the cells
+    std::uint64_t narrow_tests = 0;  ///< searches for a time of impact
     std::uint64_t events = 0;
     std::uint64_t impacts = 0;
-    std::uint64_t grazing = 0;  ///< touches too close to call, decided in a wider type
+    std::uint64_t grazing = 0;  ///< grazing contacts that were decided in a wider type
 };
 
-/// What a ball will do next, for those who want to see it.
+/// The next event of a ball, for the window.
 struct Forecast {
     double radius = 0;           ///< m
-    bool touches = false;        ///< it ends in a touch
+    bool touches = false;        ///< whether the event is an impact
     std::array<Vec2, 17> way{};  ///< from now to its next event
 };
 
@@ -33,7 +33,7 @@ class Exact {
   public:
     virtual ~Exact() = default;
 
-    /// Everything anew from a state.
+    /// Replaces everything by a state.
     virtual void load(const State& state) = 0;
     /// All controls but launches.
     virtual void apply(const Control& control) = 0;
@@ -42,19 +42,19 @@ class Exact {
     virtual void set_velocity(BallNumber number, Vec2 velocity) = 0;
     /// Sets the end of the next run, that many seconds from now.
     virtual void begin(double seconds) = 0;
-    /// Handles events until the run has ended (true), or, after one at least, until the deadline has passed.
-    /// Throws Refusal; what is left then is good for nothing but load().
+    /// Handles events until the run has ended (returns true), or until the deadline has passed, but at least
+    /// one. May throw Refusal; then only load() may follow.
     [[nodiscard]] virtual bool go_on(std::chrono::steady_clock::time_point deadline) = 0;
 
-    /// From the next run on, each writes its paths and events there; null: nowhere.
+    /// Each following run writes its paths and events to the trace; null stops that.
     virtual void write_to(Trace* trace) = 0;
 
-    /// From now on writes there how every ball moves and why; null: nowhere any more. Nothing is closed.
+    /// Records all motion to the certificate from now on; null stops that, without closing the certificate.
     virtual void certify(Certificate* certificate) = 0;
 
     /// By rising number.
     virtual void read(std::vector<Ball>& balls) const = 0;
-    /// Of the last run, in order; times are since its start.
+    /// Events of the last run, in order; times are relative to its start.
     [[nodiscard]] virtual std::span<const Event> events() const = 0;
     [[nodiscard]] virtual bool open(PartIndex gate) const = 0;
     [[nodiscard]] virtual bool down(PartIndex target) const = 0;
@@ -63,12 +63,12 @@ class Exact {
     [[nodiscard]] virtual std::span<const BallNumber> reported_lost() const = 0;
     /// Of the last run.
     [[nodiscard]] virtual const Counts& counts() const = 0;
-    /// Between a ball here and a place, m; infinite if there is no such ball.
+    /// Distance of a ball from a position, m; infinite if there is no such ball.
     [[nodiscard]] virtual double distance(BallNumber number, Vec2 place) const = 0;
     /// Touching pairs now, by ball, then other.
     virtual void contacts(std::vector<Contact>& contacts) const = 0;
     virtual void forecast(std::vector<Forecast>& forecasts) const = 0;
-    /// Boxes and numbers of balls of the cells that hold any.
+    /// Boxes and numbers of balls of the cells that contain any.
     virtual void occupied(std::vector<std::pair<Box, int>>& cells) const = 0;
 };
 

@@ -1,11 +1,12 @@
 #pragma once
-/// The search that everything without a closed form comes down to: when does a function that is positive
-/// first fall to zero? It steps by what a bound on the second derivative certifies to be free, so it skips
-/// no root, and converges quadratically to a simple one, from before.
+/// The search for times without a closed form: when does a positive function first reach zero? It is
+/// conservative advancement: a bound on the second derivative certifies each step, so no root is skipped. It
+/// converges quadratically to a simple root, from before.
 ///
-/// What is found at or below zero follows the rules of Bannerman, Strobl, Formella and Pöschel 2014 ("Stable
-/// algorithm for event detection in event-driven particle dynamics"): falling, the event is now; rising,
-/// there is none until it turns.
+/// A function that is zero or negative at the start follows the rules of Bannerman, Strobl, Formella and
+/// Pöschel 2014
+/// ("Stable algorithm for event detection in event-driven particle dynamics"): if it decreases, the event is
+/// now; if it increases, there is none until it decreases again.
 
 #include <algorithm>
 
@@ -34,18 +35,18 @@ struct Bent {
     R value{}, slope{}, bend{};
 };
 
-/// What counts as rounding.
+/// Sizes of rounding.
 template <class R>
 struct Smallest {
-    R slope{};  ///< a fall slower than this is none
-    R value{};  ///< > 0; a least value below this is a graze
+    R slope{};  ///< a slower decrease does not count
+    R value{};  ///< > 0; a minimum below this is a grazing contact
 };
 
-/// First time in [from, until] at which `f(t)` (a Value) is ≤ 0 and falls faster than `smallest`, where
-/// `meets(t)` agrees; never otherwise. f'' ≥ −bound between. `again(t)`, for a time that `meets` refuses,
-/// gives a later time up to which it is sure to refuse. Sets `grazes` where the least value is within
-/// rounding of zero. Where value and slope are both rounding it steps so far that the value cannot change
-/// by more than that either: such a fall is found late by no more.
+/// First time in [from, until] at which `f(t)` (a Value) is ≤ 0, decreases faster than `smallest`, and
+/// `meets(t)` is true; else never. f'' ≥ −bound in between. If `meets(t)` is false, `again(t)` gives a later
+/// time up to which it stays false. Sets `grazes` if the minimum is zero to rounding. If value and slope are
+/// both of the size of rounding, the search takes a step in which the value changes by no more than that; so
+/// the result is late by no more.
 template <class R, class F, class Meets, class Again>
 R first_fall(const F& f, R from, const R& until, const R& bound, const Smallest<R>& smallest,
              const Meets& meets, const Again& again, bool& grazes) {
@@ -86,7 +87,7 @@ R first_fall(const F& f, R from, const R& until, const R& bound, const Smallest<
     return infinity<R>();
 }
 
-/// The same for what always meets.
+/// The same if `meets` is always true.
 template <class R, class F>
 R first_fall(const F& f, const R& from, const R& until, const R& bound, const Smallest<R>& smallest) {
     bool grazes = false;
@@ -94,11 +95,11 @@ R first_fall(const F& f, const R& from, const R& until, const R& bound, const Sm
         f, from, until, bound, smallest, [](const R&) { return true; }, [](const R& t) { return t; }, grazes);
 }
 
-/// Where a contact has just let go, a function begins at zero with slope and second derivative zero. There
-/// a bound on the second derivative certifies steps of its rounding only, 1/√ε of them. With a bound on the
-/// third, `jerk`, steps grow in proportion to the time since: f(t + h) ≥ f + f'h + f''h²/2 − jerk·h³/6.
-/// Gives a time up to which `f(t)` (a Bent) that begins so surely stays above −smallest.value; `from` for one
-/// that begins otherwise.
+/// When a contact has just separated, the gap starts at zero with zero slope and second derivative. Then a
+/// bound on the second derivative certifies only steps of the size of rounding, 1/√ε of them. With a bound on
+/// the third, `jerk`, the steps grow in proportion to the time: f(t + h) ≥ f + f'h + f''h²/2 − jerk·h³/6.
+/// Returns a time up to which such an `f(t)` (a Bent) stays above −smallest.value; `from` for other
+/// functions.
 template <class R, class F>
 R clear_of_start(const F& f, const R& from, const R& until, const R& jerk, const Smallest<R>& smallest) {
     using std::sqrt;
@@ -111,7 +112,7 @@ R clear_of_start(const F& f, const R& from, const R& until, const R& jerk, const
         const bool begins = magnitude(now.value) <= smallest.value &&
                             magnitude(now.slope) <= smallest.slope && magnitude(now.bend) <= flat;
         if (step == 0 ? !begins : now.slope < -smallest.slope || now.bend < -flat) return t;
-        // The longer of the steps that slope and bend each certify by themselves.
+        // The longer of the two steps that the slope and the second derivative certify.
         const R by_slope = sqrt(std::max(R(0), R(6 * now.slope / jerk)));
         const R by_bend = std::max(R(0), R(3 * now.bend / jerk));
         t += std::max(least, std::max(by_slope, by_bend));

@@ -13,7 +13,7 @@ struct End {
     PartIndex part;
 };
 
-/// Takes primitives apart.
+/// Splits primitives into features.
 template <class R>
 class Taker {
   public:
@@ -113,7 +113,7 @@ class Taker {
         ends_.push_back({c.center + c.radius * c.to, perp(c.to), part});
     }
 
-    /// What is at an end, of the part itself or of one that can be hit.
+    /// Extension at an end, by the joints of its part and of others that can be hit.
     void each_at(const auto& sorted, const End<R>& end, auto&& visit) const {
         const R left = end.at.x - joint_distance, right = end.at.x + joint_distance;
         auto near = std::lower_bound(sorted.begin(), sorted.end(), left,

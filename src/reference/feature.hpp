@@ -1,7 +1,7 @@
 #pragma once
-/// The surface of the table as the exact engine sees it: lines and curves, in full precision. A curve is an
-/// arc (two-sided, with or without ends) or a round (the outside of a circle; a point has radius 0). Solid
-/// shapes are their outlines: a centre outside can only come in through the outline.
+/// The features of the exact engine: lines and curves, in full precision. A curve is an arc (two-sided, with
+/// or without ends) or the outside of a circle (a point has radius 0). Solid shapes are represented by their
+/// outlines: a disc outside can only enter through the outline.
 
 #include <variant>
 #include <vector>
@@ -11,8 +11,8 @@
 
 namespace flipside::reference {
 
-/// How far a face reaches past its end: nothing past an end that can be hit, at a smooth joint as far as
-/// the joint's own gap and kink leave a hole, m and rad.
+/// How far a face extends past its end, m and rad: 0 at an end that can be hit; at a smooth joint it covers
+/// the gap and the kink of the joint.
 template <class R>
 struct Reach {
     bool joined = false;
@@ -34,7 +34,7 @@ template <class R>
 struct Curve {
     V<R> center;
     R radius{};
-    bool round = false;  ///< no ends, no inside
+    bool round = false;  ///< the outside of a circle
     bool full = false;   ///< no ends
     bool wide = false;   ///< more than half a turn
     V<R> from, to;       ///< unit, anticlockwise
@@ -45,10 +45,10 @@ template <class R>
 struct Feature {
     std::variant<Line<R>, Curve<R>> is;
     PartIndex part = 0;
-    std::uint32_t primitive = 0;  ///< that it was taken from
+    std::uint32_t primitive = 0;  ///< to which it belongs
 };
 
-/// All features of all parts that are no sensors, in the pose of the scene file, by part.
+/// All features of parts that are no sensors, in the pose of the scene file, sorted by part.
 template <class R>
 [[nodiscard]] std::vector<Feature<R>> features_of(const std::vector<Primitive>& primitives,
                                                   const Scene& scene);

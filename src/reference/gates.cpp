@@ -11,7 +11,7 @@ bool contains(const std::vector<PartIndex>& list, PartIndex part) {
     return std::ranges::find(list, part) != list.end();
 }
 
-/// Whether the list changed.
+/// Returns whether the list changed.
 bool set(std::vector<PartIndex>& list, PartIndex part, bool is_in) {
     const bool was_in = contains(list, part);
     if (is_in && !was_in) list.push_back(part);
@@ -27,7 +27,7 @@ R Simulation<R>::gate_reach(const Mover& mover) const {
     return mover.radius * (1 + R(gate_clearance));
 }
 
-/// Whether a ball within a radius of a gate goes or is to go through it.
+/// Whether the gate lets a ball through that is within a radius of it.
 template <class R>
 bool Simulation<R>::passes(PartIndex part, const Mover& mover) const {
     if (parts_[part].open || contains(mover.inside, part)) return true;
@@ -37,8 +37,8 @@ bool Simulation<R>::passes(PartIndex part, const Mover& mover) const {
                         mover.ball.radius);
 }
 
-/// Decides for every ball that is at a gate but has not met it: it was there at the beginning, or joined.
-/// Whether that changed anything.
+/// Decides for each ball at a gate that had no impact event with it: one that was there at the start, or was
+/// added. Returns whether anything changed.
 template <class R>
 bool Simulation<R>::settle_gates() {
     bool changed = false;
@@ -67,7 +67,8 @@ bool Simulation<R>::settle_gates() {
     return changed;
 }
 
-/// A ball comes within a radius of a gate. Whether that lets it through: then the gate is open for all.
+/// Handles a ball that reaches a gate. Returns whether the gate lets it through; it is then open for all
+/// balls.
 template <class R>
 bool Simulation<R>::meet_gate(Place i, PartIndex part) {
     Mover& mover = movers_[i];
@@ -79,9 +80,9 @@ bool Simulation<R>::meet_gate(Place i, PartIndex part) {
     mover.begins = {};
     if (certificate_) note_passage(mover, part, true);
     parts_[part].open = true;
-    set_out(i);
+    start_path(i);
     predict(i);
-    // What it had stopped goes on without it.
+    // Balls that rested on it start new paths.
     for (Place j = 0; j < movers_.size(); ++j) {
         Mover& other = movers_[j];
         if (other.gone || !set(other.blocked, part, false)) continue;
@@ -93,7 +94,7 @@ bool Simulation<R>::meet_gate(Place i, PartIndex part) {
     return true;
 }
 
-/// A ball has left a gate that let it through, or did not.
+/// Handles a ball that has left a gate, whether the gate let it through or not.
 template <class R>
 void Simulation<R>::leave_gate(Mover& mover, PartIndex part) {
     set(mover.blocked, part, false);

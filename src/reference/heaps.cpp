@@ -1,9 +1,8 @@
-// Static heaps: balls at rest that press on each other, and stay as they are.
+// Static heaps: balls at rest in contact with each other.
 //
-// Balls that touch and are at rest belong together. Where contact forces among them and from still parts
-// balance their weights (equilibrium.hpp) they are a heap, and each rests until something meets one of them,
-// which is refused, or until what they rest on changes: then they are looked at again. Balls that stand on
-// parts alone are no heap.
+// If contact forces among such balls and from static parts balance their weights (equilibrium.hpp), they are
+// a heap and stay at rest. An impact on one of them is refused. If their supports change, equilibrium is
+// tested again. Balls that rest on parts alone are no heap.
 
 #include <algorithm>
 #include <utility>
@@ -13,7 +12,7 @@
 
 namespace flipside::reference {
 
-/// Where a ball is now and how it moves, though it may not have been advanced.
+/// Position and velocity of a ball now, without advancing it.
 template <class R>
 Body<R> Simulation<R>::body_now(const Mover& mover) const {
     if (mover.path.start == now_) return mover.body;
@@ -22,7 +21,7 @@ Body<R> Simulation<R>::body_now(const Mover& mover) const {
     return {now.position, now.velocity, spinning.angle, spinning.spin, mover.radius};
 }
 
-/// Hops lower than the rounding of a radius are rest.
+/// Whether a ball is at rest: its bounces are lower than the rounding of a radius.
 template <class R>
 bool Simulation<R>::is_at_rest(const Mover& mover) const {
     using std::sqrt;
@@ -47,13 +46,13 @@ auto Simulation<R>::touched_at_rest(Place i) const -> std::vector<Place> {
     return found;
 }
 
-/// Whether a ball at rest touches another, with a weight to press on it.
+/// Whether a ball at rest touches another that its weight can load.
 template <class R>
 bool Simulation<R>::leans(Place i) const {
     return length(drive_.gravity) > 0 && is_at_rest(movers_[i]) && !touched_at_rest(i).empty();
 }
 
-/// All balls at rest that touch this one, or one that does, and so on; and what supports them.
+/// All balls at rest in contact with this one, directly or through others, with their supports.
 template <class R>
 auto Simulation<R>::balls_leaning_on(Place i) const -> Heap {
     Heap heap;
@@ -79,7 +78,7 @@ auto Simulation<R>::balls_leaning_on(Place i) const -> Heap {
     return heap;
 }
 
-/// What still parts the k-th ball of a heap touches.
+/// Adds the contacts of the k-th ball of a heap with static parts.
 template <class R>
 void Simulation<R>::part_supports(Heap& heap, std::uint32_t k) const {
     const Mover& mover = movers_[heap.balls[k]];
@@ -95,8 +94,7 @@ void Simulation<R>::part_supports(Heap& heap, std::uint32_t k) const {
     }
 }
 
-/// Finds the heap that a ball belongs to, if it leans on others and all of them can stay at rest, and puts
-/// them to rest.
+/// Finds the heap of a ball that rests on others, and puts its balls to rest if they can be in equilibrium.
 template <class R>
 bool Simulation<R>::find_heap(Place i) {
     constexpr std::size_t most = 400;  // balls; so many take seconds
@@ -140,7 +138,7 @@ void Simulation<R>::settle(Heap heap) {
         mover.held[0] = mover.held[1] = mover.left = nothing;
         mover.glide_count = 0;
         mover.until = infinity<R>();
-        mover.lets_go = false;
+        mover.separates = false;
         mover.path = {};
         mover.path.rests = true;
         mover.path.start = now_;
@@ -153,7 +151,7 @@ void Simulation<R>::settle(Heap heap) {
     heaps_.emplace(id, std::move(heap));
 }
 
-/// The balls of a heap are at rest still, but belong to none.
+/// Dissolves a heap; its balls are still at rest.
 template <class R>
 auto Simulation<R>::end_heap(std::uint32_t id) -> std::vector<Place> {
     const auto at = heaps_.find(id);
@@ -165,7 +163,7 @@ auto Simulation<R>::end_heap(std::uint32_t id) -> std::vector<Place> {
     return balls;
 }
 
-/// Something meets a ball of a heap.
+/// Refuses an impact on a ball of a heap.
 template <class R>
 void Simulation<R>::refuse_hit(const Mover& hit, const std::string& by) const {
     throw Refusal("reference: " + by + " hits ball " + std::to_string(hit.ball.number) + " in a heap of " +

@@ -1,12 +1,12 @@
 #pragma once
 /// The path of a ball from one event to the next.
 ///
-/// Flights, and balls that slide or roll on a still line, have a closed form: v' = a − c·v with constant a
+/// Flights, and balls that slide or roll on a static line, have a closed form: v' = a − c·v with constant a
 /// and drag c gives
 ///     v(t) = v₀·e^(−ct) + a·E,    p(t) = p₀ + v₀·E + a·F,    E = (1 − e^(−ct))/c,    F = (t − E)/c,
 /// without drag E = t and F = ½t². It is written with φ(x) = (x − 1 + e^(−x))/x², which is ½ at 0, so that it
-/// is good to rounding for any c ≥ 0. Balls that ride on curved or turning surfaces follow a Taylor
-/// polynomial (resting_contact.hpp).
+/// is exact to rounding for any c ≥ 0. Balls in resting contact with curved or turning surfaces follow a
+/// Taylor polynomial (resting_contact.hpp).
 
 #include <array>
 
@@ -56,9 +56,9 @@ struct Path {
     R drag{};                         ///< 1/s
     R angle{}, spin{};                ///< at the start
     R spin_rate{};                    ///< rad/s²; of closed forms
-    V<R> roll;                        ///< of one that rolls on a still line: its spin is roll·velocity
+    V<R> roll;                        ///< for a ball that rolls on a static line: its spin is roll·velocity
     bool rides = false;               ///< follows the series below instead of the closed form
-    bool rests = false;               ///< stays where it is; it may spin
+    bool rests = false;               ///< the centre does not move; the ball may spin
     Series<V<R>, R> displacements{};  ///< of the position
     Series<R, R> spins{};             ///< of the spin
     Bounds<R> ride_bounds{};          ///< as long as the series is used

@@ -13,8 +13,8 @@ void Simulation<R>::offer(Mover& mover, const R& time, Next next, std::uint32_t 
     mover.met_changes = changes;
 }
 
-/// Finds the next event of a ball on its path and queues it. It looks as far as the border of the ball's
-/// cell, and not beyond a second: bounds on speeds are good for no longer.
+/// Predicts the next event of a ball on its path, up to the border of its cell and for at most a second, for
+/// which the bounds on speeds hold.
 template <class R>
 void Simulation<R>::predict(Place i) {
     Mover& mover = movers_[i];
@@ -39,8 +39,8 @@ void Simulation<R>::predict(Place i) {
     std::push_heap(queue_.begin(), queue_.end());
 }
 
-/// Whether the ball comes to this feature only by sliding to the end of what holds it, or has just slid off
-/// it. That is no touch, but rounding would make one of it.
+/// Whether the ball reaches this feature only by sliding to the end of its supporting face, or has just slid
+/// off it. That is no impact, but rounding could make it look like one.
 template <class R>
 bool Simulation<R>::slides_to(const Mover& mover, FeatureIndex f) const {
     const FeatureIndex on = mover.held[0];
@@ -53,13 +53,14 @@ bool Simulation<R>::slides_to(const Mover& mover, FeatureIndex f) const {
     return ends_in(shape(on), shape(f), mover.held_normal, mover.radius);
 }
 
-/// Whether the ball flies along a face below which this feature lies and stays.
+/// Whether the ball flies along a face and this static feature lies below that face.
 template <class R>
 bool Simulation<R>::glides_over(const Mover& mover, FeatureIndex f) const {
     if (mover.glide_count == 0 || turning(features_[f].part) != nullptr) return false;
-    const auto glides = std::span(mover.glides).first(mover.glide_count);
-    return std::ranges::any_of(
-        glides, [&](const Glide& glide) { return lies_below(shape(f), glide.at, glide.normal); });
+    const auto tangent_faces = std::span(mover.tangent_faces).first(mover.glide_count);
+    return std::ranges::any_of(tangent_faces, [&](const TangentFace& glide) {
+        return lies_below(shape(f), glide.at, glide.normal);
+    });
 }
 
 template <class R>

@@ -7,7 +7,7 @@ namespace flipside::reference {
 
 namespace {
 
-/// Surfaces nearer than this many radii count as touching.
+/// Radii: surfaces closer than this count as touching.
 constexpr double touch_distance = 1e-4;
 
 }  // namespace

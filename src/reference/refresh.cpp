@@ -1,4 +1,4 @@
-// Balls find their paths anew when something about what they touch has changed.
+// Balls get new paths when the parts that they may touch have changed.
 
 #include <algorithm>
 
@@ -10,10 +10,10 @@ template <class R>
 void Simulation<R>::begin_anew(Place i) {
     if (movers_[i].heap != 0) return;
     advance(movers_[i]);
-    set_out(i);
+    start_path(i);
 }
 
-/// Something about what a ball may touch has changed.
+/// Handles a change of the parts that a ball may touch.
 template <class R>
 void Simulation<R>::refresh(Place i) {
     movers_[i].heap != 0 ? look_at_heap_again(movers_[i].heap) : begin_anew(i);
@@ -28,7 +28,7 @@ void Simulation<R>::refresh_all() {
         if (!movers_[i].gone) predict(i);
 }
 
-/// The motion of a part has changed: whoever is near looks again.
+/// Handles a change of the motion of a part: predicts the balls near it again.
 template <class R>
 void Simulation<R>::refresh_beside(PartIndex part) {
     const auto near = [&](const Mover& mover) {
@@ -45,7 +45,7 @@ void Simulation<R>::refresh_beside(PartIndex part) {
         }
 }
 
-/// What a heap rests on has changed: whether its balls are still in equilibrium.
+/// Handles a change of the supports of a heap: tests its equilibrium again.
 template <class R>
 void Simulation<R>::look_at_heap_again(std::uint32_t id) {
     const std::vector<Place> balls = end_heap(id);
@@ -64,7 +64,7 @@ void Simulation<R>::look_again_on(PartIndex part) {
         if (heaps_.contains(id)) look_at_heap_again(id);
 }
 
-/// What lay on a part goes on without it.
+/// Starts new paths for the balls that rest on a part which no longer collides.
 template <class R>
 void Simulation<R>::release(PartIndex part) {
     look_again_on(part);

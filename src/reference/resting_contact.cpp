@@ -97,7 +97,7 @@ Ride<R> begin_ride(const Body<R>& ball, const R& time) {
     return ride;
 }
 
-/// On a line that stands still: a closed form.
+/// The path on a static line: a closed form.
 template <class R>
 Ride<R> slide(const RestingContact<R>& contact, const Rubbing<R>& rubbing, const Body<R>& ball, const R& time,
               const R& last, const Drive<R>& drive) {
@@ -116,7 +116,7 @@ Ride<R> slide(const RestingContact<R>& contact, const Rubbing<R>& rubbing, const
         path.roll = R(-1 / ball.radius) * tangent;
         path.spin = -contact.passing / ball.radius;
         if (!(drive.drag > 0)) return ride;
-        // It rolls while what drives it stays below three times the contact.
+        // It rolls while the tangential force is below three times the limit of friction.
         for (const int sign : {1, -1}) {
             const auto spare = [&](const R& t) {
                 const Motion<R> m = path.at(t);
@@ -168,7 +168,7 @@ Series<V<R>, R> turning(const V<R>& begin, const R& rate) {
     return series;
 }
 
-/// Expansions of a ride in time; the position is in path.displacements, with its start in [0].
+/// Taylor series of a resting contact; the position is in path.displacements, with its start in [0].
 template <class R>
 struct Expansion {
     Series<R, R> force{};   ///< N
@@ -176,7 +176,7 @@ struct Expansion {
     Series<R, R> speed{};   ///< s' or Lφ'
 };
 
-/// What friction makes of the tangential acceleration.
+/// The tangential acceleration with friction.
 template <class R>
 R rubbed(const Rubbing<R>& rubbing, const RestingContact<R>& contact, const R& driven, const R& force) {
     if (rubbing.how == Rub::rolls) return driven * 2 / 3;
@@ -238,7 +238,7 @@ Expansion<R> expand_curved(const RestingContact<R>& contact, const Rubbing<R>& r
     return e;
 }
 
-/// How long the expansion is good: its last terms stay below a small part of the ball's rounding.
+/// Time for which the last terms of the series stay below a small part of the rounding of the radius.
 template <class R>
 R good_for(const Series<V<R>, R>& series, const R& radius) {
     R h = infinity<R>();
@@ -249,7 +249,7 @@ R good_for(const Series<V<R>, R>& series, const R& radius) {
     return h;
 }
 
-/// First time after `time` at which a series that is positive falls through zero.
+/// First time after `time` at which a positive series becomes negative.
 template <class R>
 R falls_after(const Series<R, R>& f, const R& time, const R& h) {
     R bend{}, power(1), scale = magnitude(f[0]), slopes{};
@@ -286,7 +286,7 @@ void bound_ride(Path<R>& path, const R& h) {
     }
 }
 
-/// When friction changes: it begins to roll, or can no longer.
+/// When the ball begins or ceases to roll.
 template <class R>
 R switches(const RestingContact<R>& contact, const Rubbing<R>& rubbing, const Expansion<R>& e, const R& time,
            const R& h) {
@@ -307,7 +307,7 @@ R switches(const RestingContact<R>& contact, const Rubbing<R>& rubbing, const Ex
     return falls_after(more, time, h);
 }
 
-/// On anything that bends or turns: a Taylor polynomial.
+/// The path on a curved or turning surface: a Taylor polynomial.
 template <class R>
 Ride<R> swing(const RestingContact<R>& contact, const Rubbing<R>& rubbing, const Body<R>& ball, const R& time,
               const R& last, const Drive<R>& drive) {
@@ -334,7 +334,7 @@ Ride<R> swing(const RestingContact<R>& contact, const Rubbing<R>& rubbing, const
     bound_ride(path, h);
     const R falls = falls_after(e.force, time, h);
     const R other = switches(contact, rubbing, e, time, h);
-    ride.lets_go = falls <= ride.until && falls <= other;
+    ride.separates = falls <= ride.until && falls <= other;
     ride.until = std::min({ride.until, falls, other});
     return ride;
 }
@@ -351,7 +351,7 @@ Ride<R> ride(const RestingContact<R>& contact, const Rubbing<R>& rubbing, const 
     const R end = leaves_face(*contact.feature, view, ball.radius, time, std::min(found.until, last));
     if (end <= found.until && end <= last) {
         found.until = end;
-        found.lets_go = true;
+        found.separates = true;
     }
     if (found.until > last) found.until = last;
     return found;

@@ -7,8 +7,9 @@
 ///     line:   normal force  N = 2ωs' − ω²d − n·g + c·ω·s,      along it  s'' = ω²s + τ·g − c·(s' − ωd) + F
 ///     curve:  N = −σ(o·e + Lφ'²),  Lφ'' = τ·e − cLφ' + F,      e = g − C'' − c·C',  σ = o·n, C the centre's
 ///     way
-/// F is friction: µN against the slip while it slides; when it rolls, minus a third of what drives it (a disc
-/// resists with half its mass). Signs of spin: slip = (v − surface)·τ − σ·r·spin, with σ = −1 on a line.
+/// F is friction: µN against the slip while it slides; when it rolls, minus a third of the tangential force
+/// (a disc resists with half its mass). Signs of spin: slip = (v − surface)·τ − σ·r·spin, with σ = −1 on a
+/// line.
 
 #include "reference/touch.hpp"
 
@@ -28,8 +29,8 @@ struct Drive {
 
 template <class R>
 struct RestingContact {
-    const Feature<R>* feature = nullptr;  ///< in the pose that `turning` sees it in
-    const Turning<R>* turning = nullptr;  ///< null: stands still
+    const Feature<R>* feature = nullptr;  ///< in the frame of `turning`
+    const Turning<R>* turning = nullptr;  ///< null for a static part
     bool straight = false;
     V<R> normal, tangent;  ///< unit; from the surface to the ball, and across
     V<R> pivot;            ///< the frame's; a point of the feature where that stands still
@@ -65,8 +66,8 @@ template <class R>
 template <class R>
 struct Ride {
     Path<R> path;
-    R until = infinity<R>();  ///< must be looked at again then; never later than asked for
-    bool lets_go = false;     ///< because the contact ends there
+    R until = infinity<R>();  ///< end of the path, not after `last`
+    bool separates = false;   ///< whether the contact ends at `until`
 };
 /// From `time` to `last` at most.
 template <class R>

@@ -11,7 +11,7 @@
 
 namespace flipside::reference {
 
-/// By how much a point is within each end of a face, below 0: it is past it; and the rates of that.
+/// Distance of a point from each end of a face, negative past the end, and the rates of change.
 template <class R>
 struct Ends {
     Value<R> first, last;
@@ -28,7 +28,7 @@ Ends<R> within_ends(const Curve<R>& curve, const Motion<R>& m, const R& radius) 
             {cross(out, curve.to) + curve.past.of(radius), cross(m.velocity, curve.to)}};
 }
 
-/// Within both ends; on an arc of more than half a turn, within either.
+/// Whether the point is between both ends; for an arc of more than half a turn, inside either.
 template <class R>
 Value<R> within(const Line<R>& line, const Motion<R>& m, const R& radius) {
     const Ends<R> ends = within_ends(line, m, radius);
@@ -40,7 +40,7 @@ Value<R> within(const Curve<R>& curve, const Motion<R>& m, const R& radius) {
     const Ends<R> ends = within_ends(curve, m, radius);
     return (ends.first.value < ends.last.value) != curve.wide ? ends.first : ends.last;
 }
-/// How long a point that is past an end surely stays so, when it is driven by no more than `acceleration`.
+/// Time for which a point past an end stays there, with an acceleration of at most `acceleration`.
 template <class R>
 R stays_past(const Line<R>& line, const Motion<R>& m, const R& radius, const R& acceleration) {
     const Value<R> face = within(line, m, radius);
@@ -68,7 +68,7 @@ struct LineSide {
         return {sign * cross(line.along, m.position - line.start) - radius,
                 sign * cross(line.along, m.velocity)};
     }
-    /// Of the ball's centre from the surface; below 0 on the other side.
+    /// Distance of the ball's centre from the surface; negative on the other side.
     [[nodiscard]] R off(const Motion<R>& m) const {
         return sign * cross(line.along, m.position - line.start);
     }
@@ -103,7 +103,8 @@ struct CurveSide {
         }
         return {sign * (dot(out, out) - d * d) / (2 * d), sign * dot(out, m.velocity) / d};
     }
-    /// Of the ball's centre from the surface; below 0 on the other side. A round one has no other side.
+    /// Distance of the ball's centre from the surface; negative on the other side. A circle has no other
+    /// side.
     [[nodiscard]] R off(const Motion<R>& m) const {
         const R far = length(V<R>(m.position - curve.center));
         return curve.round ? far : R(sign * (far - curve.radius));

@@ -136,7 +136,7 @@ void Simulation<R>::begin_inside(Mover& mover) {
     }
 }
 
-/// How a part moves from now on by the controls as they are.
+/// Motion of a part from now on with the present controls.
 template <class R>
 void Simulation<R>::set_motion(PartIndex part) {
     Turning<R>& turning = parts_[part].turning;
@@ -179,7 +179,7 @@ R Simulation<R>::next_stop() const {
     return first;
 }
 
-/// Flippers that meet their stops now.
+/// Handles flippers that reach their stops now.
 template <class R>
 void Simulation<R>::handle_stops() {
     for (PartIndex part = 0; part < parts_.size(); ++part) {
@@ -208,7 +208,7 @@ void Simulation<R>::apply(const Control& control) {
             mover.path.velocity = mover.body.velocity;
         }
         for (Place i = 0; i < movers_.size(); ++i)
-            if (!movers_[i].gone) set_out(i);
+            if (!movers_[i].gone) start_path(i);
         for (Place i = 0; i < movers_.size(); ++i)
             if (!movers_[i].gone) predict(i);
     } else if (const auto* raise = std::get_if<control::RaiseTargets>(&control)) {
@@ -277,12 +277,12 @@ void Simulation<R>::set_velocity(BallNumber number, Vec2 velocity) {
     if (!i) return;
     Mover& mover = movers_[*i];
     if (certificate_) note_input(number, velocity);
-    std::vector<Place> left;  // by what it lay on or under
+    std::vector<Place> left;  // by a removed ball
     if (mover.heap != 0) left = end_heap(mover.heap);
     advance(mover);
     mover.body.velocity = V<R>(velocity);
     mover.given = true;
-    set_out(*i);
+    start_path(*i);
     for (const Place j : left)
         if (j != *i) begin_anew(j);
     for (const Place j : left) predict(j);
@@ -329,7 +329,7 @@ bool Simulation<R>::go_on(std::chrono::steady_clock::time_point deadline) {
     return true;
 }
 
-/// Times are counted from not long ago, so that they keep their digits.
+/// Resets the origin of times once a second, so that times keep their digits.
 template <class R>
 void Simulation<R>::set_clock_back() {
     for (Mover& mover : movers_) {

@@ -1,17 +1,18 @@
 #pragma once
-/// The exact engine: every ball follows its own path until its next event, events are handled in order of
-/// time, and only those involved are looked at again. One queue, a clock per ball, and counters that void
-/// what was overtaken: Lubachevsky 1991, "How to simulate billiards and similar systems".
+/// The exact engine: every ball follows its path until its next event, events are handled in order of time,
+/// and only the balls involved are predicted again. One queue, a clock per ball, and version numbers that
+/// invalidate outdated predictions: Lubachevsky 1991, "How to simulate billiards and similar systems".
 ///
-/// Nothing happens at the end of a step: positions there are read off the paths. So a trajectory is the same,
-/// bit for bit, whatever the step, but for the times of controls and a clock that is set back once a second.
+/// Positions at the end of a step are read off the paths. So a trajectory does not depend on the step, bit
+/// for bit, except for the times of controls and a clock that is reset once a second.
 ///
-/// Declared rules, where the physical model leaves a choice: balls that meet at one instant are answered pair
-/// by pair, in order of their numbers; hops lower than the rounding of a radius do not happen (the end of a
-/// Zeno sequence where rest_speed is 0); a ball that begins inside a part is moved out of it, its velocity
-/// kept. Balls that press on each other at rest are a static heap where their weights can be in equilibrium
-/// (heaps.cpp). What cannot be done exactly throws Refusal: balls that press on each other and move, a heap
-/// that is hit, a ball held between parts of which one moves, or squeezed without end.
+/// Rules where the physical model leaves a choice: impacts at one instant are solved pair by pair, in the
+/// order of the numbers of the balls; bounces lower than the rounding of a radius become resting contacts
+/// (the end of a Zeno sequence if rest_speed is 0); a ball that starts inside a part is moved out of it and
+/// keeps its velocity. Balls in resting contact with each other are a static heap if their weights can be in
+/// equilibrium (heaps.cpp). Cases without an exact solution throw Refusal: moving balls in resting contact
+/// with each other, an impact on a heap, a ball between two parts of which one moves, and impacts without
+/// end.
 
 #include <functional>
 #include <map>
@@ -29,8 +30,8 @@
 
 namespace flipside::reference {
 
-/// Balls of a heap touch what they rest on where they are no farther apart and no deeper in it, in radii: so
-/// far off do engines that approximate leave their heaps at rest.
+/// Radii: largest gap and overlap of a contact in a heap. Heaps that approximate engines leave at rest have
+/// contacts of this size.
 constexpr double heap_gap = 2e-3, heap_overlap = 1e-2;
 
 template <class R>
@@ -63,34 +64,36 @@ class Simulation final : public Exact {
 
   private:
     enum class Next : std::uint8_t { nothing, feature, ball, cell, look_again, sensor, lost };
-    using Place = std::uint32_t;  ///< of a ball in movers_, for ever
+    using Place = std::uint32_t;  ///< index of a ball in movers_; it never changes
     using FeatureIndex = std::uint32_t;
     static constexpr FeatureIndex nothing = ~0U;
-    static constexpr std::uint32_t outside_already = 4;  ///< in place of the side on which a ball is lost
+    static constexpr std::uint32_t outside_already =
+        4;  ///< value instead of the side on which a ball is lost
 
-    /// The line of a straight still face that a ball touches without pressing on it.
-    struct Glide {
+    /// The line of a straight static face that a ball touches without a contact force.
+    struct TangentFace {
         V<R> at, normal;  ///< normal: unit, to the ball
     };
     struct Mover {
-        Ball ball;  ///< what never changes about it: number, mass, material, layers
+        Ball ball;  ///< its constants: number, mass, material, layers
         R radius{}, mass{};
         Body<R> body;  ///< at the start of its path
         Path<R> path;
-        R until = infinity<R>();  ///< the path is good until then
-        bool lets_go = false;     ///< and ends because the contact does
+        R until = infinity<R>();  ///< end of the path
+        bool separates = false;   ///< whether the contact ends there
         FeatureIndex held[2] = {nothing, nothing};
         V<R> held_normal;  ///< of held[0], in the pose in which its part sees it
         R held_force[2]{},
             held_friction[2]{};  ///< N, where two parts hold it: normal, and along perp of that
-        std::optional<std::size_t> noted_rest;  ///< and its place in the certificate
-        std::array<Glide, 4> glides{};          ///< what it flies along, held by nothing; more are ignored
+        std::optional<std::size_t> noted_rest;  ///< its index in the certificate
+        std::array<TangentFace, 4>
+            tangent_faces{};  ///< faces that it touches without a contact force; more are ignored
         std::size_t glide_count = 0;
-        bool given = true;            ///< its place or velocity was given from outside, rounded to double
-        FeatureIndex left = nothing;  ///< what it let go of just now
+        bool given = true;  ///< whether its position or velocity came from outside, rounded to double
+        FeatureIndex left = nothing;  ///< the contact that has just ended
         Cells::Index cell = 0;
         std::vector<PartIndex> inside;   ///< sensors, and gates that let it through
-        std::vector<PartIndex> blocked;  ///< gates within a radius that do not
+        std::vector<PartIndex> blocked;  ///< gates within a radius that do not let it through
         bool reported_lost = false, gone = false;
 
         std::uint32_t changes = 0;  ///< of its path
@@ -99,23 +102,23 @@ class Simulation final : public Exact {
         R next_time = infinity<R>();
         std::uint32_t met = 0;          ///< feature, ball, side of the cell or part, by `next`
         std::uint32_t met_changes = 0;  ///< the other ball's when this was predicted
-        R busy_since{};                 ///< events pile up since then
+        R busy_since{};                 ///< start of the present series of events in a short time
         int busy = 0;
         Beginning begins;   ///< of its next path; kept for certificates only
-        R pressed_since{};  ///< slow touches of other balls pile up since then
+        R pressed_since{};  ///< start of the present series of slow contacts with balls
         int pressed = 0;
 
-        std::uint32_t heap = 0;  ///< that it rests in; 0: none
-        R looked_for_heap{-1};   ///< in vain, and when
-        R unheld_since{-1};      ///< when no forces were found to hold it and those it leans on
+        std::uint32_t heap = 0;  ///< number of its heap; 0 for none
+        R looked_for_heap{-1};   ///< time of the last search without a result
+        R unheld_since{-1};      ///< time since which no equilibrium was found
         std::string unheld;
     };
-    /// Balls that press on each other at rest.
+    /// Balls at rest in contact with each other.
     struct Heap {
-        std::vector<Place> balls;  ///< rising; supports name them by their place here
+        std::vector<Place> balls;  ///< sorted; supports refer to indices here
         std::vector<Support> supports;
         std::vector<FeatureIndex> features;  ///< of each support; nothing between two balls
-        std::size_t noted = 0;               ///< its place in the certificate
+        std::size_t noted = 0;               ///< its index in the certificate
     };
     struct PartNow {
         Turning<R> turning;
@@ -181,14 +184,14 @@ class Simulation final : public Exact {
     void leave_gate(Mover& mover, PartIndex part);
     [[nodiscard]] R gate_reach(const Mover& mover) const;
 
-    // What a ball does next (predict.cpp).
+    // Predictions (predict.cpp).
     void predict(Place i);
     void predict_features(Mover& mover);
     [[nodiscard]] bool slides_to(const Mover& mover, FeatureIndex f) const;
     [[nodiscard]] bool glides_over(const Mover& mover, FeatureIndex f) const;
     void predict_sensors(Mover& mover);
     void predict_balls(Place i);
-    /// What `find` finds about a ball and what it may meet. Throws Refusal where that has no end.
+    /// Result of the search `find` for a ball. Throws Refusal if the search does not end.
     R search(const Mover& mover, Other met, auto&& find) const {
         try {
             return find();
@@ -198,8 +201,8 @@ class Simulation final : public Exact {
     }
     void offer(Mover& mover, const R& time, Next next, std::uint32_t met = 0, std::uint32_t changes = 0);
 
-    // Its path (set_out.cpp).
-    void set_out(Place i);
+    // Paths (paths.cpp).
+    void start_path(Place i);
     [[nodiscard]] static bool in_touch(const R& gap, const R& radius) {
         return gap <= heap_gap * radius && gap >= -heap_overlap * radius;
     }
@@ -236,7 +239,7 @@ class Simulation final : public Exact {
     void sense(Place i);
     void lose(Place i);
 
-    // For those who check (certify.cpp).
+    // Certificates (certify.cpp).
     [[nodiscard]] R isolated_within(const Mover& mover, const R& digit, const R& margin) const;
     void note_meeting(Place i);
     void note_leg(Mover& mover, bool given);
@@ -248,13 +251,13 @@ class Simulation final : public Exact {
     void note_rest(Heap& heap);
     void note_rest_ends(const Heap& heap);
 
-    // For those who look inside (trace.cpp).
+    // Traces (trace.cpp).
     [[nodiscard]] static std::string_view name_of_next(const Mover& mover);
     void trace_next(TraceItem& item, const Mover& mover) const;
     void trace_paths();
     void trace_event(Place i);
 
-    // What the others want to see (read_out.cpp).
+    // Results for callers (read_out.cpp).
     void part_contacts(const Mover& mover, std::vector<Contact>& contacts) const;
     void report(EventKind kind, const Mover& mover, Other other, const Impact<R>& impact, const V<R>& point,
                 const V<R>& normal);
@@ -263,19 +266,19 @@ class Simulation final : public Exact {
     std::vector<Primitive> primitives_;
     Drive<R> drive_;
     std::vector<Feature<R>> features_;  ///< in the pose of the scene file
-    std::vector<Feature<R>> posed_;     ///< of parts that stand still, as they stand
+    std::vector<Feature<R>> posed_;     ///< of static parts, in their pose
     std::vector<PartNow> parts_;
     std::vector<Mixed> mixed_;  ///< by two materials
     Cells cells_;
 
-    std::vector<Mover> movers_;  ///< by rising number; those gone stay as such
+    std::vector<Mover> movers_;  ///< sorted by number; those of lost balls stay
     std::map<std::uint32_t, Heap> heaps_;
     std::uint32_t last_heap_ = 0;
     std::vector<BallNumber> reported_lost_;
     bool raised_[2] = {false, false}, rotating_ = false;
     R now_{}, run_start_{}, run_end_{};
     double time_ = 0;    ///< of the table when the run began
-    double length_ = 0;  ///< of the run that is under way, s; 0 when there is none
+    double length_ = 0;  ///< of the current run, s; 0 if there is none
     std::vector<Entry> queue_;
     std::vector<Touching> touching_;
     std::vector<Event> events_;

@@ -254,7 +254,7 @@ R leaves_face(const Feature<R>& feature, const View<R>& view, const R& radius, c
                     return first_fall([&](const R& t) { return within(shape, view.at(t), radius); }, from,
                                       until, bound, smallest);
             }
-            // Each end by itself: the nearer of the two is no smooth function.
+            // Each end separately, since the distance from the closer one is not smooth.
             const auto first = [&](const R& t) { return within_ends(shape, view.at(t), radius).first; };
             const auto last = [&](const R& t) { return within_ends(shape, view.at(t), radius).last; };
             return std::min(first_fall(first, from, until, bound, smallest),

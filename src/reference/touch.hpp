@@ -1,7 +1,7 @@
 #pragma once
-/// When does a ball first touch something? Exact to rounding: undamped flights against what stands still are
-/// polynomials (polynomial.hpp), balls in like flight move past each other in a straight line, and all else
-/// is searched by certified steps (fall.hpp).
+/// Time of impact, exact to rounding. Undamped flights and static features lead to polynomials
+/// (polynomial.hpp); the relative path of two balls with equal forces is straight; all other cases use
+/// certified steps (fall.hpp).
 
 #include "reference/fall.hpp"
 #include "reference/feature.hpp"
@@ -9,18 +9,18 @@
 
 namespace flipside::reference {
 
-/// A speed that is rounding where `speed` is the scale.
+/// Size of rounding of a speed, for the scale `speed`.
 template <class R>
 R rounding_speed(const R& speed) {
     return 256 * epsilon<R>() * speed;
 }
 
-/// How a point lies to a feature.
+/// Result of a closest-point query.
 template <class R>
 struct Closest {
     R gap{};             ///< of a ball of the given radius, m
     V<R> normal;         ///< unit, from the feature to the point
-    bool facing = true;  ///< the nearest point of the (endless) line or circle is part of the feature
+    bool facing = true;  ///< whether the closest point of the line or circle belongs to the feature
 };
 template <class R>
 [[nodiscard]] Closest<R> closest_point(const Feature<R>& feature, const V<R>& point, const R& radius);
@@ -41,21 +41,21 @@ template <class R>
 template <class R>
 [[nodiscard]] R leaves(const Path<R>& path, const Box& box, const R& from, const R& until, int& side);
 
-/// Whether a ball that slides to an end of the face meets the round there without any approach, as it does
-/// where the round is the end itself, or goes on smoothly. Both in the same pose.
+/// Whether the circle continues the face smoothly at an end, so that a ball that slides off the face touches
+/// the circle without an approach speed. Both in the same pose.
 template <class R>
 [[nodiscard]] bool ends_in(const Feature<R>& face, const Feature<R>& round, const V<R>& normal,
                            const R& radius);
 
 /// Whether the whole feature lies below the line through `at` with the unit normal `normal`, to rounding. A
-/// ball in free flight along a face, which it touches without pressing on it, cannot touch what does;
-/// rounding would have it graze an end cap that continues the face. Of an arc its circle counts; of a line
-/// this says false.
+/// ball that flies along a face without a contact force cannot touch such a feature, but rounding could give
+/// a grazing contact with an end cap that continues the face. Tests the full circle of an arc; returns false
+/// for a line.
 template <class R>
 [[nodiscard]] bool lies_below(const Feature<R>& feature, const V<R>& at, const V<R>& normal);
 
-/// Whether the ball is just off an end of the face, to rounding, on its way out. What holds it goes on from
-/// there, though rounding may have both faces under it.
+/// Whether the ball has just passed an end of the face, to rounding. The next face supports it there,
+/// although rounding may put it on both.
 template <class R>
 [[nodiscard]] bool comes_off(const Feature<R>& face, const Motion<R>& motion, const R& radius);
 

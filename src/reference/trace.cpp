@@ -1,4 +1,4 @@
-// What a trace says of the exact engine: the paths with which a step begins, and its events in order of time,
+// Writes the trace of the exact engine: the paths at the start of the step, and the events in order of time,
 // each with an interval that isolates it.
 
 #include <algorithm>
@@ -42,12 +42,11 @@ template <class R>
 void Simulation<R>::trace_next(TraceItem& item, const Mover& mover) const {
     item.with("next", name_of_next(mover));
     if (mover.next_time < infinity<R>()) item.with("next_time", clock(mover.next_time));
-    if (mover.next == Next::feature)
-        item.with("next_part", std::string_view(scene_->parts[features_[mover.met].part].name));
+    if (mover.next == Next::feature) item.with("next_part", scene_->parts[features_[mover.met].part].name);
     if (mover.next == Next::ball) item.with("next_ball", movers_[mover.met].ball.number);
 }
 
-/// The path of every ball when the step begins.
+/// Writes the path of every ball at the start of the step.
 template <class R>
 void Simulation<R>::trace_paths() {
     TraceStage& stage = trace_->stage("paths and predictions so far", "src/reference/predict.cpp: predict");
@@ -60,8 +59,7 @@ void Simulation<R>::trace_paths() {
                          : path.rides               ? "rides a part that turns or bends"
                          : mover.held[0] != nothing ? "along a part"
                                                     : "free flight");
-        if (mover.held[0] != nothing)
-            item.with("part", std::string_view(scene_->parts[features_[mover.held[0]].part].name));
+        if (mover.held[0] != nothing) item.with("part", scene_->parts[features_[mover.held[0]].part].name);
         item.with("since", clock(path.start))
             .with("position", narrow(path.position))
             .with("velocity", narrow(path.velocity))
@@ -76,7 +74,7 @@ void Simulation<R>::trace_paths() {
                  " held by a part; each has a path and one next event, and nothing is done until the first.";
 }
 
-/// Handles an event, and writes what it was and what followed.
+/// Handles an event, and writes it with its result.
 template <class R>
 void Simulation<R>::trace_event(Place i) {
     constexpr std::string_view events = "events";
@@ -90,7 +88,7 @@ void Simulation<R>::trace_event(Place i) {
     const R half = isolated_within(mover, epsilon<R>(), R(0));
     if (meets_part) {
         const PartIndex part = features_[mover.met].part;
-        item.with("part", std::string_view(scene_->parts[part].name));
+        item.with("part", scene_->parts[part].name);
     }
     if (meets_ball) {
         const Mover other = movers_[mover.met];

@@ -1,6 +1,6 @@
 #pragma once
-/// Parts in motion, and a ball's path as seen from one: in the pose of the scene file a turning part stands
-/// still and the ball moves past it.
+/// Motion of parts, and the path of a ball in the frame of a part, in which the part has the pose of the
+/// scene file.
 
 #include "reference/path.hpp"
 
@@ -11,7 +11,7 @@ template <class R>
 struct Turning {
     V<R> pivot;
     R since{}, angle{}, rate{};  ///< s, rad, rad/s
-    R stop = infinity<R>();      ///< s: it meets its stop then
+    R stop = infinity<R>();      ///< s: when it reaches its stop
     R goal{};                    ///< rad, at the stop
 
     [[nodiscard]] R angle_at(const R& time) const {
@@ -23,7 +23,7 @@ struct Turning {
 template <class R>
 struct View {
     const Path<R>& path;
-    const Turning<R>* turning;  ///< null for what stands still
+    const Turning<R>* turning;  ///< null for a static part
 
     [[nodiscard]] Motion<R> at(const R& time) const {
         Motion<R> now = path.at(time);

@@ -44,7 +44,7 @@ ReferenceWorld::ReferenceWorld(std::shared_ptr<const Scene> scene, const Setting
       table_(scene_),
       balls_(scene_->balls) {}
 
-/// Looking ahead for every ball is most of what a world costs that is only asked whether it can be made.
+/// Predictions are delayed until the first step, since a world may be created only to check that it can be.
 void ReferenceWorld::load_once() const {
     if (!loaded_) const_cast<ReferenceWorld*>(this)->load();
 }
@@ -232,7 +232,7 @@ void ReferenceWorld::trace_step() {
     trace_read_out(*trace_, "src/reference/world.cpp: read_out", *this, *scene_);
 }
 
-/// Takes over what the simulation found, unless a ball has passed the limits of a world.
+/// Copies the results of the simulation, unless a ball has passed the limits of a world.
 void ReferenceWorld::read_within_limits(double dt) {
     read_out(table_.time());
     try {
@@ -242,7 +242,7 @@ void ReferenceWorld::read_within_limits(double dt) {
     }
 }
 
-/// Takes over what the simulation found. `started` is when the step did.
+/// Copies the results of the simulation. `started`: start of the step.
 void ReferenceWorld::read_out(double started) {
     exact_->read(balls_);
     events_.assign(exact_->events().begin(), exact_->events().end());
@@ -266,7 +266,7 @@ void ReferenceWorld::read_out(double started) {
     statistics_.asleep = static_cast<std::uint64_t>(std::ranges::count(balls_, true, &Ball::asleep));
 }
 
-/// What began and ended between the last two looks, as the engines that know contacts per step report it.
+/// Reports contacts that began or ended in the step.
 void ReferenceWorld::report_touches() {
     std::swap(contacts_, contacts_before_);
     exact_->contacts(contacts_);
@@ -286,8 +286,8 @@ void ReferenceWorld::report_touches() {
     statistics_.contacts = contacts_.size();
 }
 
-/// The distance to the twin's ball, of the position as it is reported: so what rounding to 53 bits took is in
-/// it. Once that was a radius, the ball's way is unknown for good.
+/// Distance of the reported position from that of the twin, so it includes rounding to 53 bits. Once it has
+/// reached a radius, the path of the ball is unknown from then on.
 void ReferenceWorld::measure_uncertainty() {
     uncertainty_.assign(balls_.size(), unclaimed);
     if (!twin_) return;

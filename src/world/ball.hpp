@@ -13,7 +13,7 @@ namespace flipside {
 /// scene are numbered from 0 in the order of the file, later ones follow.
 using BallNumber = std::uint32_t;
 
-/// What says where it is and how it moves comes first: who only asks for that reads less memory.
+/// Position and motion come first, so that loops over them read less memory.
 struct Ball {
     Vec2 position;      ///< m
     Vec2 velocity;      ///< m/s

@@ -6,7 +6,7 @@ namespace flipside {
 
 struct Clock {
     double time = 0;       ///< s
-    double remainder = 0;  ///< what rounding left out of `time` so far
+    double remainder = 0;  ///< accumulated rounding of `time`
 
     /// The remainder is the rounding of the last sum, which is exact (Knuth's TwoSum): at most half an ulp
     /// of `time`. So `time` never falls, and steps below its ulp add up in the remainder until they show.

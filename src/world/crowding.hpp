@@ -1,6 +1,6 @@
 #pragma once
-/// How many things of a scene lie over one another. Engines list the pairs of bounding boxes that overlap,
-/// so time and memory of a step grow with their number: with the square of n for n balls at one place.
+/// How many balls and primitives of a scene overlap. Engines list the pairs of bounding boxes that overlap,
+/// so time and memory of a step grow with their number: with the square of n for n balls at one position.
 
 #include <cstdint>
 #include <optional>

@@ -10,7 +10,7 @@
 
 namespace flipside {
 
-/// What a ball met: a part of the table or another ball.
+/// The other body of a contact: a part of the table or a ball.
 struct Other {
     bool is_ball = false;
     std::uint32_t index = 0;  ///< PartIndex or BallNumber
@@ -21,7 +21,7 @@ struct Other {
 };
 
 enum class EventKind {
-    impact,  ///< met faster than rest_speed (at any speed above 0 where rest_speed is 0)
+    impact,  ///< approach faster than rest_speed (at any speed above 0 if rest_speed is 0)
     begin,   ///< a touch that lasts beyond this step began
     end,     ///< such a touch ended
     sensor_begin,
@@ -47,7 +47,7 @@ struct Event {
     friend bool operator==(const Event&, const Event&) = default;
 };
 
-/// Two surfaces in touch at this instant: what cross-validation compares.
+/// Two surfaces in contact at this instant; cross-validation compares these.
 struct Contact {
     BallNumber ball = 0;
     Other other;

@@ -7,8 +7,8 @@ namespace flipside {
 
 namespace {
 
-/// A centre so near the line, in radii, is on it: paths of a few dozen radii, computed in double, end within
-/// this of where they would in exact numbers.
+/// Radii: a centre this close to the line is on it: paths of a few dozen radii, computed in double, end
+/// within this of where they would in exact numbers.
 constexpr double on_line = 1e-9;
 /// And so many times what double can tell apart at its place.
 constexpr double place_rounding = 256 * 0x1p-53;

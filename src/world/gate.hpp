@@ -1,8 +1,8 @@
 #pragma once
 /// The rule of gates, the same for every engine.
 ///
-/// A gate meets a ball when the ball's centre first comes within the ball's radius of the gate's segment. At
-/// that instant it is decided, once, whether it lets the ball through:
+/// The gate rule applies when the centre of a ball first comes within its radius of the gate's segment. At
+/// that instant it is decided, once, whether the gate lets the ball through:
 ///
 /// - an open gate lets every ball through;
 /// - a closed one lets a ball through whose centre is behind it: on the side from which its normal points
@@ -30,8 +30,8 @@ inline constexpr double deep_in_gate = 0.5;
 /// Whether a ball that begins with its centre at `center`, in the pose of the scene file, begins deep in it.
 [[nodiscard]] bool begins_deep(const shape::Gate& gate, Vec2 center, double radius);
 
-/// Whether a closed gate lets a ball through that meets it with its centre at `center`. Both in the pose of
-/// the scene file; the velocity is that of the ball's centre as seen from the gate.
+/// Whether a closed gate lets a ball through whose centre is at `center` when it reaches the gate. Both in
+/// the pose of the scene file; the velocity is that of the ball's centre as seen from the gate.
 [[nodiscard]] bool lets_through(const shape::Gate& gate, Vec2 center, Vec2 velocity, double radius);
 
 }  // namespace flipside

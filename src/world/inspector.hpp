@@ -1,5 +1,5 @@
 #pragma once
-/// How an engine shows its insides: it calls these, somebody draws them. The engine knows no screen.
+/// Debug drawing: the engine calls this interface, and its implementation draws. Engines know no screen.
 
 #include <string_view>
 
@@ -9,17 +9,17 @@ namespace flipside {
 
 enum class Topic {
     boxes,     ///< bounds of balls and parts
-    cells,     ///< cells of the broad phase, with the number of things in each
+    cells,     ///< cells of the broad phase, with the number of proxies in each
     pairs,     ///< candidates that the broad phase found
     contacts,  ///< touching pairs: point, normal, depth
-    sleep,     ///< what is asleep
+    sleep,     ///< sleeping balls
 };
 inline constexpr std::string_view topic_names[] = {"boxes", "cells", "pairs", "contacts", "sleep"};
 
 class Inspector {
   public:
     virtual ~Inspector() = default;
-    /// Whether anybody looks at this topic; engines need not draw what nobody wants.
+    /// Whether this topic is shown; engines need not draw the others.
     [[nodiscard]] virtual bool wants(Topic topic) const = 0;
     virtual void box(Topic topic, const Box& box) = 0;
     virtual void cell(const Box& box, int count) = 0;

@@ -32,7 +32,7 @@ inline constexpr double last_time = 1e12;
 /// Throws Refusal for a ball that an impact with `met` at `time` has made faster than top_speed.
 [[noreturn]] void refuse_speed(std::string_view engine, const Ball& ball, Other met, double time,
                                const Scene& scene);
-/// Throws Refusal: when `ball` touches or leaves `met`, on its way from `time` on, is not found.
+/// Throws Refusal: the time at which `ball` touches or leaves `met`, from `time` on, was not found.
 [[noreturn]] void refuse_search(std::string_view engine, BallNumber ball, Other met, double time,
                                 const Scene& scene);
 /// Throws Refusal where a number of the event is infinite or none: an engine in single precision gets there

@@ -1,6 +1,6 @@
 #pragma once
-/// An engine cannot do exactly what is asked, and says so instead of doing something else. what() is one
-/// line: which engine, what (ball, part, time), why. The program ends with exit code 1.
+/// Thrown by an engine that cannot compute a step exactly. what() is one line: the engine, the ball, part and
+/// time, and the reason. The program ends with exit code 1.
 
 #include <stdexcept>
 

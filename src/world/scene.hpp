@@ -1,6 +1,6 @@
 #pragma once
-/// A scene: plain data that says what is on the table. It never asks which engine runs it.
-/// Everything is checked where it enters (scene_file.hpp); engines may rely on what is said here.
+/// A scene: plain data of a table, independent of engines. The scene file reader checks everything
+/// (scene_file.hpp), so engines may rely on these comments.
 
 #include <cstdint>
 #include <map>
@@ -104,7 +104,7 @@ struct Rules {
         int jackpot;      ///< for each group of targets meanwhile
     };
     struct EndBonus {
-        std::vector<Score> scores;  ///< what each hit adds to it
+        std::vector<Score> scores;  ///< points that each hit adds
         int most_times;             ///< it is paid once, and once more for each group of lanes, up to this
     };
     struct Spinner {
@@ -143,7 +143,7 @@ struct Scene {
     std::vector<Part> parts;
     std::optional<Launcher> launcher;
     std::optional<Rules> rules;
-    std::optional<Box> camera;  ///< what the window should show; bounds otherwise
+    std::optional<Box> camera;  ///< view of the window; the bounds if empty
     /// Recommended settings: engine → setting → value as on the command line. "run" holds "dt".
     std::map<std::string, std::map<std::string, std::string>> recommend;
     /// The scene file that it was read from, as JSON in one line; null for a scene that was made otherwise.

@@ -57,7 +57,7 @@ void read_parts(const Node& root, SceneReader& reader) {
     }
 }
 
-/// Refuses a scene of which a step would take too long and too much memory: 3,000 balls at one place have
+/// Refuses a scene whose step would take too much time and memory: 3,000 balls at one position have
 /// 4.5 million overlapping pairs. Heaps have three for each ball, and thousands of balls on a table of
 /// sensors, arcs and long lines some ten.
 void refuse_crowds(const Node& root, const Scene& scene) {

@@ -8,8 +8,8 @@
 
 // Generators: rows of balls or pins, and a field of balls, segments and bumpers placed at random.
 //
-// The field is filled by rejection: a place is drawn until it is clear of everything placed before.
-// A grid of cells says what is near, so that placing n things costs O(n) as long as there is room.
+// The field is filled by rejection sampling: a position is drawn until it overlaps nothing placed before.
+// A grid of cells finds neighbours, so that placing n shapes costs O(n) as long as there is free space.
 
 namespace flipside {
 
@@ -77,7 +77,7 @@ void generate_rows(const Node& node, SceneReader& reader) {
         }
 }
 
-/// Everything that a field holds is a line with a radius; a disc's line is a point.
+/// Every shape in a field is a segment with a radius; that of a disc is a point.
 struct Item {
     Vec2 a, b;
     double radius;
@@ -97,7 +97,7 @@ double distance(const Item& p, const Item& q) {
         {distance(p.a, q.a, q.b), distance(p.b, q.a, q.b), distance(q.a, p.a, p.b), distance(q.b, p.a, p.b)});
 }
 
-/// A square [0, side]² with what was placed in it.
+/// A square [0, side]² with the shapes placed in it.
 class Field {
   public:
     Field(double side, double cell)
@@ -124,7 +124,7 @@ class Field {
         items_.push_back(item);
         return true;
     }
-    /// At cells and at what is in them, so far.
+    /// Number of cells and shapes tested so far.
     [[nodiscard]] std::uint64_t looks() const { return looks_; }
 
   private:
@@ -150,7 +150,7 @@ double field_side(const Node& node) {
     return std::sqrt(node.real("balls") / node.real("density"));
 }
 
-/// Fills a field with what its generator asks for.
+/// Fills a field as its generator describes.
 class FieldMaker {
   public:
     FieldMaker(const Node& node, SceneReader& reader)
@@ -163,7 +163,7 @@ class FieldMaker {
 
     void make() {
         walls();
-        // Between still things a ball always fits through.
+        // A ball always fits between static shapes.
         const double passage = 2.2 * ball_.radius;
         obstacles("bumpers", "bumper", "radius", [&](double radius) {
             const Item item = place("bumpers", passage, [&] {
@@ -189,9 +189,9 @@ class FieldMaker {
         return {x, random_.between(0, side_)};
     }
 
-    /// Draws until there is room.
+    /// Draws until a position is free.
     Item place(const char* key, double gap, auto&& draw) {
-        // The second holds for all things together: each may find its place, but only after many draws.
+        // The second limit is for all shapes together: each may find a position, but only after many draws.
         constexpr int enough = 100'000;
         constexpr std::uint64_t enough_looks = 1'000'000'000;
         for (int i = 0; i < enough && field_.looks() < enough_looks; ++i)
@@ -213,7 +213,7 @@ class FieldMaker {
             "walls");
     }
 
-    /// `per_ball` things of a random size, of which `make` places one.
+    /// `per_ball` shapes of a random size; `make` places one.
     void obstacles(const char* key, const char* name, const char* size, auto&& make) {
         if (!node_.has(key)) return;
         const Node node = node_.at(key);
@@ -249,7 +249,7 @@ class FieldMaker {
 }  // namespace
 
 Box field_bounds(const Node& node) {
-    // Nothing leaves a closed box; what is this far outside it came through the walls.
+    // No ball leaves a closed box; one this far outside has passed through the walls.
     const double side = field_side(node), margin = 4 * node.at("ball").real("radius");
     return {{-margin, -margin}, {side + margin, side + margin}};
 }

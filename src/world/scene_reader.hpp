@@ -31,7 +31,7 @@ class SceneReader {
     [[nodiscard]] Ball ball_kind(const Node& node);
     /// Numbers the ball; `node` is where it comes from. Refused outside the bounds.
     void add_ball(const Node& node, Ball ball);
-    /// Refused where the name is taken or cannot be one.
+    /// Refuses a name that is in use or invalid.
     void add_part(const Node& node, Part part);
     /// The part that a text names.
     [[nodiscard]] PartIndex part(const Node& node, const std::string& name) const;
@@ -52,7 +52,8 @@ class SceneReader {
 [[nodiscard]] Rules read_rules(const Node& node, const SceneReader& reader);
 /// The bounds that a generated field sets.
 [[nodiscard]] Box field_bounds(const Node& node);
-/// Adds what a generator makes. Deterministic: Boost.Random's distributions are the same everywhere.
+/// Adds the balls and parts of a generator. Deterministic: Boost.Random's distributions are the same
+/// everywhere.
 void generate(const Node& generator, SceneReader& reader);
 
 }  // namespace flipside

@@ -9,7 +9,7 @@ namespace flipside {
 
 namespace {
 
-/// Nothing is shorter than this, m; ends nearer to each other would be one joint.
+/// Least length, m; closer ends would form one joint.
 constexpr double shortest = joint_distance;
 /// Sine of the least turn at a polygon's corner.
 constexpr double least_turn = 1e-9;

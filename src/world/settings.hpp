@@ -10,7 +10,7 @@ namespace flipside {
 
 enum class SettingType { real, integer, toggle, choice };
 
-/// A value that a setting took once, and what to do instead: said to who still uses it.
+/// A former value of a setting, with advice for users of it.
 struct RetiredChoice {
     std::string_view name, advice;
 };

@@ -1,5 +1,5 @@
 #pragma once
-/// What a part of the table can look like: plain data, as a scene file states it. Lengths in metres.
+/// Shapes of parts: plain data as in the scene file. Lengths in metres.
 /// Ends of segments and arcs collide as points. Segments, arcs, polylines and gates have no inside and
 /// act on both sides; circles, polygons, capsules and flippers are solid.
 
@@ -52,7 +52,7 @@ struct Polyline {
     std::vector<Vec2> points;
     bool closed = false;
 };
-/// Passes a ball that moves along `normal`, reflects one that comes the other way, and stays open while
+/// Passes a ball that moves along `normal`, reflects one in the other direction, and stays open while
 /// a ball is in it: see gate.hpp.
 struct Gate {
     Vec2 a, b;

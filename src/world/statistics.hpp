@@ -1,5 +1,5 @@
 #pragma once
-/// What the last step cost and what it found.
+/// Cost and results of the last step.
 
 #include <array>
 #include <cstdint>
@@ -13,7 +13,7 @@ struct StageTime {
     double seconds = 0;
 };
 
-/// How the broad phase stands; zero where it has no such thing.
+/// Facts about the broad phase; zero where they do not apply.
 struct BroadPhaseFacts {
     std::string_view name;  ///< empty: the engine does not say
     int levels = 0;

@@ -16,14 +16,14 @@ class StepGuard {
   public:
     explicit StepGuard(std::string_view engine) : engine_(engine) {}
 
-    /// Makes room for so many balls and forces between them, so that steps allocate nothing.
+    /// Reserves memory for so many balls and forces between them, so that steps allocate nothing.
     void reserve(std::size_t balls, std::size_t forces) {
         before_.balls.reserve(balls);
         before_.memory.forces.reserve(forces);
         before_.reported_lost.reserve(balls);
         before_.blocked.reserve(balls);
     }
-    /// Makes the step. Where it is refused, `restore(State)` is to bring back what was before.
+    /// Makes the step. If it is refused, `restore(State)` must restore the state before it.
     void run(const Table& table, const std::vector<Ball>& balls, auto&& step, auto&& restore) {
         if (refusal_) throw Refusal(*refusal_);
         table.copy(before_);

@@ -1,10 +1,10 @@
 #pragma once
-/// The surface of a scene, taken apart into primitives that each have one simple distance function. All
-/// engines start from these, so they agree on what is an edge, an end and a joint.
+/// The surface of a scene, split into primitives with one simple distance function each. All engines use
+/// these, so they agree on edges, ends and joints.
 ///
-/// Faces and ends are told apart: a segment or arc primitive is the open curve between its ends, and where
+/// Faces and ends are separate: a segment or arc primitive is the open curve between its ends, and where
 /// an end can be hit there is a point primitive for it. Where two curves meet with a common tangent (a smooth
-/// joint) there is none, so nothing can catch on it; where they meet in a corner there is one.
+/// joint) there is none, so no ball can catch on it; where they meet in a corner there is one.
 
 #include <variant>
 #include <vector>
@@ -51,7 +51,7 @@ struct Primitive {
     PartIndex part = 0;
 };
 
-/// Ends nearer than this are one joint, m.
+/// Ends closer than this form one joint, m.
 inline constexpr double joint_distance = 1e-6;
 /// Tangents that differ by less than this at a joint make it smooth, rad.
 inline constexpr double joint_angle = 1e-3;

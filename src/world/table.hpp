@@ -42,10 +42,10 @@ class Table {
     void apply(const Control& control);
 
     /// Pose and rate (rad/s) of a part `ahead` seconds from now if no control changes until then. At the
-    /// instant a flipper meets its stop its rate is 0.
+    /// instant a flipper reaches its stop its rate is 0.
     [[nodiscard]] Pose pose(PartIndex part, double ahead = 0) const;
     [[nodiscard]] double rate(PartIndex part, double ahead = 0) const;
-    /// Seconds until the rate of a part changes by itself (a flipper meets its stop); infinity if never.
+    /// Seconds until the rate of a part changes by itself (a flipper reaches its stop); infinity if never.
     [[nodiscard]] double until_stop(PartIndex part) const;
     /// All of these at once.
     struct Turning {
@@ -64,7 +64,7 @@ class Table {
     void set_to(const Clock& clock, std::span<const PartState> start, double ahead);
 
     void set_open(PartIndex gate, bool open) { state_.parts[gate].open = open; }
-    /// Whether a closed gate does not let the ball through that is within a radius of it.
+    /// Whether a closed gate blocks the ball, which is within a radius of it.
     [[nodiscard]] bool is_blocked(PartIndex gate, BallNumber ball) const;
     void set_blocked(PartIndex gate, BallNumber ball, bool blocked);
     /// By gate, then ball.
@@ -91,13 +91,13 @@ class Table {
     /// Removes what a state says of balls that are not in it and of gates that are open, and a memory of
     /// another time.
     static void forget_gone(State& state);
-    /// The state without its balls; what `state` has room for is not allocated anew.
+    /// Copies the state without its balls; reuses the capacity of `state`.
     void copy(State& state) const { state = state_; }
     /// All of the state but its balls.
     void restore(const State& state);
 
   private:
-    /// What moves a part, taken out of the scene: it is asked for many times a step.
+    /// Motion of a part, copied from the scene for speed.
     struct Drive {
         Vec2 pivot;
         bool flips = false;
@@ -110,7 +110,7 @@ class Table {
     std::shared_ptr<const Scene> scene_;
     std::vector<PartIndex> moving_;
     std::vector<Drive> drives_;            ///< of moving_
-    std::vector<std::uint32_t> drive_of_;  ///< per part, into drives_; nothing for what is still
+    std::vector<std::uint32_t> drive_of_;  ///< per part, index into drives_; nothing for static parts
     State state_;                          ///< without balls
 };
 

@@ -33,7 +33,7 @@ TraceItem& TraceItem::with(std::string_view name, TraceValue value) {
 
 TraceItem& TraceItem::with_other(Other other, const Scene& scene) {
     if (other.is_ball) return with("other_ball", other.index);
-    return with("part", std::string_view(scene.parts[other.index].name));
+    return with("part", scene.parts[other.index].name);
 }
 
 const TraceValue* TraceItem::find(std::string_view name) const {

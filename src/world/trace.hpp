@@ -1,7 +1,6 @@
 #pragma once
-/// What a world did in one step, stage by stage and in numbers: for those who look inside. A world that is
-/// asked for it writes it while it steps; that costs nothing when nobody asks, and never changes a bit of the
-/// outcome.
+/// The trace of a step: its stages with their numbers. A world writes it during the step if a trace is
+/// requested. It costs nothing otherwise, and never changes a bit of the result.
 
 #include <concepts>
 #include <cstdint>
@@ -22,9 +21,9 @@ class World;
 
 using TraceValue = std::variant<bool, std::int64_t, double, std::string, Vec2, Box, std::vector<double>>;
 
-/// One thing that a stage looked at or did: a pair, a contact, an impact. Fields that point at something on
-/// the table have the same names everywhere: `ball` and `other_ball` are numbers of balls, `part` is a part's
-/// name; `position`, `point` and `normal` are in metres, in the world's frame.
+/// One entry of a stage: a pair, a contact, an impact. Fields that refer to the table have the same names
+/// everywhere: `ball` and `other_ball` are numbers of balls, `part` is a part's name; `position`, `point` and
+/// `normal` are in metres, in the world's frame.
 struct TraceItem {
     std::string kind;
     std::vector<std::pair<std::string, TraceValue>> fields;
@@ -37,12 +36,15 @@ struct TraceItem {
     TraceItem& with(std::string_view name, std::string_view value) {
         return with(name, TraceValue(std::string(value)));
     }
-    /// Of any number of balls, steps or places.
+    TraceItem& with(std::string_view name, std::string value) {
+        return with(name, TraceValue(std::move(value)));
+    }
+    /// For counts and indices.
     template <std::unsigned_integral N>
     requires(!std::same_as<N, bool>) TraceItem& with(std::string_view name, N value) {
         return with(name, TraceValue(static_cast<std::int64_t>(value)));
     }
-    /// Adds what is met: `other_ball`, or `part`.
+    /// Adds the other body: `other_ball`, or `part`.
     TraceItem& with_other(Other other, const Scene& scene);
 
     /// Null where there is no such field.
@@ -74,10 +76,10 @@ struct Trace {
     }
 };
 
-/// Adds the last stage of every step: balls and events as the world gives them to who looks at it.
+/// Adds the last stage of every step: the balls and events that the world reports.
 void trace_read_out(Trace& trace, std::string_view where, const World& world, const Scene& scene);
 
-/// A path for a picture: x and y of where `place` is at equal times from `from` to `to`.
+/// Points of a path: x and y of `place` at equal times from `from` to `to`.
 [[nodiscard]] std::vector<double> swept(double from, double to, const std::function<Vec2(double)>& place);
 
 /// A number for a sentence, to four digits.

@@ -23,10 +23,10 @@ class World {
     /// Advances by exactly dt seconds (finite, > 0). Sub-steps are the engine's own business.
     /// An engine that cannot do that as exactly as it promises throws Refusal (refusal.hpp).
     virtual void step(double dt) = 0;
-    /// The same step, in portions, for those who cannot wait: works for about `seconds` of wall time and is
-    /// true once the step is done. Until then it is to be called again with the same dt, or the world given
-    /// up or restored; balls and all else read as before the step. However it is portioned, the outcome is
-    /// the same. Engines whose steps are short do them at once.
+    /// The same step, in portions, so that the caller can react: works for about `seconds` of wall time and
+    /// is true once the step is done. Until then it is to be called again with the same dt, or the world
+    /// given up or restored; balls and all else read as before the step. However it is portioned, the outcome
+    /// is the same. Engines whose steps are short do them at once.
     [[nodiscard]] virtual bool step_within(double dt, double seconds) {
         static_cast<void>(seconds);
         step(dt);

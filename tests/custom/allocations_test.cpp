@@ -1,4 +1,4 @@
-// A step allocates nothing once the world has seen its busiest moment.
+// A step allocates nothing after the busiest step of a scene.
 
 #include "lab/process/allocations.hpp"
 
@@ -26,7 +26,7 @@ TEST(Allocations, NoneInAStepAfterWarmUp) {
             const auto world = make_world(scene, {{"broad_phase", kind.name}, {"solver", solver}});
             const State start = world->save();
             run(*world, 3);
-            world->restore(start);  // the same again needs no more room than before
+            world->restore(start);  // the same steps need no more memory
             const std::uint64_t before = lab::allocations();
             run(*world, 3);
             EXPECT_EQ(lab::allocations(), before) << kind.name << ", " << solver;

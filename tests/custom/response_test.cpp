@@ -58,7 +58,7 @@ TEST(Response, FrictionIsCoulombCappedAtSticking) {
     for (const double mu : {0.05, 0.2, 0.9})
         for (const double spin : {0.0, 3.0, -20.0}) {
             Ball ball = ball_with({3, -2}, spin);
-            const double slip = 3 + ball.radius * spin;  // of the rim at the touch: v + r·ω
+            const double slip = 3 + ball.radius * spin;  // of the rim at the point of contact: v + r·ω
             ASSERT_TRUE(respond(ball, floor_touch, {}, {0.5, mu, 0}, weightless).happened);
             const double normal = 1.5 * 2 * 2;
             const double limit = std::min(mu * normal, ball.mass * std::abs(slip) / 3);
@@ -81,7 +81,7 @@ TEST(Response, WhatGravityAddedSinceTheTouchIsNoImpact) {
 }
 
 TEST(Response, RestingBallRollsByFriction) {
-    // Sliding at 3 m/s while gravity presses it down for 0.1 s: the support is µ·m·g·t.
+    // Sliding at 3 m/s for 0.1 s under gravity: the friction impulse is µ·m·g·t.
     Ball ball = ball_with({3, -1});
     const Touch deep{{0, 0}, {0, 1}, -0.05, false};
     (void)respond(ball, deep, {}, {0, 0.2, 0}, {{0, -10}, 0.01});

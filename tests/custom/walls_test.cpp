@@ -1,4 +1,4 @@
-// Nothing passes through a still part, however light, fast or hard pressed it is.
+// No ball passes through a static part, for any mass, speed and load.
 
 #include <random>
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr Box room{{-1, 0}, {1, 3}};
 
-/// Balls of 30 to 100 mm and of masses from 10 g to 1 t, thrown about a room with a bar that turns in it.
+/// Balls of 30 to 100 mm and of masses from 10 g to 1 t, thrown about in a closed box with a turning bar.
 Scene throng(unsigned seed, double speed, double restitution) {
     std::mt19937 random(seed);
     const auto pick = [&](double low, double high) {

@@ -98,7 +98,7 @@ TEST(World, GatePassesOneWayAndReflectsTheOther) {
 TEST(World, GateStaysOpenWhileOccupied) {
     Scene scene = empty_scene();
     add_ball(scene, {0, 0.02}, {0, 0});  // in the gate, at rest
-    add_ball(scene, {0.5, 1}, {0, -1});  // comes against it
+    add_ball(scene, {0.5, 1}, {0, -1});  // approaches it
     add_part(scene, {shape::Gate{{-1, 0}, {1, 0}, {0, 1}}});
     const auto world = make_world(scene, {{"sleep", "off"}});
     State state = world->save();
@@ -147,7 +147,7 @@ TEST(World, DropTargetGoesDownUntilRaised) {
     const auto world = make_world(scene);
     run(*world, 1);
     EXPECT_TRUE(world->parts()[0].down);
-    run(*world, 4);  // up to the wall, and back through where it was
+    run(*world, 4);  // to the wall, and back through its first position
     EXPECT_LT(world->balls()[0].position.y, 0);
     world->apply(control::RaiseTargets{});
     EXPECT_FALSE(world->parts()[0].down);
@@ -210,7 +210,7 @@ TEST(World, TouchesThatLastBeginAndEnd) {
     EXPECT_TRUE(world->contacts().empty());
 }
 
-/// A table with one of everything.
+/// A table with one part of each kind.
 Scene rich_scene() {
     Scene scene = empty_scene({0, -2});
     scene.bounds = {{-2, -2}, {2, 2}};

@@ -1,7 +1,7 @@
 #pragma once
-/// Room in lists, so that a step allocates nothing while no balls join. What a step lists is bounded by
-/// the number of balls and what one of them can be near to; the figures here hold for the densest heaps of
-/// like balls with a part at every side, with room to spare.
+/// Capacities of lists, so that a step allocates nothing unless balls are added. The number of entries is
+/// bounded by the number of balls and of their neighbours; the figures hold for the densest heaps of equal
+/// balls with parts on all sides, with a reserve.
 
 #include <algorithm>
 #include <bit>
@@ -10,22 +10,22 @@
 
 namespace flipside::custom {
 
-inline constexpr std::size_t pairs_per_ball = 16;    ///< listed as near, at rest
+inline constexpr std::size_t pairs_per_ball = 16;    ///< candidate pairs of a ball at rest
 inline constexpr std::size_t contacts_per_ball = 8;  ///< boxes that overlap during one flight
 inline constexpr std::size_t touches_per_ball = 4;
-inline constexpr std::size_t events_per_ball = 32;  ///< in a step in which a heap lands
-inline constexpr std::size_t least_room = 1024;     ///< for a few balls, however fast
+inline constexpr std::size_t events_per_ball = 32;   ///< in a step in which a heap lands
+inline constexpr std::size_t least_capacity = 1024;  ///< for a few balls of any speed
 
-inline constexpr std::size_t spare = 64;  ///< balls for which there is always room
+inline constexpr std::size_t spare = 64;  ///< balls that may be added without an allocation
 
-/// Makes room for at least `count` items. It grows by doubling, so seldom.
+/// Reserves at least `count` items. Capacities double, so they grow seldom.
 template <class T>
 void reserve_for(std::vector<T>& list, std::size_t count) {
     if (list.capacity() < count) list.reserve(std::bit_ceil(count + spare));
 }
 template <class T>
 void reserve_for(std::vector<T>& list, std::size_t balls, std::size_t per_ball) {
-    reserve_for(list, std::max(least_room, balls * per_ball));
+    reserve_for(list, std::max(least_capacity, balls * per_ball));
 }
 
 }  // namespace flipside::custom

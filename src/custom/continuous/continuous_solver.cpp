@@ -113,7 +113,7 @@ void ContinuousSolver::push_out_of_parts(BallIndex i) {
                 closest_point(features_[f], pose.undo(ball.position), ball.radius).distance > ball.radius)
                 continue;
             seen = features_[f].primitive;
-            if (!stops(*table_, primitive, pose, ball)) continue;
+            if (!should_collide(*table_, primitive, pose, ball)) continue;
             const Touch touch_now = touch(ball.position, ball.radius, primitive, pose);
             if (touch_now.past_end || touch_now.separation >= deepest.separation) continue;
             deepest = touch_now;

@@ -223,7 +223,7 @@ void ContinuousSolver::add_part_contacts(BallIndex i, double time, double durati
         const Primitive& primitive = layout_.primitive(seen);
         const Turning& turning = turnings_[primitive.part];
         const Pose pose = turning.pose(time);
-        if (!layout_.stops(*table_, seen, pose, ball)) continue;
+        if (!layout_.should_collide(*table_, seen, pose, ball)) continue;
         ++record_->statistics.narrow_tests;
         const Touch found = touch(ball.position, ball.radius, primitive, pose);
         if (found.past_end || found.separation > slack) continue;

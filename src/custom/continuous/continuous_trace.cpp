@@ -44,8 +44,7 @@ void ContinuousSolver::trace_next(TraceItem& item, BallIndex i) const {
     const double time = std::min(mover.cell_exit, mover.next_time);
     item.with("next", name);
     if (time <= dt_) item.with("next_time", start_ + time);
-    if (name == "meets a part")
-        item.with("next_part", std::string_view(scene_.parts[features_[mover.partner].part].name));
+    if (name == "meets a part") item.with("next_part", scene_.parts[features_[mover.partner].part].name);
     if (name == "meets a ball") item.with("next_ball", bodies_[mover.partner].number);
 }
 
@@ -67,8 +66,7 @@ void ContinuousSolver::trace_paths(bool all_start) {
                          : mover.resting_on
                              ? mover.motion.path.is_taylor() ? "swings along a part" : "along a part"
                              : "free flight");
-        if (mover.resting_on != nullptr)
-            item.with("part", std::string_view(scene_.parts[mover.resting_on->part].name));
+        if (mover.resting_on != nullptr) item.with("part", scene_.parts[mover.resting_on->part].name);
         const Flight& flight = mover.motion.path.flight;
         item.with("since", start_ + mover.motion.path.start)
             .with("position", flight.position)
@@ -123,7 +121,7 @@ void ContinuousSolver::trace_event(BallIndex i) {
     handle(i);
     TraceItem& item = trace.stages[stage].items[at];
     if (meets_ball) item.with("other_ball", bodies_[other].number);
-    if (meets_part) item.with("part", std::string_view(scene_.parts[part].name));
+    if (meets_part) item.with("part", scene_.parts[part].name);
     item.with("position", ball_at(i, time).position).with("velocity_before", before);
     item.with("velocity", velocity(i));
     if (meets_ball) item.with("other_velocity_before", other_before).with("other_velocity", velocity(other));
@@ -167,7 +165,7 @@ void ContinuousSolver::trace_tick(double time, double duration) {
         if (balls)
             item.with("other_ball", bodies_[contact.b].number);
         else
-            item.with("part", std::string_view(scene_.parts[layout_.primitive(contact.a).part].name));
+            item.with("part", scene_.parts[layout_.primitive(contact.a).part].name);
         const ContactSolver::Body& upper = contact_solver_.bodies()[contact.upper];
         item.with("point", upper.position - upper.radius * contact.normal)
             .with("normal", contact.normal)

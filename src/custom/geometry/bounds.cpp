@@ -22,7 +22,7 @@ struct BoundsOf {
         for (const Vec2 point : p.points) box = united(box, around(point));
         return box;
     }
-    /// The ends, and those of the four outermost points of the circle that lie on the arc.
+    /// Contains the ends, and those of the four extreme points of the circle that lie on the arc.
     Box operator()(const primitive::Arc& p) const {
         constexpr double quarter = std::numbers::pi / 2;
         constexpr Vec2 outermost[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};

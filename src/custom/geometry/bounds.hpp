@@ -1,23 +1,23 @@
 #pragma once
-/// Axis-aligned bounding boxes (AABB) of discs and primitives: the first and cheapest test of a step.
+/// Axis-aligned bounding boxes (AABB) of discs and primitives.
 
 #include "world/surface.hpp"
 #include "world/table.hpp"
 
 namespace flipside::custom {
 
-/// Of a disc.
+/// AABB of a disc.
 [[nodiscard]] constexpr Box bounds_of(Vec2 center, double radius) {
     return {{center.x - radius, center.y - radius}, {center.x + radius, center.y + radius}};
 }
-/// Of a primitive in a pose; tight up to rounding.
+/// AABB of a primitive in a pose; tight up to rounding.
 [[nodiscard]] Box bounds_of(const Primitive& primitive, const Pose& pose = {});
 
-/// Closed boxes: those that only share a border overlap.
+/// Whether two closed boxes overlap; a common border counts.
 [[nodiscard]] constexpr bool overlap(const Box& a, const Box& b) {
     return (a.min.x <= b.max.x) & (b.min.x <= a.max.x) & (a.min.y <= b.max.y) & (b.min.y <= a.max.y);
 }
-/// A closed disc and a closed box: nearer than its bounds' overlap at the box's corners.
+/// Whether a closed disc and a closed box overlap.
 [[nodiscard]] constexpr bool overlap(const Box& box, Vec2 center, double radius) {
     const auto beyond = [](double min, double at, double max) {
         return at < min ? min - at : at > max ? at - max : 0;
@@ -25,12 +25,12 @@ namespace flipside::custom {
     const Vec2 gap{beyond(box.min.x, center.x, box.max.x), beyond(box.min.y, center.y, box.max.y)};
     return dot(gap, gap) <= radius * radius;
 }
-/// Smallest box around both.
+/// Smallest box that contains both.
 [[nodiscard]] constexpr Box united(const Box& a, const Box& b) {
     return {{a.min.x < b.min.x ? a.min.x : b.min.x, a.min.y < b.min.y ? a.min.y : b.min.y},
             {a.max.x > b.max.x ? a.max.x : b.max.x, a.max.y > b.max.y ? a.max.y : b.max.y}};
 }
-/// Larger by `margin` on every side.
+/// The box enlarged by `margin` on every side.
 [[nodiscard]] constexpr Box grown(const Box& box, double margin) {
     return {{box.min.x - margin, box.min.y - margin}, {box.max.x + margin, box.max.y + margin}};
 }

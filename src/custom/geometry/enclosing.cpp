@@ -1,7 +1,7 @@
 // The circle by Welzl 1991, "Smallest enclosing disks (balls and ellipsoids)", in the incremental form of
 // de Berg et al. 2008, "Computational Geometry", 4.7. The hull by Andrew 1979, "Another efficient
 // algorithm for convex hulls in two dimensions". The rectangle has a side on a side of the hull (Freeman,
-// Shapira 1975); rotating calipers find what is farthest from each (Toussaint 1983).
+// Shapira 1975); rotating calipers find the farthest point from each side (Toussaint 1983).
 
 #include "custom/geometry/enclosing.hpp"
 
@@ -23,7 +23,7 @@ Disc disc_on(Vec2 a, Vec2 b) {
     return {0.5 * (a + b), 0.5 * length(b - a)};
 }
 
-/// Through three points; those on a line are enclosed by the two farthest apart.
+/// Circle through three points; for points on a line, the circle of the two farthest apart.
 Disc disc_on(Vec2 a, Vec2 b, Vec2 c) {
     const Vec2 ab = b - a, ac = c - a;
     const double twice_area = cross(ab, ac);
@@ -35,7 +35,7 @@ Disc disc_on(Vec2 a, Vec2 b, Vec2 c) {
     return {a + to_center, length(to_center)};
 }
 
-/// Around the first `n` points with those given on its border.
+/// Smallest disc around `points` with the given points on its border.
 Disc disc_around(std::span<const Vec2> points, Vec2 a, Vec2 b) {
     Disc disc = disc_on(a, b);
     for (const Vec2 p : points)
@@ -49,10 +49,10 @@ Disc disc_around(std::span<const Vec2> points, Vec2 a) {
     return disc;
 }
 
-/// Points around a circle of which the hull of the whole turn encloses it.
+/// Number of points whose hull encloses a full circle.
 constexpr int sides = 64;
 
-void append_round(Vec2 center, double radius, double from, double to, std::vector<Vec2>& points) {
+void append_arc(Vec2 center, double radius, double from, double to, std::vector<Vec2>& points) {
     const int steps = std::max(1, static_cast<int>(std::ceil((to - from) / (2 * std::numbers::pi) * sides)));
     const double step = (to - from) / steps;
     for (int i = 0; i < steps; ++i)
@@ -65,7 +65,7 @@ struct AppendOutline {
 
     void add(Vec2 p) const { points.push_back(pose.apply(p)); }
     void add_circle(Vec2 center, double radius) const {
-        append_round(pose.apply(center), radius, 0, 2 * std::numbers::pi, points);
+        append_arc(pose.apply(center), radius, 0, 2 * std::numbers::pi, points);
     }
     void operator()(const primitive::Point& p) const { add(p.at); }
     void operator()(const primitive::Segment& p) const { add(p.a), add(p.b); }
@@ -80,7 +80,7 @@ struct AppendOutline {
     void operator()(const primitive::Arc& p) const {
         add(p.center + p.radius * from_angle(p.from));
         add(p.center + p.radius * from_angle(p.to));
-        append_round(pose.apply(p.center), p.radius, p.from + pose.angle, p.to + pose.angle, points);
+        append_arc(pose.apply(p.center), p.radius, p.from + pose.angle, p.to + pose.angle, points);
     }
 };
 
@@ -115,7 +115,7 @@ std::vector<Vec2> convex_hull(std::span<const Vec2> points) {
                 hull.pop_back();
             hull.push_back(*from);
         }
-        hull.pop_back();  // the other half begins with it
+        hull.pop_back();  // the first point of the other half
     };
     turn(sorted.begin(), sorted.end());
     turn(sorted.rbegin(), sorted.rend());
@@ -131,10 +131,10 @@ Rectangle enclosing_rectangle(std::span<const Vec2> points) {
     std::size_t front = 1, top = 1, back = 1;
     for (std::size_t i = 0; i < hull.size(); ++i) {
         const Vec2 along = unit(at(i + 1) - at(i)), up = perp(along);
-        const auto climb = [&](std::size_t& place, Vec2 direction) {
-            // Once around at most: of nearly equal points rounding may have each above the one before.
-            for (std::size_t left = hull.size(); left > 0; --left, ++place)
-                if (!(dot(at(place + 1) - at(place), direction) > 0)) break;
+        const auto climb = [&](std::size_t& index, Vec2 direction) {
+            // At most once around: for almost equal points, rounding may put each above the one before.
+            for (std::size_t left = hull.size(); left > 0; --left, ++index)
+                if (!(dot(at(index + 1) - at(index), direction) > 0)) break;
         };
         climb(front, along);
         top = std::max(top, front), climb(top, up);

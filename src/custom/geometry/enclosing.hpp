@@ -1,6 +1,6 @@
 #pragma once
-/// The tightest circle and the tightest rectangle around points: bounds that turn with what they enclose,
-/// where an axis-aligned box must be made anew for every pose.
+/// The smallest enclosing circle and rectangle of points. These bounds turn with a part, while its AABB must
+/// be computed again for every pose.
 
 #include <array>
 #include <span>
@@ -16,11 +16,11 @@ struct Disc {
     double radius = 0;  ///< m
 };
 
-/// A rectangle in any direction.
+/// An oriented rectangle.
 struct Rectangle {
     Vec2 center;
     Vec2 along;  ///< unit, the direction of a side
-    Vec2 half;   ///< half the size along that side and across it, m
+    Vec2 half;   ///< half extents along that side and across it, m
 
     /// Anticlockwise.
     [[nodiscard]] std::array<Vec2, 4> corners() const;
@@ -36,8 +36,8 @@ struct Rectangle {
 /// Rectangle of the least area around at least one point. Cost: O(n log n).
 [[nodiscard]] Rectangle enclosing_rectangle(std::span<const Vec2> points);
 
-/// Points whose hull encloses a primitive: corners, and for what is round those of a polygon around it, at
-/// most 0.13 % of its radius outside.
+/// Appends points whose convex hull encloses a primitive: its corners, and for circles and arcs those of a
+/// polygon around them, at most 0.13 % of the radius outside.
 void append_outline(const Primitive& primitive, const Pose& pose, std::vector<Vec2>& points);
 
 }  // namespace flipside::custom

@@ -21,18 +21,15 @@ std::string filled(double distance, double core, double radius) {
 
 void add(TraceItem& item, const char* shape, std::string_view feature, const char* formula,
          const std::string& numbers) {
-    item.with("shape", shape)
-        .with("feature", feature)
-        .with("formula", formula)
-        .with("filled", std::string_view(numbers));
+    item.with("shape", shape).with("feature", feature).with("formula", formula).with("filled", numbers);
 }
 
-/// Where on a curve from 0 to 1 the closest point would be, and where it is.
-void add_place(TraceItem& item, double along) {
+/// Adds the position of the closest point on a curve, from 0 to 1, before and after clamping.
+void add_position(TraceItem& item, double along) {
     item.with("along", along).with("clamped", std::clamp(along, 0.0, 1.0));
 }
 
-/// A disc in the frame of the shape's pose. What it adds is in the world's.
+/// The disc is in the frame of the pose; the values that are added are in the frame of the world.
 struct Explainer {
     TraceItem& item;
     Vec2 center;
@@ -42,7 +39,7 @@ struct Explainer {
 
     void add_ends(Vec2 a, Vec2 b) const { item.with("a", pose.apply(a)).with("b", pose.apply(b)); }
 
-    /// Of the centre from the closest point, m; below 0 inside a solid.
+    /// Distance of the centre from the closest point, m; negative inside a solid.
     [[nodiscard]] double height() const { return found.separation + radius; }
 
     void operator()(const primitive::Point&) const {
@@ -57,7 +54,7 @@ struct Explainer {
         const double at = dot(center - segment.a, along) / length_squared(along);
         add_ends(segment.a, segment.b);
         item.with("foot", pose.apply(segment.a + at * along));
-        add_place(item, at);
+        add_position(item, at);
         const char* feature = at < 0 ? "past the end a" : at > 1 ? "past the end b" : "the face";
         add(item, "segment", feature, found.past_end ? to_a_point : to_a_face, filled(height(), 0, radius));
     }
@@ -68,14 +65,14 @@ struct Explainer {
             .with("core", arc.radius)
             .with("from", arc.from + pose.angle)
             .with("to", arc.to + pose.angle);
-        add_place(item, along(arc));
+        add_position(item, along(arc));
         const char* feature = found.past_end                             ? "past an end"
                               : length(center - arc.center) < arc.radius ? "the hollow side"
                                                                          : "the outer side";
         add(item, "arc", feature, found.past_end ? to_a_point : "separation = ||c - m| - R| - r",
             filled(height(), 0, radius));
     }
-    /// From one end of the arc, 0, to the other, 1; beyond the nearer end by as much as the angle is.
+    /// Position from one end of the arc, 0, to the other, 1; outside by the angle past the closer end.
     [[nodiscard]] double along(const primitive::Arc& arc) const {
         constexpr double full = 2 * std::numbers::pi;
         const double sweep = arc.to - arc.from;
@@ -108,7 +105,7 @@ struct Explainer {
         item.with("heights", TraceValue(std::move(heights))).with("outline", TraceValue(std::move(outline)));
         add_ends(a, b);
         item.with("foot", pose.apply(a + at * (b - a)));
-        add_place(item, at);
+        add_position(item, at);
         add(item, "polygon", (corner ? "a corner of edge " : "edge ") + std::to_string(edge),
             corner ? to_a_point : to_a_face, filled(height(), 0, radius));
     }
@@ -119,7 +116,7 @@ struct Explainer {
         const bool at_a = length_squared(center - taper.a) < length_squared(center - taper.b);
         add_ends(taper.a, taper.b);
         item.with("core", taper.radius_a).with("other_core", taper.radius_b);
-        add_place(item, along(taper, slant));
+        add_position(item, along(taper, slant));
         add(item, taper.radius_a == taper.radius_b ? "capsule" : "flipper",
             !round ? "a straight side"
             : at_a ? "the round end a"
@@ -129,7 +126,7 @@ struct Explainer {
                            at_a ? taper.radius_a : taper.radius_b, radius)
                   : filled(height(), 0, radius));
     }
-    /// Along the straight side on which the centre is.
+    /// Position along the straight side next to the centre.
     [[nodiscard]] double along(const primitive::Taper& taper, double slant) const {
         const double span = length(taper.b - taper.a), straight = std::sqrt((1 - slant) * (1 + slant));
         const Vec2 forward = (taper.b - taper.a) / span, from_a = center - taper.a;
@@ -152,14 +149,14 @@ std::vector<TriedAxis> axes_tried(Vec2 center, double radius, const primitive::P
     const Vec2 local = pose.undo(center);
     const auto& points = polygon.points;
     std::vector<TriedAxis> axes;
-    const auto look_along = [&](Vec2 axis, const std::string& of) {
+    const auto test_axis = [&](Vec2 axis, const std::string& of) {
         const auto along = [&](Vec2 p) { return dot(p, axis); };
         const auto [low, high] = std::ranges::minmax(points, {}, along);
         axes.push_back({.of = of,
                         .axis = rotated(axis, pose.angle),
                         .polygon = {along(low), along(high)},
                         .disc = {along(local) - radius, along(local) + radius}});
-        // Positions are counted from the world's origin.
+        // Projections are relative to the world's origin.
         const double shift = dot(pose.apply(low), axes.back().axis) - along(low);
         for (auto* shadow : {&axes.back().polygon, &axes.back().disc})
             for (double& end : *shadow) end += shift;
@@ -167,7 +164,7 @@ std::vector<TriedAxis> axes_tried(Vec2 center, double radius, const primitive::P
     std::size_t least = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Vec2 next = points[(i + 1) % points.size()];
-        look_along(unit(-perp(next - points[i])), "edge " + std::to_string(i));
+        test_axis(unit(-perp(next - points[i])), "edge " + std::to_string(i));
         if (axes[i].overlap() < axes[least].overlap()) least = i;
     }
     const Vec2 a = points[least], b = points[(least + 1) % points.size()];
@@ -175,7 +172,7 @@ std::vector<TriedAxis> axes_tried(Vec2 center, double radius, const primitive::P
     const bool past_a = dot(local - a, b - a) < 0, past_b = dot(local - b, a - b) < 0;
     if (outside && (past_a || past_b)) {
         const std::size_t corner = past_a ? least : (least + 1) % points.size();
-        look_along(unit(local - points[corner]), "corner " + std::to_string(corner));
+        test_axis(unit(local - points[corner]), "corner " + std::to_string(corner));
         least = points.size();
     }
     axes[least].decides = true;

@@ -7,7 +7,7 @@ namespace flipside::custom {
 
 namespace {
 
-/// With a solid circle of radius `core` about `at`; a point is one of radius 0.
+/// Closest point on a solid circle of radius `core` about `at`; a point has radius 0.
 Touch touch_circle(Vec2 center, double radius, Vec2 at, double core, Vec2 fallback = {0, 1}) {
     const Vec2 away = center - at;
     const double distance = length(away);
@@ -51,7 +51,7 @@ Touch touch(Vec2 center, double radius, const primitive::Segment& primitive) {
 Touch touch(Vec2 center, double radius, const primitive::Arc& primitive) {
     const Vec2 out = center - primitive.center;
     const double distance = length(out);
-    // At the very centre every point of the arc is as near; take its middle.
+    // At the centre all points of the arc have the same distance; this takes its middle.
     const Vec2 direction = distance > 0 ? out / distance : from_angle((primitive.from + primitive.to) / 2);
     if (angle_from(primitive.from, direction) > primitive.to - primitive.from) {
         const Vec2 first = primitive.center + primitive.radius * from_angle(primitive.from);

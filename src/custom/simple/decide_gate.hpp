@@ -1,5 +1,5 @@
 #pragma once
-/// Gates for the solvers that look at balls after they have moved. The rule is in world/gate.hpp.
+/// Gates for discrete collision detection. The rule is in world/gate.hpp.
 
 #include <algorithm>
 
@@ -9,12 +9,12 @@
 
 namespace flipside::custom {
 
-/// Decides for each ball that has come to overlap a gate whether it is let through, and opens the gate while
-/// a ball that was let through overlaps it. The balls moved between `begin` and `end`, in seconds from the
-/// table's time. `each_near(visit)` is to call visit(ball, centre before) for each ball whose box overlaps
-/// the gate's; more are no harm. `tests` counts the tests of shapes.
+/// Decides for each ball that overlaps a gate whether the gate lets it through, and keeps the gate open as
+/// long as such a ball overlaps it. The balls have moved between `begin` and `end`, s after the table's time.
+/// `each_candidate(visit)` must call visit(ball, previous centre) for each ball whose box overlaps that of
+/// the gate; it may call it for others. `tests` counts the narrow-phase tests.
 void decide_gate(Table& table, PartIndex part, double begin, double end, const std::vector<Ball>& balls,
-                 std::uint64_t& tests, auto&& each_near) {
+                 std::uint64_t& tests, auto&& each_candidate) {
     const shape::Gate& gate = *gate_of(table.scene().parts[part]);
     const Pose before = table.pose(part, begin), now = table.pose(part, end);
     const Primitive line{primitive::Segment{gate.a, gate.b}, part};
@@ -29,10 +29,10 @@ void decide_gate(Table& table, PartIndex part, double begin, double end, const s
     });
     const bool was_open = table.parts()[part].open;
     bool occupied = false;
-    each_near([&](const Ball& ball, Vec2 came_from) {
+    each_candidate([&](const Ball& ball, Vec2 previous) {
         if (separation(ball) >= 0) return;
         const bool is_blocked = !was_open && (table.is_blocked(part, ball.number) ||
-                                              !lets_through(gate, before.undo(came_from),
+                                              !lets_through(gate, before.undo(previous),
                                                             rotated(ball.velocity, -now.angle), ball.radius));
         occupied = occupied || !is_blocked;
         if (is_blocked) table.set_blocked(part, ball.number, true);

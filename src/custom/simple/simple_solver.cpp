@@ -47,7 +47,7 @@ void SimpleSolver::move_balls(const TimeInterval& interval) {
     if (trace_) trace_->will_move(*balls_);
     for (Ball& ball : *balls_) {
         started_.push_back(ball.position);
-        ball.asleep = false;  // another solver may have left it so
+        ball.asleep = false;  // the other solver may have put it to sleep
         fly_freely(ball, scene_.gravity, interval);
     }
     if (trace_) trace_->moved(*balls_, interval);
@@ -55,13 +55,13 @@ void SimpleSolver::move_balls(const TimeInterval& interval) {
 
 void SimpleSolver::find_pairs(BroadPhase& broad) {
     const auto box_of = [](const Ball& ball) { return bounds_of(ball.position, ball.radius); };
-    layout_.place(*table_, *balls_, ahead_, ahead_, true, box_of, moving_);
+    layout_.fill_proxies(*table_, *balls_, ahead_, ahead_, true, box_of, moving_);
     const std::uint64_t tests_before = broad.tests();
     broad.find_pairs(moving_, pairs_);
     if (trace_) trace_->found_pairs(moving_, *balls_, broad.tests() - tests_before);
 }
 
-/// Gates are decided from where the balls were before they moved.
+/// Gates decide by the positions of the balls before they moved.
 void SimpleSolver::decide_gates(double duration) {
     for (const PartIndex part : layout_.gates())
         decide_gate(*table_, part, ahead_ - duration, ahead_, *balls_, record_->statistics.narrow_tests,
@@ -73,8 +73,8 @@ void SimpleSolver::decide_gates(double duration) {
     if (trace_) trace_->decided_gates(*table_);
 }
 
-/// One collision iteration: narrow phase and response of every pair, in order. What one response moves, the
-/// next one sees. Returns whether any shapes overlapped.
+/// One collision iteration: narrow phase and response of every pair, in order. Each response uses the results
+/// of those before it. Returns whether any shapes overlapped.
 bool SimpleSolver::respond_to_pairs(double duration, int round) {
     const Surroundings around{scene_.gravity, scene_.rest_speed, duration};
     if (trace_) trace_->begin_round(round, settings_.collision_iterations);
@@ -89,7 +89,7 @@ bool SimpleSolver::respond_to_pairs(double duration, int round) {
 bool SimpleSolver::respond_to_primitive(Ball& ball, PrimitiveIndex index, const Surroundings& around) {
     const Primitive& primitive = layout_.primitive(index);
     const Pose pose = layout_.pose(*table_, index, ahead_);
-    if (!layout_.stops(*table_, index, pose, ball)) {
+    if (!layout_.should_collide(*table_, index, pose, ball)) {
         if (trace_) trace_->passed_over(ball, index);
         return false;
     }
@@ -130,7 +130,7 @@ void SimpleSolver::report(const Ball& ball, Other other, const Impact& impact, V
         {time, EventKind::impact, ball.number, other, point, impact.normal, impact.speed, impact.impulse});
 }
 
-/// A sensor that a ball passes within one motion iteration is missed, as a wall is.
+/// Records overlaps with sensors. A ball that passes a sensor within one motion iteration is missed.
 void SimpleSolver::watch_sensors() {
     if (trace_) trace_->begin_sensors();
     for (const Pair pair : pairs_) {

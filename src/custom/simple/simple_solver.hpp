@@ -1,20 +1,24 @@
 #pragma once
-/// The simple solver: the loop of a toy engine, to be read from top to bottom in the order of a step.
+/// The simple solver: the loop of a small engine, written to be read from top to bottom in the order of a
+/// step.
 ///
 ///     motion_iterations × ( move every ball
 ///                           broad phase: pairs of overlapping boxes
-///                           gates: which balls are let through
+///                           gates: decide which balls may pass
 ///                           collision_iterations × ( for each pair: narrow phase, response )
 ///                           sensors )
 ///
-/// Nothing looks between two positions of a ball. Hence its errors, which it shares with every toy:
+/// Collisions are tested only at the positions after each motion (discrete collision detection). Hence its
+/// errors:
 ///
-/// - Tunnelling: a ball that moves farther than its diameter in one motion iteration can pass through what is
-///   thinner than that, and a ball whose centre crosses a wall is pushed out on the wrong side.
+/// - Tunnelling: a ball that moves farther than its diameter in one motion iteration can pass through thin
+/// parts, and a
+///   ball whose centre has crossed a wall is pushed out on the wrong side.
 /// - An impact is found up to one motion iteration late, so positions are of first order in its duration.
-/// - Overlap: each response sees two shapes alone. In a heap, some overlap is left when the collision
-///   iterations are over, and more of it the heavier the balls above.
-/// - Pairs are answered in order, so the outcome depends on how balls are numbered.
+/// - Overlap: each response treats two shapes alone. In a heap, some overlap remains after the collision
+/// iterations,
+///   more below heavy balls.
+/// - Order: pairs are solved one after another, so the result depends on the numbers of the balls.
 ///
 /// Cost per step: motion_iterations × (broad phase + collision_iterations × pairs). No ball ever sleeps.
 
@@ -35,7 +39,7 @@ class SimpleSolver {
 
     /// Moves the balls by dt seconds. The table's clock stays; its gates and targets may change.
     void step(Table& table, std::vector<Ball>& balls, double dt, BroadPhase& broad, StepRecord& record);
-    /// Makes room for so many balls, so that steps allocate nothing.
+    /// Reserves memory for so many balls, so that steps allocate nothing.
     void reserve(std::size_t balls);
 
   private:
@@ -56,7 +60,7 @@ class SimpleSolver {
     const Layout& layout_;
     const SolverSettings& settings_;
 
-    // Of the step under way.
+    // The current step.
     Table* table_ = nullptr;
     std::vector<Ball>* balls_ = nullptr;
     StepRecord* record_ = nullptr;
@@ -64,7 +68,7 @@ class SimpleSolver {
     std::vector<Vec2> started_;  ///< m, per ball: centre before this motion iteration
     std::vector<Proxy> moving_;  ///< turning primitives, then balls
     std::vector<Pair> pairs_;
-    std::unique_ptr<SimpleTrace> trace_;  ///< where somebody looks inside; else null
+    std::unique_ptr<SimpleTrace> trace_;  ///< null if no trace is wanted
 };
 
 }  // namespace flipside::custom

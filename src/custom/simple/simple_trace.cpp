@@ -9,7 +9,7 @@ namespace flipside::custom {
 
 namespace {
 
-/// Takes the cells of a broad phase that list anything.
+/// Adds the cells of a broad phase that list at least one proxy.
 class CellLister final : public Inspector {
   public:
     explicit CellLister(TraceStage& stage) : stage_(stage) {}
@@ -72,7 +72,7 @@ void SimpleTrace::name_proxy(TraceItem& item, std::string_view prefix, Handle ha
         item.with(start + "ball", balls[handle - layout_.size()].number);
         return;
     }
-    item.with(start + "part", std::string_view(scene_.parts[layout_.primitive(handle).part].name))
+    item.with(start + "part", scene_.parts[layout_.primitive(handle).part].name)
         .with(start + "primitive", handle);
 }
 
@@ -112,7 +112,7 @@ void SimpleTrace::found_pairs(std::span<const Proxy> moving, std::span<const Bal
     log_.clear();
 }
 
-/// The nodes of trees with who goes to which, or the cells that list anything.
+/// Adds the nodes of trees and the nodes that each query visits, or the occupied cells of a grid.
 void SimpleTrace::add_cells(std::span<const Cell> tree, std::size_t moving, std::span<const Ball> balls) {
     if (tree.empty()) {
         CellLister cells(stage());
@@ -145,14 +145,11 @@ void SimpleTrace::decided_gates(const Table& table) {
     std::size_t open = 0;
     for (const PartIndex gate : layout_.gates()) {
         const bool is_open = table.parts()[gate].open;
-        stage().add("gate").with("part", std::string_view(scene_.parts[gate].name)).with("open", is_open);
+        stage().add("gate").with("part", scene_.parts[gate].name).with("open", is_open);
         open += is_open;
     }
     for (const Blocked& blocked : table.blocked())
-        stage()
-            .add("blocked")
-            .with("ball", blocked.ball)
-            .with("part", std::string_view(scene_.parts[blocked.gate].name));
+        stage().add("blocked").with("ball", blocked.ball).with("part", scene_.parts[blocked.gate].name);
     stage().says = counted(layout_.gates().size(), "gate") + ", " + std::to_string(open) + " open; " +
                    counted(table.blocked().size(), "ball") + " held back.";
 }
@@ -171,7 +168,7 @@ void SimpleTrace::passed_over(const Ball& ball, PrimitiveIndex primitive) {
     item.with("reason", "a sensor, a target that is down, or a gate that lets this ball through");
 }
 
-/// One for each axis that a polygon takes.
+/// Adds an item for each separating axis that is tested for a polygon.
 void SimpleTrace::add_axes(const Ball& ball, PrimitiveIndex primitive, const Pose& pose) {
     const auto* polygon = std::get_if<primitive::Polygon>(&layout_.primitive(primitive).is);
     if (polygon == nullptr) return;
@@ -179,15 +176,15 @@ void SimpleTrace::add_axes(const Ball& ball, PrimitiveIndex primitive, const Pos
     for (const TriedAxis& tried : axes_tried(ball.position, ball.radius, *polygon, pose)) {
         TraceItem& item = narrow().add("axis").with("turn", turn_).with("ball", ball.number);
         name_proxy(item, "", primitive, {});
-        item.with("of", std::string_view(tried.of))
+        item.with("of", tried.of)
             .with("axis", tried.axis)
             .with("shadow_of_part", shadow(tried.polygon))
             .with("shadow_of_ball", shadow(tried.disc))
             .with("depth", tried.overlap())
             .with("decides", tried.decides)
             .with("formula", "overlap = end of the part's shadow - start of the ball's; below 0 a gap")
-            .with("filled", std::string_view(brief(tried.overlap()) + " = " + brief(tried.polygon[1]) +
-                                             " - " + brief(tried.disc[0])));
+            .with("filled",
+                  brief(tried.overlap()) + " = " + brief(tried.polygon[1]) + " - " + brief(tried.disc[0]));
     }
 }
 
@@ -266,8 +263,7 @@ void SimpleTrace::responded(const Ball& ball, PrimitiveIndex primitive, Vec2 sur
     item.with("surface_velocity", surface_velocity);
     item.with("formula", "v' = v + (closing + max(e s, k)) n");
     const double out = impact.happened ? std::max(material.restitution * impact.speed, material.kick) : 0;
-    if (closing > 0)
-        item.with("filled", std::string_view("|v' - v| = " + brief(closing) + " + " + brief(out) + " m/s"));
+    if (closing > 0) item.with("filled", "|v' - v| = " + brief(closing) + " + " + brief(out) + " m/s");
 }
 
 void SimpleTrace::responded(const Ball& lower, const Ball& upper, const Impact& impact,
@@ -283,8 +279,7 @@ void SimpleTrace::responded(const Ball& lower, const Ball& upper, const Impact& 
         .with("other_position", upper.position);
     item.with("formula", "J = (s + max(e s, k)) / (1/m1 + 1/m2), v1' = v1 + J n / m1, v2' = v2 - J n / m2");
     if (closing > 0)
-        item.with("filled", std::string_view("J = " + brief(impact.impulse) +
-                                             " N s at s = " + brief(impact.speed) + " m/s"));
+        item.with("filled", "J = " + brief(impact.impulse) + " N s at s = " + brief(impact.speed) + " m/s");
 }
 
 void SimpleTrace::end_round() {

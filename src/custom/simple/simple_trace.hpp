@@ -1,7 +1,7 @@
 #pragma once
-/// The trace of a step of the simple solver: its stages in the order in which they run, with what each saw
-/// and did. In one collision iteration narrow phase and response take turns, pair by pair; they are written
-/// as two stages, and `turn` says which narrow test a response answers.
+/// The trace of a step of the simple solver: its stages in order, with their inputs and results. In one
+/// collision iteration, narrow phase and response alternate pair by pair; the trace writes them as two
+/// stages, and `turn` gives the number of the narrow-phase test to which a response belongs.
 
 #include "custom/flight.hpp"
 #include "custom/layout.hpp"
@@ -12,17 +12,17 @@ namespace flipside::custom {
 
 class SimpleTrace {
   public:
-    /// Keeps references to all of them.
+    /// Keeps references to all arguments.
     SimpleTrace(Trace& trace, const Scene& scene, const Layout& layout, BroadPhase& broad);
     SimpleTrace(const SimpleTrace&) = delete;
     SimpleTrace& operator=(const SimpleTrace&) = delete;
     ~SimpleTrace() { broad_.log_tests(nullptr); }
 
-    /// Stages that follow are of motion iteration `k` of `n`.
+    /// The next stages belong to motion iteration `k` of `n`.
     void motion(int k, int n);
     void will_move(std::span<const Ball> balls) { before_.assign(balls.begin(), balls.end()); }
     void moved(std::span<const Ball> balls, const TimeInterval& interval);
-    /// `moving` and `balls` as they were given to the broad phase; `tests` it counted.
+    /// `moving` and `balls`: the input of the broad phase; `tests`: its number of box tests.
     void found_pairs(std::span<const Proxy> moving, std::span<const Ball> balls, std::uint64_t tests);
     void decided_gates(const Table& table);
 
@@ -31,7 +31,7 @@ class SimpleTrace {
     void passed_over(const Ball& ball, PrimitiveIndex primitive);
     void tested(const Ball& ball, PrimitiveIndex primitive, const Pose& pose, const Touch& found);
     void tested(const Ball& lower, const Ball& upper, const Touch& found);
-    /// After the response to the pair tested last.
+    /// The response to the pair of the last test.
     void responded(const Ball& ball, PrimitiveIndex primitive, Vec2 surface_velocity, const Impact& impact,
                    const Mixed& material);
     void responded(const Ball& lower, const Ball& upper, const Impact& impact, const Mixed& material);
@@ -55,10 +55,10 @@ class SimpleTrace {
     const Scene& scene_;
     const Layout& layout_;
     BroadPhase& broad_;
-    std::string of_motion_, of_round_;  ///< "Motion iteration k of n. ", or nothing where there is one
+    std::string of_motion_, of_round_;  ///< "Motion iteration k of n. ", or empty if n is 1
     std::vector<Ball> before_;
     std::vector<PairTest> log_;
-    Ball lower_, upper_;  ///< of the pair tested last
+    Ball lower_, upper_;  ///< of the last test, before the response
     std::int64_t turn_ = 0;
     int overlapping_ = 0, impacts_ = 0, resting_ = 0;
 };

@@ -5,8 +5,8 @@
 ///
 /// A run holds when every ball stays inside the box and a number, no ball overlaps a wall or another ball by
 /// more than a tenth of a radius at the end of any step, balls that cannot pass each other do not, and the
-/// energy does not rise by more than 1 % (where nothing is lost: is not off by more than a tenth, so that
-/// nobody is slowed down).
+/// energy does not rise by more than 1 % (without losses it must not change by more than a tenth, so
+/// that balls are not slowed down).
 
 #include <functional>
 #include <span>

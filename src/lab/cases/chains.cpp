@@ -52,7 +52,7 @@ void cradle_with(Experiment& experiment, double gap, double e) {
     for (int i = 0; i < n; ++i)
         add_ball(scene, {(0.2 + gap) * i - (i == 0 ? 0.5 : 0), 0}, {i == 0 ? speed : 0, 0});
     Trial trial(experiment, scene);
-    // What the first blow gives to the last ball; slower followers may add to it later.
+    // The velocity that the first impact gives to the last ball; later impacts may add to it.
     double first_pass = no_number;
     trial.run_to(1, [&] {
         for (const Event& impact : trial.impacts())

@@ -44,10 +44,10 @@ class Experiment {
     /// cannot pass. Its tolerance is `error`, the answer's own, plus `needed`.
     void statistic(std::string quantity, std::string unit, double expected, Estimate measured, double error,
                    double needed);
-    /// What must hold on any engine.
+    /// A quantity that every engine must meet.
     void always(std::string quantity, std::string unit, double expected, double measured,
                 double tolerance = 0);
-    /// What nobody is held to.
+    /// A quantity that is reported without a tolerance.
     void note(std::string quantity, std::string unit, double measured, std::optional<double> expected = {});
 
     /// A part of the case that may end early without ending the others: what the engine refuses, and a state

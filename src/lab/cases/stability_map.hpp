@@ -1,5 +1,5 @@
 #pragma once
-/// Where an engine holds and where it breaks: mass ratio × speed × step.
+/// Map of the stability of an engine: mass ratio × speed × step.
 ///
 /// In a box of 2 m × 3 m (gravity 9.81 m/s², ball radius 0.1 m, e = 0.5 everywhere) a ball of mass 1 lies on
 /// the floor, and a heavier one is thrown down at it, a little off centre. For two seconds nothing may leave

@@ -148,8 +148,8 @@ void step_independence(Experiment& experiment) {
         return trial;
     };
     const Trial first = run([](int) { return 1.0 / 60; });
-    // The reference sets out anew at the end of each step and so rounds there, which is also why a state that
-    // it saved does not go on to the bit.
+    // The reference starts new paths at the end of each step and rounds there, so a saved state does not
+    // continue to the bit.
     const double tolerance = experiment.input().contender.engine->restores_exactly ? 0 : 1e-8;
     const auto compare = [&](const std::string& name, auto&& step_of) {
         const Trial other = run(step_of);

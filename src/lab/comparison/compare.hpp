@@ -1,5 +1,5 @@
 #pragma once
-/// One scene, one script, several contenders: what each does and costs, and where they part.
+/// One scene, one script, several contenders: results and costs of each, and where they diverge.
 
 #include <functional>
 #include <memory>

@@ -10,7 +10,7 @@
 
 namespace flipside::lab {
 
-/// An impact with what its impulse says.
+/// An impact with the speed after it, which follows from its impulse.
 struct Impact {
     Event event;
     /// m/s along the normal after the impact, in the frame of what was met; nothing where a ball of it was

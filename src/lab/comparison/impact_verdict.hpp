@@ -1,5 +1,5 @@
 #pragma once
-/// Whether the last impact of a ball or part came about as the exact engine says.
+/// Whether the last impact of a ball or part agrees with the exact engine.
 
 #include <optional>
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Where two runs of one scene part: in what the balls hit, and in where the balls are.
+/// Where two runs of one scene diverge: in the sequence of impacts, and in the positions of the balls.
 
 #include <map>
 #include <optional>

@@ -44,7 +44,7 @@ class Subject {
     const plugin::Plugin& plugin_;
 };
 
-/// Equal steps for so many seconds, and a look after each.
+/// Equal steps for so many seconds, with a callback after each.
 template <class See>
 void run_for(World& world, double seconds, double dt, See&& see) {
     const long steps = std::lround(seconds / dt);

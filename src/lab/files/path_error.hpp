@@ -1,6 +1,5 @@
 #pragma once
-/// What the system says when a path that somebody gave cannot be used, as an error that says whose fault it
-/// is.
+/// Errors of the file system: InputError for a path that is wrong, Failure for all others.
 
 #include <filesystem>
 #include <string>

@@ -1,5 +1,5 @@
 #pragma once
-/// What a hunt looks for: how bad a contender is on a scene, as one number that should be small.
+/// Goals of a hunt: the error of a contender on a scene, as one number that should be small.
 
 #include <optional>
 #include <string>
@@ -32,9 +32,9 @@ struct Measured {
     std::string what{};  ///< "ball 2 on part 3"
 };
 
-/// Of escapes where no part moves, for one that does may press a ball through a wall, and no answer is right;
-/// of overlap and energy where moreover nothing kicks or returns more than it gets, for what kicks a ball
-/// that others press on has no rest. Errors and work always.
+/// Whether a goal is meaningful for a scene. Escapes: if no part moves, since a moving part may drive a ball
+/// through a wall, and then no result is right. Overlap and energy: if moreover no part kicks or has a
+/// restitution above 1, since a kicked ball in a heap never comes to rest. Errors and work: always.
 [[nodiscard]] bool says_something(Goal goal, const Scene& scene);
 
 /// A run of `seconds`; the flippers go up at a third of them. The same arguments give the same bits.

@@ -1,6 +1,6 @@
 #pragma once
-/// The scenes that hunts found worth keeping, assets/hard: a scene file each, and in hard.json who is bad on
-/// it, how, and by how much.
+/// Scenes that hunts found, in assets/hard: a scene file each, and in hard.json the contender, the kind of
+/// error and its size.
 
 #include <filesystem>
 

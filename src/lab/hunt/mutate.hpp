@@ -1,5 +1,5 @@
 #pragma once
-/// Neighbours of a scene: what a hunt climbs by.
+/// Mutations of a scene, for the search of a hunt.
 
 #include <optional>
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Runs what a lesson claims and says whether it holds.
+/// Runs the claims of a lesson and reports whether they are true.
 
 #include <map>
 #include <string>

@@ -104,7 +104,7 @@ bool is_run_name(std::string_view name) {
                                [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; });
 }
 
-/// A claim is verified while somebody waits.
+/// Limits the length of a run, since claims are verified while the user waits.
 void check_length(const Node& node, const ClaimRun& run) {
     const auto balls = static_cast<double>(run.scene->balls.size());
     const double steps = run.seconds / *run.on.dt;

@@ -1,5 +1,5 @@
 #pragma once
-/// Counts what the program asks of the heap, to show that steps ask for nothing.
+/// Counts allocations, to show that steps make none.
 
 #include <cstdint>
 

@@ -1,5 +1,5 @@
 #pragma once
-/// CPU time of the calling thread: what a step costs, whoever else uses the machine. A reading costs a
+/// CPU time of the calling thread: the cost of a step, independent of other programs. A reading costs a
 /// good part of a microsecond, as much as a whole step of a small scene, so a stopwatch takes its own
 /// cost off what it tells.
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What was asked for could not be done, though the question was right. what() is one line for stderr.
+/// A request was valid but could not be done. what() is one line for stderr.
 /// The program ends with exit code 1.
 
 #include <stdexcept>

@@ -1,5 +1,5 @@
 #pragma once
-/// Scenes in which energy must stay what it is: all is elastic and nothing rubs.
+/// Scenes in which energy must be conserved: elastic and without friction.
 
 #include "world/scene.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What lies at a point of the table: for those who point at it.
+/// Finds the ball or part at a point of the table.
 
 #include <optional>
 #include <span>

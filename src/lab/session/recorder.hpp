@@ -1,5 +1,5 @@
 #pragma once
-/// The last seconds of a session, to go back to. Of an engine that goes on from a saved state with the same
+/// The last seconds of a session, to return to. For an engine that continues from a saved state with the same
 /// bits (Engine::restores_exactly) a state is kept now and then, and what came after it is run again; of any
 /// other engine a state of every moment is kept, so that what was shown is shown again to the bit.
 

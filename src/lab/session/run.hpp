@@ -1,5 +1,5 @@
 #pragma once
-/// Runs a session along a timeline, step by step, with a look after each.
+/// Runs a session along a timeline, with a callback after each step.
 
 #include <functional>
 #include <span>

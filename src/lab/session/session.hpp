@@ -32,8 +32,8 @@ inline constexpr std::uint64_t warm_up_steps = 60;
 /// Steps between two move::Check of a recording.
 inline constexpr std::uint64_t steps_between_checks = 600;
 
-/// Where an engine cannot run a scene: throw what it throws, or go on with a world that refuses its first
-/// step (refusing_world.hpp), for those who show several engines at once.
+/// If an engine cannot run a scene: pass its exception on, or continue with a world that refuses its first
+/// step (refusing_world.hpp), for programs that show several engines at once.
 enum class WithoutWorld { fail, refuse_steps };
 
 class Session {

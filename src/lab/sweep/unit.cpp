@@ -35,7 +35,7 @@ struct Task {
     std::vector<double> cpu{};
 };
 
-/// An engine that cannot run the scene at all fails in every window of it, and nobody else does.
+/// An engine that cannot run the scene fails in every window of it; the others do not.
 Made make_world(const Contender& contender, const std::shared_ptr<const Scene>& scene) {
     const Settings settings = settings_of(contender, *scene);
     try {

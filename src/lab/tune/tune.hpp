@@ -44,8 +44,9 @@ struct Tuning {
 [[nodiscard]] std::vector<Tuning> tune(const Request& request, const sweep::Variant& variant,
                                        const std::function<void(double)>& watch);
 
-/// CSV, three rows each: who (`role`), its error in radii, its CPU seconds per simulated second, and how many
-/// times that the tuned one costs, with a confidence interval of 95 %; nan where it is not known.
+/// CSV, three rows each: the contender (`role`), its error in radii, its CPU seconds per simulated second,
+/// and how many times that the tuned one costs, with a confidence interval of 95 %; nan where it is not
+/// known.
 void write_csv(const std::filesystem::path& file, std::span<const Tuning> all);
 
 }  // namespace flipside::lab::tune

@@ -57,7 +57,7 @@ std::vector<Pair> pairs_of(const std::vector<Proxy>& still, const std::vector<Pr
     make_brute_force(still, {})->find_pairs(moving, expected);
     for (const Kind& kind : kinds()) {
         const auto broad = kind.make(still);
-        for (int search = 0; search < 2; ++search) {  // nothing may be left over from the first
+        for (int search = 0; search < 2; ++search) {  // the second must not depend on the first
             broad->find_pairs(moving, found);
             EXPECT_EQ(found, expected) << kind.name << ", search " << search;
         }
@@ -66,7 +66,7 @@ std::vector<Pair> pairs_of(const std::vector<Proxy>& still, const std::vector<Pr
 }
 
 double coordinate(int beyond) {
-    // Halves fall on borders of cells.
+    // Multiples of a half lie on borders of cells.
     return *rc::gen::inRange(-beyond, 32 + beyond) * 0.5;
 }
 Proxy any_proxy(bool ball, int beyond) {
@@ -78,7 +78,7 @@ Proxy any_proxy(bool ball, int beyond) {
     return proxy;
 }
 
-/// Moving parts and balls; `beyond` says how far outside the world they may be.
+/// Moving parts and balls, up to `beyond` outside the world.
 std::vector<Proxy> any_moving(int beyond) {
     std::vector<Proxy> moving;
     const int parts = *rc::gen::inRange(0, 5), balls = *rc::gen::inRange(0, 30);
@@ -87,7 +87,7 @@ std::vector<Proxy> any_moving(int beyond) {
     return moving;
 }
 
-// Several searches with different things in turn: sizes of cells change, orders are upset.
+// Several searches with different proxies: sizes of cells and orders change.
 RC_GTEST_PROP(BroadPhase, AllFindWhatBruteForceFinds, ()) {
     const int beyond = *rc::gen::element(0, 20);
     std::vector<Proxy> still;
@@ -110,7 +110,7 @@ RC_GTEST_PROP(BroadPhase, AllFindWhatBruteForceFinds, ()) {
     }
 }
 
-// Like-sized balls among a few huge boxes and a crowd at one place.
+// Balls of similar size among a few huge boxes, and many balls at one position.
 TEST(BroadPhase, ManyBallsAmongHugeBoxes) {
     std::vector<Proxy> still, moving;
     for (int i = 0; i < 8; ++i) still.push_back({{{2.0 * i, 0}, {2.0 * i, 8}}, 1, ~0U, false, false});
@@ -196,7 +196,7 @@ TEST(BroadPhase, StillPairsSleepersAndForeignLayersAreNotTested) {
         const auto layers = make({still});
         layers->find_pairs(std::vector<Proxy>{other_layer}, pairs);
         EXPECT_TRUE(pairs.empty()) << name;
-        EXPECT_LE(layers->tests(), 1U) << name;  // at most the place of the ball
+        EXPECT_LE(layers->tests(), 1U) << name;  // at most the test that finds the cells of the ball
     }
 }
 
@@ -238,7 +238,7 @@ TEST(BroadPhase, AdaptiveQuadtreeSplitsWhereThingsCrowd) {
         make_adaptive_quadtree({}, {.world = world, .adaptive_capacity = 4, .adaptive_depth = 10});
     std::vector<Pair> pairs;
     tree->find_pairs(moving, pairs);
-    // The lower left quarter is halved until 4 × 4 balls in 0.8 m × 0.4 m are told apart: 8, 4, 2, 1, 0.5 m.
+    // The lower left quarter is halved until 4 × 4 balls in 0.8 m × 0.4 m are separate: 8, 4, 2, 1, 0.5 m.
     EXPECT_EQ(tree->facts().levels, 5);
     EXPECT_EQ(tree->facts().nodes, 1 + 4 * 5);
     EXPECT_EQ(tree->facts().leaves, 1 + 3 * 5);

@@ -1,4 +1,4 @@
-// The tightest circle and rectangle against slow ways to find them.
+// The smallest enclosing circle and rectangle, against slow searches.
 
 #include "custom/geometry/enclosing.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double rounding = 1e-9;
 
-/// Few whole numbers, so that points fall together and on lines.
+/// Few whole numbers, so that some points coincide or lie on a line.
 std::vector<Vec2> any_points(int least) {
     std::vector<Vec2> points(static_cast<std::size_t>(*rc::gen::inRange(least, 14)));
     for (Vec2& p : points) p = {double(*rc::gen::inRange(-6, 7)), double(*rc::gen::inRange(-6, 7))};

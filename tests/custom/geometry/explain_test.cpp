@@ -54,7 +54,7 @@ TraceItem explained(Vec2 center, const Primitive& primitive, const Pose& pose) {
     return item;
 }
 
-/// The closest point follows from what the item says.
+/// The closest point follows from the fields of the item.
 TEST(ExplainTouch, TheClampedPlaceIsTheClosestPoint) {
     ExplainDice dice;
     const Primitive segment{primitive::Segment{{-0.5, 0.1}, {0.6, 0.3}}, 0};

@@ -1,4 +1,4 @@
-// The simple solver against known answers, and the errors that it declares.
+// The simple solver against known answers and its documented errors.
 
 #include "custom/simple/simple_solver.hpp"
 
@@ -17,7 +17,7 @@ std::unique_ptr<World> simple_world(const Scene& scene, std::string_view motion_
         {{"solver", "simple"}, {"motion_iterations", motion_iterations}, {"broad_phase", broad_phase}});
 }
 
-/// A square room of elastic walls with balls of several sizes, a turning bar and a sensor.
+/// A square box of elastic walls with balls of several sizes, a turning bar and a sensor.
 Scene gas() {
     Scene scene = empty_scene();
     for (int i = 0; i < 40; ++i)
@@ -82,10 +82,10 @@ TEST(SimpleSolver, PairKeepsMomentumAndBouncesAsTold) {
     }
 }
 
-/// Where a ball thrown at a wall is after 1 s, against the exact place.
+/// Error of the position of a ball 1 s after it was thrown at a wall.
 double late_by(std::string_view motion_iterations) {
     Scene scene = empty_scene();
-    // Touches at 0.617 s, within no iteration's end.
+    // The impact is at 0.617 s, between the ends of two iterations.
     add_ball(scene, {-0.717, 0}, {1, 0.5});
     add_part(scene, segment({0, -5}, {0, 5}));
     const auto world = simple_world(scene, motion_iterations);
@@ -94,7 +94,7 @@ double late_by(std::string_view motion_iterations) {
 }
 
 TEST(SimpleSolver, ImpactIsUpToOneMotionIterationLate) {
-    // The ball sinks in until the iteration ends, and is pushed out: it lacks that way back.
+    // The ball overlaps until the end of the iteration and is then pushed out: it loses that distance.
     for (const auto* iterations : {"1", "3", "10", "30"}) {
         const double duration = 0.1 / std::stod(iterations);
         EXPECT_GT(late_by(iterations), 0) << iterations;
@@ -140,7 +140,7 @@ TEST(SimpleSolver, GateLetsThroughFromBehindOnly) {
         add_part(scene, {shape::Gate{{-0.3, 0}, {0.3, 0}, {0, 1}}});
         const auto world = simple_world(scene);
         run(*world, 1);
-        // The normal points up: from below it is let through, from above it bounces.
+        // The normal points up: from below it passes, from above it bounces.
         EXPECT_NEAR(world->balls()[0].velocity.y, 1, 1e-12) << side;
         EXPECT_NEAR(world->balls()[0].position.y, 0.5 + (side > 0 ? 0.2 : 0), 0.02) << side;
         EXPECT_FALSE(world->parts()[0].open) << side;
@@ -175,13 +175,14 @@ TEST(SimpleSolver, TargetFallsWhenItIsHit) {
 }
 
 TEST(SimpleSolver, TurningPartThrowsABall) {
-    // A bar that turns at 2 rad/s about the origin meets a resting ball 1 m out with 2 m/s.
+    // A bar that turns at 2 rad/s about the origin hits a resting ball 1 m from the pivot at 2 m/s.
     Scene scene = empty_scene();
     add_ball(scene, {1, 0.5}, {}, 0.01);
     add_part(scene, segment({0, 0}, {2, 0})).motion = motion::Turn{{0, 0}, 2, true};
     const auto world = simple_world(scene, "64");
     run(*world, 0.5);
-    // Elastic, off a heavy surface: twice the speed of the surface where they meet, √1.25 m from the pivot.
+    // Elastic, off a heavy surface: twice the speed of the surface at the point of contact, √1.25 m from the
+    // pivot.
     EXPECT_NEAR(length(world->balls()[0].velocity), 2 * 2 * std::sqrt(1.25), 0.05);
 }
 

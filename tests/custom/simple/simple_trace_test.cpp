@@ -1,4 +1,4 @@
-// The trace of a step of the simple solver: each stage can be computed again from what was written before it.
+// The trace of a step of the simple solver: each stage can be computed again from the stages before it.
 
 #include <map>
 #include <set>
@@ -16,7 +16,7 @@
 namespace flipside::custom {
 namespace {
 
-/// The balls as the trace has told of them so far, and its items checked against them.
+/// The balls according to the trace so far; checks the next items against them.
 class Recomputed {
   public:
     Recomputed(const Scene& scene, const World& world, double driven)
@@ -54,7 +54,7 @@ class Recomputed {
         }
     }
 
-    using Thing = std::pair<bool, std::int64_t>;  ///< a ball's number or a primitive's place
+    using Thing = std::pair<bool, std::int64_t>;  ///< number of a ball, or index of a primitive
     static Thing thing(const TraceItem& item, const std::string& prefix) {
         const TraceValue* ball = item.find(prefix + "ball");
         return ball != nullptr ? Thing{true, std::get<std::int64_t>(*ball)}
@@ -92,7 +92,7 @@ class Recomputed {
         return scene_.parts[layout_.primitive(static_cast<PrimitiveIndex>(primitive)).part];
     }
 
-    /// Narrow phase and response take turns.
+    /// Narrow phase and response alternate.
     void check_round(const TraceStage& narrow, const TraceStage& response) {
         ASSERT_TRUE(response.name.starts_with("response"));
         auto answer = response.items.begin();

@@ -7,19 +7,19 @@ namespace flipside::reference {
 
 namespace {
 
-/// Gaps below this are contact for a ball that does not move along the normal, in radii.
+/// Radii: gaps below this are contact for a ball that does not move along the normal.
 template <class R>
 R contact_gap() {
     using std::sqrt;
     return sqrt(epsilon<R>()) / 16;
 }
-/// Rounding u of its ends turns a straight face by u times this.
+/// Factor from the rounding u of the ends of a straight face to the error of its direction.
 template <class R>
 R direction_scale(const Feature<R>& feature) {
     const auto* line = std::get_if<Line<R>>(&feature.is);
     return line == nullptr ? R(1) : R(1 + length(line->start) / line->length);
 }
-/// Relative to its scale, what is no acceleration.
+/// Relative size of an acceleration that is rounding.
 template <class R>
 R no_force() {
     return 16384 * epsilon<R>();
@@ -38,7 +38,7 @@ Closest<R> Simulation<R>::closest(FeatureIndex f, const V<R>& position, const R&
     return seen;
 }
 
-/// Outlines have no inside, so a centre may not begin within a polygon or a taper.
+/// Whether a centre is inside a polygon or taper; outlines alone do not tell.
 template <class R>
 void Simulation<R>::refuse_inside(const Mover& mover) const {
     for (const Primitive& primitive : primitives_) {
@@ -52,11 +52,11 @@ void Simulation<R>::refuse_inside(const Mover& mover) const {
     }
 }
 
-/// Moves a ball that begins inside a part, or across a line, out of it: the deepest overlap first.
+/// Moves a ball that starts inside a part, or across a line, out of it; corrects the deepest overlap first.
 template <class R>
 void Simulation<R>::come_out(Place i) {
     Mover& mover = movers_[i];
-    // Radii; what is less is left to the flight, or to the heap.
+    // Radii; smaller overlaps remain.
     const double deep = leans(i) ? heap_overlap : 1e-3;
     constexpr int most_rounds = 8;
     for (int round = 0; round < most_rounds; ++round) {
@@ -77,7 +77,7 @@ void Simulation<R>::come_out(Place i) {
     }
 }
 
-/// What the ball touches and does not move against along the normal.
+/// Finds the features that the ball touches without an approach speed.
 template <class R>
 void Simulation<R>::find_touching(Mover& mover) {
     using std::sqrt;
@@ -105,15 +105,15 @@ void Simulation<R>::find_touching(Mover& mover) {
     }
 }
 
-/// The straight still faces among what a ball touches that nothing presses on any of it.
+/// Notes the straight static faces that the ball touches without a contact force.
 template <class R>
 void Simulation<R>::note_glides(Mover& mover) {
     for (const auto& [face, contact, friction] : touching_)
-        if (contact.straight && contact.turning == nullptr && mover.glide_count < mover.glides.size())
-            mover.glides[mover.glide_count++] = {contact.pivot, contact.normal};
+        if (contact.straight && contact.turning == nullptr && mover.glide_count < mover.tangent_faces.size())
+            mover.tangent_faces[mover.glide_count++] = {contact.pivot, contact.normal};
 }
 
-/// Takes the path along one of the surfaces that it touches, if that keeps it off all others.
+/// Chooses the path along one of the touching surfaces, if that surface keeps the ball off all others.
 template <class R>
 bool Simulation<R>::take_one(Mover& mover) {
     for (const Touching& one : touching_) {
@@ -140,7 +140,7 @@ bool Simulation<R>::take_one(Mover& mover) {
         }
         mover.path = found.path;
         mover.until = found.until;
-        mover.lets_go = found.lets_go;
+        mover.separates = found.separates;
         mover.held[0] = one.feature;
         mover.held_normal = contact.normal;
         if (contact.turning != nullptr)
@@ -150,8 +150,8 @@ bool Simulation<R>::take_one(Mover& mover) {
     return false;
 }
 
-/// A ball that two still surfaces keep where it is. If it spins, both rub it to rest: its weight is then
-/// borne by normal forces and friction together.
+/// Holds a ball still between two static surfaces. If it spins, the friction of both slows it, and normal
+/// forces and friction together balance its weight.
 template <class R>
 bool Simulation<R>::take_two(Mover& mover) {
     const R scale = length(drive_.gravity), none = no_force<R>() * scale;
@@ -192,14 +192,14 @@ bool Simulation<R>::take_two(Mover& mover) {
     return false;
 }
 
-/// Finds the path of a ball from where it is: free, or along what it touches.
+/// Finds the path of a ball from its position: in free flight, or along a surface.
 template <class R>
 void Simulation<R>::find_path(Mover& mover) {
     ++mover.changes;
     mover.held[0] = mover.held[1] = nothing;
     mover.glide_count = 0;
     mover.until = infinity<R>();
-    mover.lets_go = false;
+    mover.separates = false;
     Path<R>& path = mover.path;
     path.start = now_;
     path.position = mover.body.position;
@@ -226,9 +226,9 @@ void Simulation<R>::find_path(Mover& mover) {
     if (take_one(mover)) return;
     using std::sqrt;
     const R speed = length(mover.body.velocity);
-    // Between two surfaces, hops lower than the rounding of its place (see find_touching) are rest.
+    // Between two surfaces, bounces lower than the rounding of its position (see find_touching) are rest.
     if (speed <= 4 * sqrt(2 * epsilon<R>() * mover.radius * scale) && take_two(mover)) return;
-    // What it moves off by ever so little need not hold it.
+    // A surface from which the ball separates does not support it.
     const auto recedes = [&](const Touching& one) { return one.contact.parting > rounding_speed(speed); };
     if (std::erase_if(touching_, recedes) > 0) {
         if (!is_pressed()) return note_glides(mover);
@@ -243,9 +243,9 @@ void Simulation<R>::find_path(Mover& mover) {
                   at_time(now_) + ", and not at rest: no closed motion for that");
 }
 
-/// Sets out on a path from where it is, or comes to rest in a heap.
+/// Starts a path from the present position, or puts the ball to rest in a heap.
 template <class R>
-void Simulation<R>::set_out(Place i) {
+void Simulation<R>::start_path(Place i) {
     if (movers_[i].heap != 0 || find_heap(i)) return;
     const bool given = movers_[i].given;
     find_path(movers_[i]);
@@ -253,7 +253,7 @@ void Simulation<R>::set_out(Place i) {
 }
 
 #define FLIPSIDE_SET_OUT(R)                                         \
-    template void Simulation<R>::set_out(Place);                    \
+    template void Simulation<R>::start_path(Place);                 \
     template void Simulation<R>::come_out(Place);                   \
     template void Simulation<R>::refuse_inside(const Mover&) const; \
     template Closest<R> Simulation<R>::closest(FeatureIndex, const V<R>&, const R&) const;
