@@ -151,9 +151,8 @@ TEST(Ear, HearsWhatABallHitsByItsSpeed) {
     game.play(20);
     std::map<Source, std::size_t> counts;
     for (const Heard& heard : game.heard) ++counts[heard.strike.source];
-    for (const Source source :
-         {Source::wall, Source::post, Source::bumper, Source::slingshot, Source::flipper, Source::target,
-          Source::rollover, Source::coil, Source::launch, Source::drain})
+    for (const Source source : {Source::wall, Source::post, Source::bumper, Source::flipper, Source::target,
+                                Source::rollover, Source::coil, Source::launch, Source::drain})
         EXPECT_GE(counts[source], 1U) << static_cast<int>(source);
     EXPECT_EQ(counts[Source::launch], 3U);
     EXPECT_EQ(counts[Source::drain], static_cast<std::size_t>(game.session.game().lost()));
@@ -172,34 +171,45 @@ TEST(Ear, HearsATiltOnce) {
     EXPECT_NEAR(tilts[0].time, 1.2, 2.0 / 60);
 }
 
-/// A ball over each of these places of the lanes.
-void roll_over_lanes(Game& game, std::initializer_list<double> places) {
+/// More balls on the table, all with that velocity, for a tenth of a second.
+void roll(Game& game, std::initializer_list<Vec2> places, Vec2 velocity) {
     State state = game.session.world().save();
-    for (const double x : places) {
+    for (const Vec2 place : places) {
         Ball ball = game.scene->launcher->ball;
         ball.number = state.next_number++;
-        ball.position = {x, 0.925};
-        ball.velocity = {0, -1};
+        ball.position = place;
+        ball.velocity = velocity;
         state.balls.push_back(ball);
     }
     game.session.restore(state);
     game.play(0.1);
 }
 
+TEST(Ear, HearsASlingshot) {
+    Game game;
+    game.play(0.1);
+    roll(game, {{0.14, 0.31}}, {-1, 0});
+    const auto hits = game.of(Source::slingshot);
+    ASSERT_EQ(hits.size(), 1U);
+    EXPECT_GT(hits[0].strike.strength, 1.4) << "it kicks the ball away that fast at least";
+    EXPECT_LT(hits[0].strike.pan, 0);
+}
+
 TEST(Ear, HearsWhatPaysABonusOnceInAStep) {
+    constexpr Vec2 lane_a{0.194, 0.925}, lane_b{0.242, 0.925}, lane_c{0.29, 0.925}, down{0, -1};
     Game game;
     game.play(0.1);
     EXPECT_TRUE(game.heard.empty());
-    roll_over_lanes(game, {0.194});
+    roll(game, {lane_a}, down);
     EXPECT_EQ(game.session.game().score(), 50 + 2500);  // the skill shot
     ASSERT_EQ(game.of(Source::bonus).size(), 1U);
     EXPECT_NEAR(game.of(Source::bonus)[0].time, game.of(Source::rollover)[0].time, 1.0 / 60);
-    roll_over_lanes(game, {0.242, 0.29});
+    roll(game, {lane_b, lane_c}, down);
     EXPECT_GE(game.session.game().score(), 3 * 50 + 2500 + 1000);  // all lanes, and a bumper
     EXPECT_EQ(game.of(Source::bonus).size(), 2U);
     Game both;
     both.play(0.1);
-    roll_over_lanes(both, {0.194, 0.242, 0.29});
+    roll(both, {lane_a, lane_b, lane_c}, down);
     EXPECT_EQ(both.session.game().score(), 3 * 50 + 2500 + 1000);
     EXPECT_EQ(both.of(Source::bonus).size(), 1U);
 }
