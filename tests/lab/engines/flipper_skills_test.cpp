@@ -92,6 +92,26 @@ TEST_P(FlipperSkills, ABallCanBeCaughtByRaisingTheFlipperAsItComes) {
     EXPECT_GE(widest, 0.03);
 }
 
+/// A ball that flies in faster than it rolls bounces off a flipper that was up before, and off one that is
+/// down; raised at its time, the flipper takes it (players call it a live catch).
+TEST_P(FlipperSkills, AFastBallCanBeCaughtAlive) {
+    double narrowest = 1;
+    for (const double x : {0.17, 0.18, 0.19, 0.2}) {
+        const Vec2 velocity{-0.8, -0.4}, place{x - 0.2 * velocity.x, 0.17 - 0.2 * velocity.y};
+        const auto held_after = [&](const Script& script) {
+            Session session = table_with_ball(place, velocity);
+            play(session, script, 3);
+            return holds(session, Side::left);
+        };
+        EXPECT_FALSE(held_after({{0, control::Flip{Side::left, true}}})) << x;
+        narrowest = std::min(narrowest, window(0, 0.3, [&](double time) {
+                                 return held_after({{time, control::Flip{Side::left, true}}});
+                             }));
+    }
+    RecordProperty("window_ms", std::to_string(1000 * narrowest));
+    EXPECT_GE(narrowest, 0.04);
+}
+
 /// The flipper falls away below the ball and takes its speed, then comes up again and holds it.
 TEST_P(FlipperSkills, ABallCanBeCaughtByDroppingAFlipperThatIsUp) {
     double widest = 0;
