@@ -181,5 +181,21 @@ TEST(HeapDamages, AreRejectedForTheRightReason) {
     std::printf("%d damaged heaps rejected\n", rejected);
 }
 
+/// A ball does not glide on past the end of what it lies on, though nothing is in its way there.
+TEST(HeapDamages, AContactPastTheEndOfALineIsRejected) {
+    Scene scene = empty_scene({0, -heap_gravity});
+    add_part(scene, {shape::Segment{{0, 0}, {2, 0}}});
+    add_ball(scene, {0.5, 0.1}, {1, 0}, 0.1);
+    HeapJson run = certified(scene);
+    ASSERT_EQ(check_certificate(run.dump()).code, 0) << check_certificate(run.dump()).says;
+    // Half a second takes it to 1 m.
+    for (HeapJson& feature : run["features"])
+        for (HeapJson& point : feature["points"])
+            if (point[0] == 2) point[0] = 0.9;
+    const Checked checked = check_certificate(run.dump());
+    EXPECT_EQ(checked.code, 1);
+    EXPECT_NE(checked.says.find(faces), std::string::npos) << checked.says;
+}
+
 }  // namespace
 }  // namespace flipside

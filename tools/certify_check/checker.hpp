@@ -2,7 +2,6 @@
 /// What has to hold of a run, segment by segment: how it begins, how it moves, and that nothing came earlier.
 
 #include <cstdio>
-#include <set>
 #include <stdexcept>
 
 #include "surface.hpp"
@@ -28,11 +27,7 @@ struct Verdict {
 /// |g| + that speed squared over r.
 class Checker {
   public:
-    Checker(const Run& run, double bound) : run_(run), bound_(bound) {
-        for (const Feature& feature : run.features) list(feature, run.parts.at(feature.part));
-        for (const Ball& ball : run.balls)
-            for (const Leg& leg : ball.legs) others_.push_back({leg.start, leg.end, {}, {}, {}, &ball, &leg});
-    }
+    Checker(const Run& run, double bound) : run_(run), bound_(bound), others_(others_of(run)) {}
     Verdict check() {
         for (const Ball& ball : run_.balls)
             for (index_ = 0, ball_ = &ball; index_ < ball.legs.size(); ++index_) check_segment();
@@ -108,24 +103,6 @@ class Checker {
                                                                     : other.part->material);
         return {a.restitution * b.restitution, std::sqrt(a.friction * b.friction), std::max(a.kick, b.kick)};
     }
-    void list(const Feature& feature, const Part& part) {
-        std::set<double> times{0, run_.seconds};
-        for (const Span& span : part.turns) times.insert(std::clamp(span.since, 0.0, run_.seconds));
-        for (const Absence& one : run_.absences)
-            if (one.part == feature.part) times.insert({one.from, one.until});
-        for (auto from = times.begin(), until = std::next(from); until != times.end(); ++from, ++until) {
-            others_.push_back(
-                {*from, *until, &part, &feature, part.turns.empty() ? Span{} : part.turns[0], {}, {}});
-            for (const Span& span : part.turns)
-                if (span.since <= *from) others_.back().turn = span;
-        }
-    }
-    bool can_touch(const Other& other) const {
-        const auto meets = [this](const auto& one) {
-            return (ball_->layer & one.collides_with) != 0 && (one.layer & ball_->collides_with) != 0;
-        };
-        return other.ball != nullptr ? meets(*other.ball) : meets(*other.part);
-    }
     bool is_absent(const Other& other, int ball) const {
         return std::ranges::any_of(run_.absences, [&](const Absence& one) {
             return other.part == &run_.parts.at(one.part) && (one.ball < 0 || one.ball == ball) &&
@@ -138,7 +115,7 @@ class Checker {
         for (const Other& one : others_)
             if (is_it(one) && (found == nullptr || one.from < time || (after && one.from == time)))
                 found = &one;
-        if (found == nullptr || !can_touch(*found)) reject("what it touches can be touched", time);
+        if (found == nullptr || !can_touch(*ball_, *found)) reject("what it touches can be touched", time);
         if (!lie(mine, *found, {I(time), 2}).facing) reject("what it touches faces it", time);
         return *found;
     }
@@ -334,6 +311,9 @@ class Checker {
             return cross(touch.normal, motion.velocity - touch.velocity) - r * motion.spin - touch.rim;
         };
         verdict_.loosest = std::max(verdict_.loosest, size_of(at(I(leg().start)).gap[0]) / r);
+        everywhere("what it touches faces it", leg().start, leg().end, [&](double a, double b) {
+            return at({I(a, b), 1}).facing ? 0.0 : 1.0;
+        });
         stays_zero("stays in contact", speed_, [&](const Jet& t) { return derivative(at(t).gap); });
         stays("touches what it rests on", -contact.overlap * r, contact.gap * r,
               [&](const Jet& t) { return at(t).gap; });
@@ -360,7 +340,7 @@ class Checker {
     void check_clear() {
         for (const Other& other : others_) {
             const double from = std::max(leg().start, other.from), to = std::min(leg().end, other.until);
-            if (from >= to || !can_touch(other) || is_absent(other, ball_->number) ||
+            if (from >= to || !can_touch(*ball_, other) || is_absent(other, ball_->number) ||
                 (other.ball != nullptr && other.ball->number <= ball_->number))
                 continue;
             double slack = bound_;
@@ -413,7 +393,7 @@ class Checker {
 
     const Run& run_;
     const double bound_;
-    std::vector<Other> others_;
+    const std::vector<Other> others_;
     const Ball* ball_ = nullptr;
     std::size_t index_ = 0;                // of the segment
     double speed_ = 0, acceleration_ = 0;  // scales of the segment

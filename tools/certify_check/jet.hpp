@@ -95,16 +95,16 @@ struct V {
     friend double size(In a) { return std::max(size_of(a.x[0]), size_of(a.y[0])); }
     friend Jet length(In a) {
         Jet squared = dot(a, a);
-        const I x = abs(a.x[0]), y = abs(a.y[0]);
-        squared.c[0] = x * x + y * y;  // for certain not below 0
+        const I across = abs(a.x[0]), up = abs(a.y[0]);
+        squared.c[0] = across * across + up * up;  // for certain not below 0
         return sqrt(squared);
     }
     static V from_angle(const Jet& a) {
         V turn{Jet(I(cos(a[0]))), Jet(I(sin(a[0])))};
         turn.x.known = turn.y.known = a.known;
         for (std::size_t k = 1; a.known != SIZE_MAX && k < a.known; ++k) {
-            const I x = -Jet::chained(a, turn.y, k), y = Jet::chained(a, turn.x, k);
-            turn.x.c.push_back(x), turn.y.c.push_back(y);
+            const I next = -Jet::chained(a, turn.y, k);
+            turn.y.c.push_back(Jet::chained(a, turn.x, k)), turn.x.c.push_back(next);
         }
         return turn;
     }

@@ -1,6 +1,8 @@
 #pragma once
 /// How balls move, and how they lie to what they may touch.
 
+#include <set>
+
 #include "certificate.hpp"
 #include "jet.hpp"
 
@@ -34,6 +36,34 @@ struct Other {
     const Ball* ball = nullptr;
     const Leg* leg = nullptr;
 };
+
+/// All that may be touched, in pieces of time over which nothing changes about it.
+inline std::vector<Other> others_of(const Run& run) {
+    std::vector<Other> others;
+    for (const Feature& feature : run.features) {
+        const Part& part = run.parts.at(feature.part);
+        std::set<double> times{0, run.seconds};
+        for (const Span& span : part.turns) times.insert(std::clamp(span.since, 0.0, run.seconds));
+        for (const Absence& one : run.absences)
+            if (one.part == feature.part) times.insert({one.from, one.until});
+        for (auto from = times.begin(), until = std::next(from); until != times.end(); ++from, ++until) {
+            Span turn = part.turns.empty() ? Span{} : part.turns[0];
+            for (const Span& span : part.turns)
+                if (span.since <= *from) turn = span;
+            others.push_back({*from, *until, &part, &feature, turn, nullptr, nullptr});
+        }
+    }
+    for (const Ball& ball : run.balls)
+        for (const Leg& leg : ball.legs)
+            others.push_back({leg.start, leg.end, nullptr, nullptr, {}, &ball, &leg});
+    return others;
+}
+inline bool can_touch(const Ball& ball, const Other& other) {
+    const auto meets = [&](const auto& one) {
+        return (ball.layer & one.collides_with) != 0 && (one.layer & ball.collides_with) != 0;
+    };
+    return other.ball != nullptr ? meets(*other.ball) : meets(*other.part);
+}
 
 /// Past an end where it is joined smoothly to what follows a face may reach so far, m and rad: the scenes'
 /// rules.
@@ -85,7 +115,7 @@ struct Lie {
             past[0] = cross(vec(f.points[1]) - vec(f.points[0]), at)[0] / f.radius;
             past[1] = cross(at, vec(f.points[2]) - vec(f.points[0]))[0] / f.radius;
         }
-        const auto reaches = [&](int end) {
+        const auto reaches = [&](std::size_t end) {
             return low(past[end]) >= -(f.joined[end] ? joint_distance + joint_angle * r : 1e-9 * r);
         };
         const bool off[] = {high(past[0]) < 0, high(past[1]) < 0};

@@ -33,7 +33,7 @@ enum class Fault {
     drift,        ///< the path in flight is not exact; nothing was met
     missed,       ///< a contact that should be is not made although the pair was found and overlaps
     unpaired,     ///< the same, and the broad phase did not find the pair
-    tunnelled,    ///< it lay between two steps, after each of which the ball touches nothing there
+    tunnelled,    ///< it lay between two steps, and after the second the ball is past it
     let_through,  ///< it is a gate that should have been closed
     invented,     ///< a contact is made that should not be
     late,         ///< the right contact, but later, or at a place further on

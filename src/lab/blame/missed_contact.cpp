@@ -16,18 +16,27 @@ bool holds_open(const MissedContact& contact) {
     return contact.before.parts[other.index].open || contact.after.parts[other.index].open;
 }
 
-/// Whether the ball overlaps what it should meet, or touches it.
-bool overlaps(const MissedContact& contact, const State& state) {
+/// How the ball lies to what it should meet.
+struct Lie {
+    bool touches = false;
+    bool recedes = false;  ///< the surface of a part taken as at rest
+};
+Lie lie(const MissedContact& contact, const State& state) {
     constexpr double touching = 1e-6;  // radii
     const Ball* const ball = find_ball(state.balls, contact.due.ball);
-    if (ball == nullptr) return false;
     const Other other = contact.due.other;
-    if (!other.is_ball)
-        return separation(contact.scene, other.index, state.parts[other.index], ball->position,
-                          ball->radius) <= touching * ball->radius;
-    const Ball* const met = find_ball(state.balls, other.index);
-    return met != nullptr &&
-           length(ball->position - met->position) <= (1 + touching) * (ball->radius + met->radius);
+    const Ball* const met = other.is_ball ? find_ball(state.balls, other.index) : nullptr;
+    if (ball == nullptr || (other.is_ball && met == nullptr)) return {};
+    if (met != nullptr) {
+        const Vec2 apart = ball->position - met->position;
+        return {length(apart) <= (1 + touching) * (ball->radius + met->radius),
+                dot(ball->velocity - met->velocity, apart) >= 0};
+    }
+    const PartState& part = state.parts[other.index];
+    const Vec2 normal = surface_normal(contact.scene, other.index, part, ball->position, ball->radius);
+    return {
+        separation(contact.scene, other.index, part, ball->position, ball->radius) <= touching * ball->radius,
+        dot(ball->velocity, normal) >= 0};
 }
 
 bool names(const TraceItem& item, const char* name, const TraceValue& value) {
@@ -71,7 +80,8 @@ bool was_overlooked(const MissedContact& contact, World& own) {
 
 Fault why_missed(const MissedContact& contact, World* own) {
     if (holds_open(contact)) return Fault::let_through;
-    if (!overlaps(contact, contact.before) && !overlaps(contact, contact.after)) return Fault::tunnelled;
+    const Lie after = lie(contact, contact.after);
+    if (!lie(contact, contact.before).touches && (!after.touches || after.recedes)) return Fault::tunnelled;
     return own != nullptr && was_overlooked(contact, *own) ? Fault::unpaired : Fault::missed;
 }
 

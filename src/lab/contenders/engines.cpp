@@ -78,6 +78,13 @@ std::span<const Engine* const> engines() {
     return registry().all;
 }
 
+std::vector<const Engine*> engines_beside(std::span<const std::string_view> names) {
+    std::vector<const Engine*> others;
+    for (const Engine* engine : engines())
+        if (std::ranges::find(names, engine->name) == names.end()) others.push_back(engine);
+    return others;
+}
+
 const Engine& engine_named(std::string_view name) {
     if (name.find('/') != std::string_view::npos) return loaded(name);
     const auto at = std::ranges::find(engines(), name, &Engine::name);

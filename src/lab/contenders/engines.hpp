@@ -1,5 +1,6 @@
 #pragma once
-/// The engines there are. To add one that is built in, list it in engines.cpp; libraries are loaded by name.
+/// The engines there are. To add one that is built in, list it in engines.cpp, which is all; libraries are
+/// loaded by name.
 
 #include <span>
 #include <string>
@@ -12,6 +13,9 @@ namespace flipside::lab {
 
 /// Until the next library is loaded.
 [[nodiscard]] std::span<const Engine* const> engines();
+/// Those without one of these names: tables and figures that list solver variants of some engines take all
+/// others as they come.
+[[nodiscard]] std::vector<const Engine*> engines_beside(std::span<const std::string_view> names);
 /// By its name, or by the path of a library that implements flipside/engine.h: what has a '/' in it. A
 /// library that was loaded goes by its own name too. Throws InputError that lists the known ones, or says
 /// what is wrong with the library.

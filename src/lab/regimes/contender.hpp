@@ -19,7 +19,7 @@ struct Kind {
     bool reads = true;                 ///< asks for events and contacts after each step
     bool shown = true;                 ///< in figures at once
 };
-/// Those that are built in, and the libraries that were loaded. The bare loop is the first.
+/// Solvers of our engines, and all others as they come, but for the reference. The bare loop is the first.
 [[nodiscard]] std::vector<Kind> kinds();
 
 /// What some steps took, and what they came to.

@@ -10,11 +10,11 @@ std::vector<Contender> contenders() {
         {"custom-simple", "custom", "solver=simple", std::string(colour::custom), 3, 9},
         {"box2d", "box2d", "", std::string(colour::box2d), 1, 5}};
     constexpr std::string_view colours[] = {colour::blue, colour::wine, colour::olive};
-    std::size_t loaded = 0;
-    for (const Engine* engine : engines()) {
-        if (engine->file.empty()) continue;
+    constexpr std::string_view listed[] = {"custom", "box2d", "reference"};
+    std::size_t others = 0;
+    for (const Engine* engine : engines_beside(listed)) {
         const std::string name(engine->name);
-        const std::size_t look = loaded++ % std::size(colours);
+        const std::size_t look = others++ % std::size(colours);
         all.push_back({name, name, "", std::string(colours[look]), 2, 11 + static_cast<int>(look)});
     }
     all.push_back({"reference", "reference", "", std::string(colour::reference), 4, 9});

@@ -18,7 +18,7 @@ struct Contender {
     int dash, marker;
 };
 
-/// Those whose engine there is; libraries that were loaded among them.
+/// Those whose engine there is; engines of which no solver is listed take part as they come.
 [[nodiscard]] std::vector<Contender> contenders();
 /// Of an engine's lines; grey for one that is not here.
 [[nodiscard]] std::string colour_of(std::string_view engine);

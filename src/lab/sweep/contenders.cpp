@@ -40,14 +40,15 @@ constexpr Contender all[] = {
      "fine arcs, more iterations, and a tenth of its slop"},
 };
 
-/// One for each library that was loaded, as it comes. They stay where they are.
-const std::deque<Contender>& loaded_contenders() {
-    static std::deque<Contender> loaded;
-    for (const Engine* engine : engines())
-        if (!engine->file.empty() &&
-            std::ranges::find(loaded, engine->name, &Contender::name) == loaded.end())
-            loaded.push_back({engine->name, engine->name, "", coarse, middle, engine->about});
-    return loaded;
+/// One for each other engine, as it comes. They stay where they are.
+const std::deque<Contender>& other_contenders() {
+    static std::deque<Contender> others;
+    std::vector<std::string_view> listed;
+    for (const Contender& contender : all) listed.push_back(contender.engine);
+    for (const Contender& contender : others) listed.push_back(contender.engine);
+    for (const Engine* engine : engines_beside(listed))
+        others.push_back({engine->name, engine->name, "", coarse, middle, engine->about});
+    return others;
 }
 
 /// One that a user defined, with the texts that it refers to.
@@ -93,7 +94,7 @@ std::span<const Contender> contenders() {
 std::vector<const Contender*> all_contenders() {
     std::vector<const Contender*> pointers;
     for (const Contender& contender : all) pointers.push_back(&contender);
-    for (const Contender& contender : loaded_contenders()) pointers.push_back(&contender);
+    for (const Contender& contender : other_contenders()) pointers.push_back(&contender);
     return pointers;
 }
 

@@ -107,6 +107,16 @@ TEST(Blame, BallsThatPassThroughEachOtherAreForContinuousCollision) {
     EXPECT_NEAR(blame.time, 0.8 / 40, 1e-12);
 }
 
+/// They overlap after the step, but their centres have passed each other: what is found there is too late.
+TEST(Blame, BallsThatAreFoundWhenTheyHavePassedAreForContinuousCollision) {
+    const auto scene = std::make_shared<Scene>(empty_scene());
+    add_ball(*scene, {0, 0}, {16, 0});
+    add_ball(*scene, {0.375, 0}, {-16, 0});
+    const Blame blame = blame_of(engine_named("box2d"), {"bullets=off"}, scene, 3);
+    EXPECT_EQ(blame.fault, Fault::tunnelled);
+    EXPECT_NEAR(blame.time, 0.175 / 32, 1e-12);
+}
+
 /// Slow enough to be in the floor after the step: it is not the motion that hid the contact.
 TEST(Blame, AnOverlapThatIsNotHeededIsForTheNarrowPhase) {
     const auto scene = aslant_on_floor();

@@ -110,5 +110,16 @@ TEST(Contender, InAComparisonTakesItsOwnSteps) {
     EXPECT_EQ(result.runs[1].blame->until, 0.51);
 }
 
+/// One that is only added to the list of engines takes part everywhere, as it comes: box2d, where no table
+/// speaks of it.
+TEST(Engines, OfWhichNoTableSpeaksAreTheOthers) {
+    constexpr std::string_view listed[] = {"custom", "reference"};
+    const auto others = engines_beside(listed);
+    ASSERT_FALSE(others.empty());
+    EXPECT_EQ(others.front(), &engine_named("box2d"));
+    EXPECT_EQ(others.size() + 2, engines().size());
+    EXPECT_EQ(engines_beside({}).size(), engines().size());
+}
+
 }  // namespace
 }  // namespace flipside::lab
