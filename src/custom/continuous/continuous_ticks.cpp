@@ -139,10 +139,10 @@ void ContinuousSolver::collect_contacts(double time, double duration) {
     const TimeInterval interval(external_.drag, duration);
     for (const BallIndex i : members_) {
         const Ball& ball = bodies_[i];
-        const Vec2 driven =
+        const Vec2 external =
             Flight{{}, ball.velocity, external_.gravity}.velocity_after(interval) - ball.velocity;
-        rank_[i] = contact_solver_.add(
-            {ball.position, ball.velocity, driven, ball.spin, ball.radius, 1 / ball.mass, 1 / inertia(ball)});
+        rank_[i] = contact_solver_.add({ball.position, ball.velocity, external, ball.spin, ball.radius,
+                                        1 / ball.mass, 1 / inertia(ball)});
     }
     deepest_ = 0;
     overlapped_.clear();

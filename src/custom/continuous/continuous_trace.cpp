@@ -51,7 +51,7 @@ void ContinuousSolver::trace_next(TraceItem& item, BallIndex i) const {
 /// Writes the path of every ball and its next event.
 void ContinuousSolver::trace_paths(bool all_start) {
     TraceStage& stage =
-        record_->trace->stage(all_start ? "set out" : "paths and predictions so far",
+        record_->trace->stage(all_start ? "start of the window" : "paths and predictions so far",
                               all_start ? "src/custom/continuous/continuous_window.cpp: start_all_paths"
                                         : "src/custom/continuous/continuous_predict.cpp: predict");
     std::size_t meets = 0, rest = 0, asleep = 0, islands = 0;
@@ -61,11 +61,12 @@ void ContinuousSolver::trace_paths(bool all_start) {
         const Ball& ball = bodies_[i];
         TraceItem& item = stage.add("path").with("ball", ball.number);
         item.with("way", ball.asleep         ? "asleep"
-                         : hot_[i].creeps    ? "on through a long tick of an island"
-                         : hot_[i].in_island ? "a hop of an island, to its next tick"
-                         : mover.resting_on
-                             ? mover.motion.path.is_taylor() ? "swings along a part" : "along a part"
-                             : "free flight");
+                         : hot_[i].creeps    ? "uniform through a long tick of an island"
+                         : hot_[i].in_island ? "a parabola of an island, to its next tick"
+                         : mover.resting_on  ? mover.motion.path.is_taylor()
+                                                   ? "in resting contact, curved or turning"
+                                                   : "in resting contact"
+                                             : "free flight");
         if (mover.resting_on != nullptr) item.with("part", scene_.parts[mover.resting_on->part].name);
         const Flight& flight = mover.motion.path.flight;
         item.with("since", start_ + mover.motion.path.start)
@@ -85,11 +86,11 @@ void ContinuousSolver::trace_paths(bool all_start) {
         const double end = std::min({mover.cell_exit, mover.next_time, dt_});
         if (end > now) item.with("swept", swept(now, end, [&](double t) { return ball_at(i, t).position; }));
     }
-    stage.says = (all_start ? "A window of " + milliseconds(dt_) + " begins and all balls set out: "
+    stage.says = (all_start ? "A window of " + milliseconds(dt_) + " begins and all balls start a new path: "
                             : "The window since " + brief(start_) + " s goes on: ") +
                  std::to_string(meets) + " of " + counted(stage.items.size(), "ball") +
-                 " will meet something in it, " + std::to_string(rest) + " rest on a part, " +
-                 std::to_string(islands) + " press on each other, " + std::to_string(asleep) + " sleep.";
+                 " will have an impact in it, " + std::to_string(rest) + " rest on a part, " +
+                 std::to_string(islands) + " are in islands, " + std::to_string(asleep) + " sleep.";
 }
 
 /// Handles an event, and writes it with its result.

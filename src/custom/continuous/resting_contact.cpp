@@ -106,8 +106,8 @@ Loads expand_on_line(const Guide& guide, Vec2 normal, Vec2 velocity, const Exter
         const double speed = (k + 1) * s[at(k + 1)] - (k == 0 ? d * w : 0);
         const double force = 2 * w * (k + 1) * s[at(k + 1)] - (k == 0 ? d * w * w : 0) -
                              dot(n[at(k)], external.gravity) + c * w * s[at(k)];
-        const double driven = w * w * s[at(k)] + dot(t[at(k)], external.gravity) - c * speed;
-        const double bend = friction.share() * driven + friction.slide * force;
+        const double tangential = w * w * s[at(k)] + dot(t[at(k)], external.gravity) - c * speed;
+        const double bend = friction.share() * tangential + friction.slide * force;
         s[at(k + 2)] = bend / ((k + 1) * (k + 2));
         loads.force[at(k)] = force;
         loads.slide[at(k)] = -bend;
@@ -132,8 +132,8 @@ Loads expand_on_circle(const Guide& guide, Vec2 normal, Vec2 velocity, const Ext
     turn[0] = dot(velocity - cross(guide.rate, guide.arm), tangent[0]) / radius;
     for (int k = 0; k < order; ++k) {
         const double force = -side * (dot_product(out, felt, k) + radius * product(turn, turn, k));
-        const double driven = dot_product(tangent, felt, k) - c * radius * turn[at(k)];
-        const double bend = friction.share() * driven - side * friction.slide * force;
+        const double tangential = dot_product(tangent, felt, k) - c * radius * turn[at(k)];
+        const double bend = friction.share() * tangential - side * friction.slide * force;
         turn[at(k + 1)] = bend / (radius * (k + 1));
         const Vec2 turned = product(turn, tangent, k) / (k + 1);
         out[at(k + 1)] = turned;
@@ -231,17 +231,17 @@ RestingContact resting_contact_at(const Feature& feature, const Turning& turning
     const Vec2 point = ball.position - ball.radius * normal;
     contact.surface_velocity = cross(guide.rate, point - turning.begin.pivot);
     const Vec2 driving = external.gravity - external.drag * ball.velocity;
-    const double driven = dot(driving, normal);
+    const double normal_part = dot(driving, normal);
     contact.tangential = dot(driving, perp(normal));
     if (guide.straight) {
         const double slide = dot(ball.velocity, -perp(normal)) + guide.offset * guide.rate;
-        contact.force = 2 * slide * guide.rate - guide.offset * guide.rate * guide.rate - driven;
+        contact.force = 2 * slide * guide.rate - guide.offset * guide.rate * guide.rate - normal_part;
         contact.tangential -= guide.rate * guide.rate * guide.s;
     } else {
         const double side = dot(guide.out, normal) > 0 ? 1 : -1;
         const double turn = dot(ball.velocity - cross(guide.rate, guide.arm), perp(guide.out)) / guide.radius;
-        contact.force =
-            -driven - side * guide.radius * turn * turn - guide.rate * guide.rate * dot(guide.arm, normal);
+        contact.force = -normal_part - side * guide.radius * turn * turn -
+                        guide.rate * guide.rate * dot(guide.arm, normal);
         contact.tangential += guide.rate * guide.rate * dot(guide.arm, perp(normal));
     }
     return contact;
