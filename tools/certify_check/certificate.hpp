@@ -114,4 +114,15 @@ inline Run read(std::istream& file) {
     return run;
 }
 
+/// The first condition that does not hold.
+struct Rejected : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// What is counted. `touches` are without approach and change nothing; not isolated are grazes.
+struct Verdict {
+    std::size_t legs, held, resting, impacts, touches, not_isolated, given, enclosures;
+    double loosest;  // radii; the largest gap or overlap of what rests
+};
+
 }  // namespace certificate

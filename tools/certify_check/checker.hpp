@@ -2,7 +2,6 @@
 /// What has to hold of a run, segment by segment: how it begins, how it moves, and that nothing came earlier.
 
 #include <cstdio>
-#include <stdexcept>
 
 #include "surface.hpp"
 
@@ -11,17 +10,6 @@ namespace certificate {
 constexpr std::size_t terms = 11, few_terms = 4;        // of expansions; what is far off needs few
 constexpr double gate_clearance = 1e-9;                 // radii; how far off a gate lets go of a ball
 constexpr double heap_gap = 2e-3, heap_overlap = 1e-2;  // radii; how far balls of a heap may be off
-
-/// The first condition that does not hold.
-struct Rejected : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
-/// What is counted. `touches` are without approach and change nothing; not isolated are grazes.
-struct Verdict {
-    std::size_t legs, held, resting, impacts, touches, not_isolated, given, enclosures;
-    double loosest;  // radii; the largest gap or overlap of what rests
-};
 
 /// `bound` is relative: lengths to the ball's radius r, speeds to √(r|g|) + |v| + r|spin|, accelerations to
 /// |g| + that speed squared over r.
