@@ -16,9 +16,9 @@ set xrange [0.0008709635899560805:1.1481536214968828]
 at_x(v) = v < 0.000870969847038026 ? 0.000870969847038026 : v > 1.1481453731157016 ? 1.1481453731157016 : v
 set format y '%g'
 set logscale y
-set ytics ('10^{-14}' 1e-14, '' 1e-13 1, '10^{-12}' 1e-12, '' 1e-11 1, '10^{-10}' 1e-10, '' 1e-9 1, '10^{-8}' 1e-8, '' 1e-7 1, '10^{-6}' 1e-6, '' 1e-5 1, '10^{-4}' 1e-4, '' 1e-3 1, '10^{-2}' 1e-2, '' 1e-1 1, '10^{0}' 1e0)
-set yrange [5.248074602497734e-15:1.9054607179632472]
-at_y(v) = v < 5.248250550501429e-15 ? 5.248250550501429e-15 : v > 1.9053968372460026 ? 1.9053968372460026 : v
+set ytics ('' 1e-15 1, '10^{-14}' 1e-14, '' 1e-13 1, '10^{-12}' 1e-12, '' 1e-11 1, '10^{-10}' 1e-10, '' 1e-9 1, '10^{-8}' 1e-8, '' 1e-7 1, '10^{-6}' 1e-6, '' 1e-5 1, '10^{-4}' 1e-4, '' 1e-3 1, '10^{-2}' 1e-2, '' 1e-1 1, '10^{0}' 1e0)
+set yrange [5.011872336272715e-16:1.9952623149688795]
+at_y(v) = v < 5.012052367601547e-16 ? 5.012052367601547e-16 : v > 1.995190645780374 ? 1.995190645780374 : v
 set lmargin at screen 0.1
 set rmargin at screen 0.6555555555555556
 set tmargin at screen 0.9565217391304348
@@ -28,17 +28,17 @@ set xlabel "CPU seconds of the experiment (box2d is Box2D 2.4.1)" noenhanced tex
 set ylabel "error, m" noenhanced textcolor rgb ink
 set terminal svg size 900,460 font 'sans-serif,14' name "case_circular_billiard"
 set output svg
-plot csv skip 1 every ::0::2 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#56b4e9" notitle, \
-     csv skip 1 every ::0::2 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 0)) with labels hypertext point pointtype 7 pointsize 0.8 linecolor rgb "#56b4e9" notitle, \
+plot csv skip 1 every ::0::6 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#56b4e9" notitle, \
+     csv skip 1 every ::0::6 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 0)) with labels hypertext point pointtype 7 pointsize 0.8 linecolor rgb "#56b4e9" notitle, \
      NaN with linespoints dashtype 1 linewidth 2 pointtype 7 pointsize 0.8 linecolor rgb "#56b4e9" title "custom-continuous", \
-     csv skip 1 every ::3::5 using (at_x($2)):(at_y($3)) with lines dashtype 3 linewidth 2 linecolor rgb "#56b4e9" notitle, \
-     csv skip 1 every ::3::5 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 3)) with labels hypertext point pointtype 9 pointsize 0.8 linecolor rgb "#56b4e9" notitle, \
+     csv skip 1 every ::7::13 using (at_x($2)):(at_y($3)) with lines dashtype 3 linewidth 2 linecolor rgb "#56b4e9" notitle, \
+     csv skip 1 every ::7::13 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 7)) with labels hypertext point pointtype 9 pointsize 0.8 linecolor rgb "#56b4e9" notitle, \
      NaN with linespoints dashtype 3 linewidth 2 pointtype 9 pointsize 0.8 linecolor rgb "#56b4e9" title "custom-simple", \
-     csv skip 1 every ::6::8 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#e69f00" notitle, \
-     csv skip 1 every ::6::8 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 6)) with labels hypertext point pointtype 5 pointsize 0.8 linecolor rgb "#e69f00" notitle, \
+     csv skip 1 every ::14::20 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#e69f00" notitle, \
+     csv skip 1 every ::14::20 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 14)) with labels hypertext point pointtype 5 pointsize 0.8 linecolor rgb "#e69f00" notitle, \
      NaN with linespoints dashtype 1 linewidth 2 pointtype 5 pointsize 0.8 linecolor rgb "#e69f00" title "box2d", \
-     csv skip 1 every ::9::11 using (at_x($2)):(at_y($3)) with lines dashtype 4 linewidth 2 linecolor rgb "#009e73" notitle, \
-     csv skip 1 every ::9::11 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 9)) with labels hypertext point pointtype 9 pointsize 0.8 linecolor rgb "#009e73" notitle, \
+     csv skip 1 every ::21::27 using (at_x($2)):(at_y($3)) with lines dashtype 4 linewidth 2 linecolor rgb "#009e73" notitle, \
+     csv skip 1 every ::21::27 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 21)) with labels hypertext point pointtype 9 pointsize 0.8 linecolor rgb "#009e73" notitle, \
      NaN with linespoints dashtype 4 linewidth 2 pointtype 9 pointsize 0.8 linecolor rgb "#009e73" title "reference"
 set terminal pngcairo size 1800,920 fontscale 1.9 linewidth 2 pointscale 2 font 'DejaVu Sans,11'
 set output png

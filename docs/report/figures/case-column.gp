@@ -28,17 +28,17 @@ set xlabel "CPU seconds of the experiment (box2d is Box2D 2.4.1)" noenhanced tex
 set ylabel "error, m" noenhanced textcolor rgb ink
 set terminal svg size 900,460 font 'sans-serif,14' name "case_column"
 set output svg
-plot csv skip 1 every ::0::2 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#56b4e9" notitle, \
-     csv skip 1 every ::0::2 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 0)) with labels hypertext point pointtype 7 pointsize 0.8 linecolor rgb "#56b4e9" notitle, \
+plot csv skip 1 every ::0::6 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#56b4e9" notitle, \
+     csv skip 1 every ::0::6 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 0)) with labels hypertext point pointtype 7 pointsize 0.8 linecolor rgb "#56b4e9" notitle, \
      NaN with linespoints dashtype 1 linewidth 2 pointtype 7 pointsize 0.8 linecolor rgb "#56b4e9" title "custom-continuous", \
-     csv skip 1 every ::3::5 using (at_x($2)):(at_y($3)) with lines dashtype 3 linewidth 2 linecolor rgb "#56b4e9" notitle, \
-     csv skip 1 every ::3::5 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 3)) with labels hypertext point pointtype 9 pointsize 0.8 linecolor rgb "#56b4e9" notitle, \
+     csv skip 1 every ::7::13 using (at_x($2)):(at_y($3)) with lines dashtype 3 linewidth 2 linecolor rgb "#56b4e9" notitle, \
+     csv skip 1 every ::7::13 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 7)) with labels hypertext point pointtype 9 pointsize 0.8 linecolor rgb "#56b4e9" notitle, \
      NaN with linespoints dashtype 3 linewidth 2 pointtype 9 pointsize 0.8 linecolor rgb "#56b4e9" title "custom-simple", \
-     csv skip 1 every ::6::8 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#e69f00" notitle, \
-     csv skip 1 every ::6::8 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 6)) with labels hypertext point pointtype 5 pointsize 0.8 linecolor rgb "#e69f00" notitle, \
+     csv skip 1 every ::14::20 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#e69f00" notitle, \
+     csv skip 1 every ::14::20 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 14)) with labels hypertext point pointtype 5 pointsize 0.8 linecolor rgb "#e69f00" notitle, \
      NaN with linespoints dashtype 1 linewidth 2 pointtype 5 pointsize 0.8 linecolor rgb "#e69f00" title "box2d", \
-     csv skip 1 every ::9::11 using (at_x($2)):(at_y($3)) with lines dashtype 4 linewidth 2 linecolor rgb "#009e73" notitle, \
-     csv skip 1 every ::9::11 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 9)) with labels hypertext point pointtype 9 pointsize 0.8 linecolor rgb "#009e73" notitle, \
+     csv skip 1 every ::21::27 using (at_x($2)):(at_y($3)) with lines dashtype 4 linewidth 2 linecolor rgb "#009e73" notitle, \
+     csv skip 1 every ::21::27 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 21)) with labels hypertext point pointtype 9 pointsize 0.8 linecolor rgb "#009e73" notitle, \
      NaN with linespoints dashtype 4 linewidth 2 pointtype 9 pointsize 0.8 linecolor rgb "#009e73" title "reference"
 set terminal pngcairo size 1800,920 fontscale 1.9 linewidth 2 pointscale 2 font 'DejaVu Sans,11'
 set output png

@@ -11,9 +11,9 @@ set tics nomirror textcolor rgb ink
 set grid linecolor rgb '#909090' linewidth 0.4 dashtype 1
 set format x '%g'
 set logscale x
-set xtics ('10^{-4}' 1e-4, '' 2e-4 1, '' 3e-4 1, '' 4e-4 1, '' 5e-4 1, '' 6e-4 1, '' 7e-4 1, '' 8e-4 1, '' 9e-4 1, '10^{-3}' 1e-3, '' 2e-3 1, '' 3e-3 1, '' 4e-3 1, '' 5e-3 1, '' 6e-3 1, '' 7e-3 1, '' 8e-3 1, '' 9e-3 1, '10^{-2}' 1e-2)
-set xrange [9.120108393559096e-05:0.01096478196143185]
-at_x(v) = v < 9.120152073301013e-05 ? 9.120152073301013e-05 : v > 0.010964729447083143 ? 0.010964729447083143 : v
+set xtics ('10^{-4}' 1e-4, '' 2e-4 1, '' 3e-4 1, '' 4e-4 1, '' 5e-4 1, '' 6e-4 1, '' 7e-4 1, '' 8e-4 1, '' 9e-4 1, '10^{-3}' 1e-3, '' 2e-3 1, '' 3e-3 1, '' 4e-3 1, '' 5e-3 1, '' 6e-3 1, '' 7e-3 1, '' 8e-3 1, '' 9e-3 1, '10^{-2}' 1e-2, '' 2e-2 1, '' 3e-2 1, '' 4e-2 1, '' 5e-2 1, '' 6e-2 1, '' 7e-2 1, '' 8e-2 1, '' 9e-2 1, '10^{-1}' 1e-1)
+set xrange [8.709635899560814e-05:0.1148153621496883]
+at_x(v) = v < 8.709698470380268e-05 ? 8.709698470380268e-05 : v > 0.11481453731157018 ? 0.11481453731157018 : v
 set format y '%g'
 set logscale y
 set ytics ('10^{-10}' 1e-10, '' 1e-9 1, '10^{-8}' 1e-8, '' 1e-7 1, '10^{-6}' 1e-6, '' 1e-5 1, '10^{-4}' 1e-4, '' 1e-3 1, '10^{-2}' 1e-2, '' 1e-1 1, '10^{0}' 1e0)
@@ -28,17 +28,17 @@ set xlabel "CPU seconds of the experiment (box2d is Box2D 2.4.1)" noenhanced tex
 set ylabel "error, s" noenhanced textcolor rgb ink
 set terminal svg size 900,460 font 'sans-serif,14' name "case_zeno_drop"
 set output svg
-plot csv skip 1 every ::0::2 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#56b4e9" notitle, \
-     csv skip 1 every ::0::2 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 0)) with labels hypertext point pointtype 7 pointsize 0.8 linecolor rgb "#56b4e9" notitle, \
+plot csv skip 1 every ::0::6 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#56b4e9" notitle, \
+     csv skip 1 every ::0::6 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 0)) with labels hypertext point pointtype 7 pointsize 0.8 linecolor rgb "#56b4e9" notitle, \
      NaN with linespoints dashtype 1 linewidth 2 pointtype 7 pointsize 0.8 linecolor rgb "#56b4e9" title "custom-continuous", \
-     csv skip 1 every ::3::5 using (at_x($2)):(at_y($3)) with lines dashtype 3 linewidth 2 linecolor rgb "#56b4e9" notitle, \
-     csv skip 1 every ::3::5 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 3)) with labels hypertext point pointtype 9 pointsize 0.8 linecolor rgb "#56b4e9" notitle, \
+     csv skip 1 every ::7::13 using (at_x($2)):(at_y($3)) with lines dashtype 3 linewidth 2 linecolor rgb "#56b4e9" notitle, \
+     csv skip 1 every ::7::13 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 7)) with labels hypertext point pointtype 9 pointsize 0.8 linecolor rgb "#56b4e9" notitle, \
      NaN with linespoints dashtype 3 linewidth 2 pointtype 9 pointsize 0.8 linecolor rgb "#56b4e9" title "custom-simple", \
-     csv skip 1 every ::6::8 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#e69f00" notitle, \
-     csv skip 1 every ::6::8 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 6)) with labels hypertext point pointtype 5 pointsize 0.8 linecolor rgb "#e69f00" notitle, \
+     csv skip 1 every ::14::20 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#e69f00" notitle, \
+     csv skip 1 every ::14::20 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 14)) with labels hypertext point pointtype 5 pointsize 0.8 linecolor rgb "#e69f00" notitle, \
      NaN with linespoints dashtype 1 linewidth 2 pointtype 5 pointsize 0.8 linecolor rgb "#e69f00" title "box2d", \
-     csv skip 1 every ::9::11 using (at_x($2)):(at_y($3)) with lines dashtype 4 linewidth 2 linecolor rgb "#009e73" notitle, \
-     csv skip 1 every ::9::11 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 9)) with labels hypertext point pointtype 9 pointsize 0.8 linecolor rgb "#009e73" notitle, \
+     csv skip 1 every ::21::27 using (at_x($2)):(at_y($3)) with lines dashtype 4 linewidth 2 linecolor rgb "#009e73" notitle, \
+     csv skip 1 every ::21::27 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 21)) with labels hypertext point pointtype 9 pointsize 0.8 linecolor rgb "#009e73" notitle, \
      NaN with linespoints dashtype 4 linewidth 2 pointtype 9 pointsize 0.8 linecolor rgb "#009e73" title "reference"
 set terminal pngcairo size 1800,920 fontscale 1.9 linewidth 2 pointscale 2 font 'DejaVu Sans,11'
 set output png

@@ -10,13 +10,13 @@ set border 3 linecolor rgb ink
 set tics nomirror textcolor rgb ink
 set grid linecolor rgb '#909090' linewidth 0.4 dashtype 1
 set format x '%g'
-set xrange [-0.06:3.06]
-at_x(v) = v < -0.059996879999999995 ? -0.059996879999999995 : v > 3.05999688 ? 3.05999688 : v
+set xrange [-0.12:6.12]
+at_x(v) = v < -0.11999375999999999 ? -0.11999375999999999 : v > 6.11999376 ? 6.11999376 : v
 set format y '%g'
 set logscale y
-set ytics ('' 1e-17 1, '' 1e-16 1, '10^{-15}' 1e-15, '' 1e-14 1, '' 1e-13 1, '10^{-12}' 1e-12, '' 1e-11 1, '' 1e-10 1, '10^{-9}' 1e-9, '' 1e-8 1, '' 1e-7 1, '10^{-6}' 1e-6, '' 1e-5 1, '' 1e-4 1, '10^{-3}' 1e-3, '' 1e-2 1, '' 1e-1 1)
-set yrange [4.78630092322638e-18:0.20892961308540398]
-at_y(v) = v < 4.786484313935869e-18 ? 4.786484313935869e-18 : v > 0.2089216080973033 ? 0.2089216080973033 : v
+set ytics ('' 1e-17 1, '10^{-16}' 1e-16, '' 1e-15 1, '10^{-14}' 1e-14, '' 1e-13 1, '10^{-12}' 1e-12, '' 1e-11 1, '10^{-10}' 1e-10, '' 1e-9 1, '10^{-8}' 1e-8, '' 1e-7 1, '10^{-6}' 1e-6, '' 1e-5 1, '10^{-4}' 1e-4, '' 1e-3 1, '10^{-2}' 1e-2)
+set yrange [5.011872336272715e-18:0.0199526231496888]
+at_y(v) = v < 5.0120523676015475e-18 ? 5.0120523676015475e-18 : v > 0.019951906457803745 ? 0.019951906457803745 : v
 set lmargin at screen 0.1
 set rmargin at screen 0.6555555555555556
 set tmargin at screen 0.9565217391304348
@@ -26,17 +26,17 @@ set xlabel "time, s" noenhanced textcolor rgb ink
 set ylabel "\174change of energy\174 / energy at the start" noenhanced textcolor rgb ink
 set terminal svg size 900,460 font 'sans-serif,14' name "energy_gas"
 set output svg
-plot csv skip 1 every ::0::90 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#56b4e9" notitle, \
-     csv skip 1 every ::0::90 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 0)) with labels hypertext point pointtype 7 pointsize 0.4 linecolor rgb "#56b4e9" notitle, \
+plot csv skip 1 every ::0::120 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#56b4e9" notitle, \
+     csv skip 1 every ::0::120 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 0)) with labels hypertext point pointtype 7 pointsize 0.4 linecolor rgb "#56b4e9" notitle, \
      NaN with linespoints dashtype 1 linewidth 2 pointtype 7 pointsize 0.4 linecolor rgb "#56b4e9" title "custom-continuous", \
-     csv skip 1 every ::91::181 using (at_x($2)):(at_y($3)) with lines dashtype 3 linewidth 2 linecolor rgb "#56b4e9" notitle, \
-     csv skip 1 every ::91::181 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 91)) with labels hypertext point pointtype 9 pointsize 0.4 linecolor rgb "#56b4e9" notitle, \
+     csv skip 1 every ::121::241 using (at_x($2)):(at_y($3)) with lines dashtype 3 linewidth 2 linecolor rgb "#56b4e9" notitle, \
+     csv skip 1 every ::121::241 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 121)) with labels hypertext point pointtype 9 pointsize 0.4 linecolor rgb "#56b4e9" notitle, \
      NaN with linespoints dashtype 3 linewidth 2 pointtype 9 pointsize 0.4 linecolor rgb "#56b4e9" title "custom-simple", \
-     csv skip 1 every ::182::272 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#e69f00" notitle, \
-     csv skip 1 every ::182::272 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 182)) with labels hypertext point pointtype 5 pointsize 0.4 linecolor rgb "#e69f00" notitle, \
+     csv skip 1 every ::242::362 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#e69f00" notitle, \
+     csv skip 1 every ::242::362 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 242)) with labels hypertext point pointtype 5 pointsize 0.4 linecolor rgb "#e69f00" notitle, \
      NaN with linespoints dashtype 1 linewidth 2 pointtype 5 pointsize 0.4 linecolor rgb "#e69f00" title "box2d", \
-     csv skip 1 every ::273::363 using (at_x($2)):(at_y($3)) with lines dashtype 4 linewidth 2 linecolor rgb "#009e73" notitle, \
-     csv skip 1 every ::273::363 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 273)) with labels hypertext point pointtype 9 pointsize 0.4 linecolor rgb "#009e73" notitle, \
+     csv skip 1 every ::363::483 using (at_x($2)):(at_y($3)) with lines dashtype 4 linewidth 2 linecolor rgb "#009e73" notitle, \
+     csv skip 1 every ::363::483 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 363)) with labels hypertext point pointtype 9 pointsize 0.4 linecolor rgb "#009e73" notitle, \
      NaN with linespoints dashtype 4 linewidth 2 pointtype 9 pointsize 0.4 linecolor rgb "#009e73" title "reference"
 set terminal pngcairo size 1800,920 fontscale 1.9 linewidth 2 pointscale 2 font 'DejaVu Sans,11'
 set output png

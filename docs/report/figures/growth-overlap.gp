@@ -11,14 +11,14 @@ set tics nomirror textcolor rgb ink
 set grid linecolor rgb '#909090' linewidth 0.4 dashtype 1
 set format x '%g'
 set logscale x
-set xtics ('10^{2}' 1e2, '' 2e2 1, '' 3e2 1, '' 4e2 1, '' 5e2 1, '' 6e2 1, '' 7e2 1, '' 8e2 1, '' 9e2 1, '10^{3}' 1e3, '' 2e3 1, '' 3e3 1, '' 4e3 1, '' 5e3 1, '' 6e3 1, '' 7e3 1, '' 8e3 1, '' 9e3 1, '10^{4}' 1e4)
-set xrange [91.20108393559097:10964.78196143185]
-at_x(v) = v < 91.20152073301014 ? 91.20152073301014 : v > 10964.729447083142 ? 10964.729447083142 : v
+set xtics ('10^{2}' 1e2, '' 2e2 1, '' 3e2 1, '' 4e2 1, '' 5e2 1, '' 6e2 1, '' 7e2 1, '' 8e2 1, '' 9e2 1, '10^{3}' 1e3, '' 2e3 1, '' 3e3 1, '' 4e3 1, '' 5e3 1, '' 6e3 1, '' 7e3 1, '' 8e3 1, '' 9e3 1, '10^{4}' 1e4, '' 2e4 1, '' 3e4 1, '' 4e4 1, '' 5e4 1, '' 6e4 1, '' 7e4 1, '' 8e4 1, '' 9e4 1, '10^{5}' 1e5)
+set xrange [87.09635899560806:114815.36214968817]
+at_x(v) = v < 87.0969847038026 ? 87.0969847038026 : v > 114814.53731157005 ? 114814.53731157005 : v
 set format y '%g'
 set logscale y
-set ytics ('' 1e-16 1, '10^{-15}' 1e-15, '' 1e-14 1, '' 1e-13 1, '10^{-12}' 1e-12, '' 1e-11 1, '' 1e-10 1, '10^{-9}' 1e-9, '' 1e-8 1, '' 1e-7 1, '10^{-6}' 1e-6, '' 1e-5 1, '' 1e-4 1, '10^{-3}' 1e-3, '' 1e-2 1, '' 1e-1 1, '10^{0}' 1e0, '' 1e1 1)
-set yrange [4.570881896148752e-17:21.87761623949553]
-at_y(v) = v < 4.5710679791874595e-17 ? 4.5710679791874595e-17 : v > 21.876725626332902 ? 21.876725626332902 : v
+set ytics ('' 1e-17 1, '' 1e-16 1, '10^{-15}' 1e-15, '' 1e-14 1, '' 1e-13 1, '10^{-12}' 1e-12, '' 1e-11 1, '' 1e-10 1, '10^{-9}' 1e-9, '' 1e-8 1, '' 1e-7 1, '10^{-6}' 1e-6, '' 1e-5 1, '' 1e-4 1, '10^{-3}' 1e-3, '' 1e-2 1, '' 1e-1 1, '10^{0}' 1e0, '' 1e1 1)
+set yrange [4.365158322401665e-18:22.908676527677724]
+at_y(v) = v < 4.365346483956509e-18 ? 4.365346483956509e-18 : v > 22.907689084364645 ? 22.907689084364645 : v
 set lmargin at screen 0.1
 set rmargin at screen 0.6555555555555556
 set tmargin at screen 0.9565217391304348
@@ -28,14 +28,16 @@ set xlabel "balls" noenhanced textcolor rgb ink
 set ylabel "overlap that 1 \045 of the contacts exceed, radii" noenhanced textcolor rgb ink
 set terminal svg size 900,460 font 'sans-serif,14' name "growth_overlap"
 set output svg
-plot csv skip 1 every ::0::3 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#56b4e9" notitle, \
-     csv skip 1 every ::0::3 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 0)) with labels hypertext point pointtype 7 pointsize 0.8 linecolor rgb "#56b4e9" notitle, \
+plot csv skip 1 every ::0::6 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#56b4e9" notitle, \
+     csv skip 1 every ::0::6 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 0)) with labels hypertext point pointtype 7 pointsize 0.8 linecolor rgb "#56b4e9" notitle, \
      NaN with linespoints dashtype 1 linewidth 2 pointtype 7 pointsize 0.8 linecolor rgb "#56b4e9" title "custom", \
-     csv skip 1 every ::4::7 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#e69f00" notitle, \
-     csv skip 1 every ::4::7 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 4)) with labels hypertext point pointtype 5 pointsize 0.8 linecolor rgb "#e69f00" notitle, \
+     csv skip 1 every ::7::11 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#e69f00" notitle, \
+     csv skip 1 every ::7::11 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 7)) with labels hypertext point pointtype 5 pointsize 0.8 linecolor rgb "#e69f00" notitle, \
+     csv skip 1 every ::12::13 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 12)) with labels hypertext point pointtype 2 pointsize 1.2 linecolor rgb "#e69f00" notitle, \
      NaN with linespoints dashtype 1 linewidth 2 pointtype 5 pointsize 0.8 linecolor rgb "#e69f00" title "box2d-bullets", \
-     csv skip 1 every ::8::11 using (at_x($2)):(at_y($3)) with lines dashtype 2 linewidth 2 linecolor rgb "#e69f00" notitle, \
-     csv skip 1 every ::8::11 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 8)) with labels hypertext point pointtype 4 pointsize 0.8 linecolor rgb "#e69f00" notitle, \
+     csv skip 1 every ::14::18 using (at_x($2)):(at_y($3)) with lines dashtype 2 linewidth 2 linecolor rgb "#e69f00" notitle, \
+     csv skip 1 every ::14::18 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 14)) with labels hypertext point pointtype 4 pointsize 0.8 linecolor rgb "#e69f00" notitle, \
+     csv skip 1 every ::19::20 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 19)) with labels hypertext point pointtype 2 pointsize 1.2 linecolor rgb "#e69f00" notitle, \
      NaN with linespoints dashtype 2 linewidth 2 pointtype 4 pointsize 0.8 linecolor rgb "#e69f00" title "box2d-no-bullets"
 set terminal pngcairo size 1800,920 fontscale 1.9 linewidth 2 pointscale 2 font 'DejaVu Sans,11'
 set output png

@@ -31,17 +31,17 @@ set output svg
 plot csv skip 1 every ::0::4 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#808080" notitle, \
      csv skip 1 every ::0::4 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 0)) with labels hypertext point pointtype 4 pointsize 0.7 linecolor rgb "#808080" notitle, \
      NaN with linespoints dashtype 1 linewidth 2 pointtype 4 pointsize 0.7 linecolor rgb "#808080" title "brute force", \
-     csv skip 1 every ::5::11 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#0072b2" notitle, \
-     csv skip 1 every ::5::11 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 5)) with labels hypertext point pointtype 7 pointsize 0.7 linecolor rgb "#0072b2" notitle, \
+     csv skip 1 every ::5::12 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#0072b2" notitle, \
+     csv skip 1 every ::5::12 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 5)) with labels hypertext point pointtype 7 pointsize 0.7 linecolor rgb "#0072b2" notitle, \
      NaN with linespoints dashtype 1 linewidth 2 pointtype 7 pointsize 0.7 linecolor rgb "#0072b2" title "quadtree", \
-     csv skip 1 every ::12::18 using (at_x($2)):(at_y($3)) with lines dashtype 2 linewidth 2 linecolor rgb "#cc79a7" notitle, \
-     csv skip 1 every ::12::18 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 12)) with labels hypertext point pointtype 9 pointsize 0.7 linecolor rgb "#cc79a7" notitle, \
+     csv skip 1 every ::13::20 using (at_x($2)):(at_y($3)) with lines dashtype 2 linewidth 2 linecolor rgb "#cc79a7" notitle, \
+     csv skip 1 every ::13::20 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 13)) with labels hypertext point pointtype 9 pointsize 0.7 linecolor rgb "#cc79a7" notitle, \
      NaN with linespoints dashtype 2 linewidth 2 pointtype 9 pointsize 0.7 linecolor rgb "#cc79a7" title "adaptive quadtree", \
-     csv skip 1 every ::19::25 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#999933" notitle, \
-     csv skip 1 every ::19::25 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 19)) with labels hypertext point pointtype 5 pointsize 0.7 linecolor rgb "#999933" notitle, \
+     csv skip 1 every ::21::28 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#999933" notitle, \
+     csv skip 1 every ::21::28 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 21)) with labels hypertext point pointtype 5 pointsize 0.7 linecolor rgb "#999933" notitle, \
      NaN with linespoints dashtype 1 linewidth 2 pointtype 5 pointsize 0.7 linecolor rgb "#999933" title "grid", \
-     csv skip 1 every ::26::32 using (at_x($2)):(at_y($3)) with lines dashtype 4 linewidth 2 linecolor rgb "#882255" notitle, \
-     csv skip 1 every ::26::32 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 26)) with labels hypertext point pointtype 13 pointsize 0.7 linecolor rgb "#882255" notitle, \
+     csv skip 1 every ::29::36 using (at_x($2)):(at_y($3)) with lines dashtype 4 linewidth 2 linecolor rgb "#882255" notitle, \
+     csv skip 1 every ::29::36 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 29)) with labels hypertext point pointtype 13 pointsize 0.7 linecolor rgb "#882255" notitle, \
      NaN with linespoints dashtype 4 linewidth 2 pointtype 13 pointsize 0.7 linecolor rgb "#882255" title "sweep and prune"
 set terminal pngcairo size 1800,920 fontscale 1.9 linewidth 2 pointscale 2 font 'DejaVu Sans,11'
 set output png

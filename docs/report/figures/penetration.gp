@@ -11,9 +11,9 @@ set tics nomirror textcolor rgb ink
 set grid linecolor rgb '#909090' linewidth 0.4 dashtype 1
 set format x '%g'
 set logscale x
-set xtics ('10^{-4}' 1e-4, '' 2e-4 1, '' 3e-4 1, '' 4e-4 1, '' 5e-4 1, '' 6e-4 1, '' 7e-4 1, '' 8e-4 1, '' 9e-4 1, '10^{-3}' 1e-3, '' 2e-3 1, '' 3e-3 1, '' 4e-3 1, '' 5e-3 1, '' 6e-3 1, '' 7e-3 1, '' 8e-3 1, '' 9e-3 1, '10^{-2}' 1e-2, '' 2e-2 1, '' 3e-2 1, '' 4e-2 1, '' 5e-2 1, '' 6e-2 1, '' 7e-2 1, '' 8e-2 1, '' 9e-2 1, '10^{-1}' 1e-1, '' 2e-1 1, '' 3e-1 1, '' 4e-1 1, '' 5e-1 1, '' 6e-1 1, '' 7e-1 1, '' 8e-1 1, '' 9e-1 1, '10^{0}' 1e0)
-set xrange [8.317637711026709e-05:1.202264434617413]
-at_x(v) = v < 8.317717384013678e-05 ? 8.317717384013678e-05 : v > 1.2022529184773219 ? 1.2022529184773219 : v
+set xtics ('10^{-5}' 1e-5, '' 2e-5 1, '' 3e-5 1, '' 4e-5 1, '' 5e-5 1, '' 6e-5 1, '' 7e-5 1, '' 8e-5 1, '' 9e-5 1, '10^{-4}' 1e-4, '' 2e-4 1, '' 3e-4 1, '' 4e-4 1, '' 5e-4 1, '' 6e-4 1, '' 7e-4 1, '' 8e-4 1, '' 9e-4 1, '10^{-3}' 1e-3, '' 2e-3 1, '' 3e-3 1, '' 4e-3 1, '' 5e-3 1, '' 6e-3 1, '' 7e-3 1, '' 8e-3 1, '' 9e-3 1, '10^{-2}' 1e-2, '' 2e-2 1, '' 3e-2 1, '' 4e-2 1, '' 5e-2 1, '' 6e-2 1, '' 7e-2 1, '' 8e-2 1, '' 9e-2 1, '10^{-1}' 1e-1, '' 2e-1 1, '' 3e-1 1, '' 4e-1 1, '' 5e-1 1, '' 6e-1 1, '' 7e-1 1, '' 8e-1 1, '' 9e-1 1, '10^{0}' 1e0)
+set xrange [7.943282347242822e-06:1.2589254117941673]
+at_x(v) = v < 7.943377456246528e-06 ? 7.943377456246528e-06 : v > 1.2589103382133997 ? 1.2589103382133997 : v
 set format y '%g'
 set logscale y
 set ytics ('' 1e-17 1, '' 1e-16 1, '10^{-15}' 1e-15, '' 1e-14 1, '' 1e-13 1, '10^{-12}' 1e-12, '' 1e-11 1, '' 1e-10 1, '10^{-9}' 1e-9, '' 1e-8 1, '' 1e-7 1, '10^{-6}' 1e-6, '' 1e-5 1, '' 1e-4 1, '10^{-3}' 1e-3, '' 1e-2 1, '' 1e-1 1, '10^{0}' 1e0)
@@ -28,18 +28,18 @@ set xlabel "share of the contacts that overlap more" noenhanced textcolor rgb in
 set ylabel "overlap, radii" noenhanced textcolor rgb ink
 set terminal svg size 900,460 font 'sans-serif,14' name "penetration"
 set output svg
-plot csv skip 1 every ::0::13 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#56b4e9" notitle, \
-     csv skip 1 every ::0::13 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 0)) with labels hypertext point pointtype 7 pointsize 0.8 linecolor rgb "#56b4e9" notitle, \
+plot csv skip 1 every ::0::15 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#56b4e9" notitle, \
+     csv skip 1 every ::0::15 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 0)) with labels hypertext point pointtype 7 pointsize 0.8 linecolor rgb "#56b4e9" notitle, \
      NaN with linespoints dashtype 1 linewidth 2 pointtype 7 pointsize 0.8 linecolor rgb "#56b4e9" title "custom-continuous", \
-     csv skip 1 every ::14::28 using (at_x($2)):(at_y($3)) with lines dashtype 3 linewidth 2 linecolor rgb "#56b4e9" notitle, \
-     csv skip 1 every ::14::28 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 14)) with labels hypertext point pointtype 9 pointsize 0.8 linecolor rgb "#56b4e9" notitle, \
+     csv skip 1 every ::16::31 using (at_x($2)):(at_y($3)) with lines dashtype 3 linewidth 2 linecolor rgb "#56b4e9" notitle, \
+     csv skip 1 every ::16::31 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 16)) with labels hypertext point pointtype 9 pointsize 0.8 linecolor rgb "#56b4e9" notitle, \
      NaN with linespoints dashtype 3 linewidth 2 pointtype 9 pointsize 0.8 linecolor rgb "#56b4e9" title "custom-simple", \
-     csv skip 1 every ::29::42 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#e69f00" notitle, \
-     csv skip 1 every ::29::42 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 29)) with labels hypertext point pointtype 5 pointsize 0.8 linecolor rgb "#e69f00" notitle, \
+     csv skip 1 every ::32::47 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#e69f00" notitle, \
+     csv skip 1 every ::32::47 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 32)) with labels hypertext point pointtype 5 pointsize 0.8 linecolor rgb "#e69f00" notitle, \
      NaN with linespoints dashtype 1 linewidth 2 pointtype 5 pointsize 0.8 linecolor rgb "#e69f00" title "box2d", \
-     csv skip 1 every ::43::53 using (at_x($2)):(at_y($3)) with lines dashtype 4 linewidth 2 linecolor rgb "#009e73" notitle, \
-     csv skip 1 every ::43::53 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 43)) with labels hypertext point pointtype 9 pointsize 0.8 linecolor rgb "#009e73" notitle, \
-     csv skip 1 every ::54::54 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 54)) with labels hypertext point pointtype 2 pointsize 1.2 linecolor rgb "#009e73" notitle, \
+     csv skip 1 every ::48::58 using (at_x($2)):(at_y($3)) with lines dashtype 4 linewidth 2 linecolor rgb "#009e73" notitle, \
+     csv skip 1 every ::48::58 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 48)) with labels hypertext point pointtype 9 pointsize 0.8 linecolor rgb "#009e73" notitle, \
+     csv skip 1 every ::59::59 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 59)) with labels hypertext point pointtype 2 pointsize 1.2 linecolor rgb "#009e73" notitle, \
      NaN with linespoints dashtype 4 linewidth 2 pointtype 9 pointsize 0.8 linecolor rgb "#009e73" title "reference"
 set terminal pngcairo size 1800,920 fontscale 1.9 linewidth 2 pointscale 2 font 'DejaVu Sans,11'
 set output png

@@ -15,45 +15,45 @@ set xtics ('10^{0}' 1e0, '' 2e0 1, '' 3e0 1, '' 4e0 1, '' 5e0 1, '' 6e0 1, '' 7e
 set xrange [0.831763771102671:12022.644346174131]
 at_x(v) = v < 0.8317717384013679 ? 0.8317717384013679 : v > 12022.529184773219 ? 12022.529184773219 : v
 set format y '%g'
-set ytics ("pinball, 8" 1, "pinball, 1" 2, "asleep, 320" 3, "rain, coming to rest, 320" 4, "rain, heaped, 320" 5, "rain, raining, 320" 6, "rain, falling, 320" 7, "gas, 500" 8) noenhanced
-set yrange [0.4:8.6]
-at_y(v) = v < 0.40000820000000004 ? 0.40000820000000004 : v > 8.5999918 ? 8.5999918 : v
+set ytics ("toy, 100" 1, "toy, 1" 2, "pinball, 8" 3, "pinball, 1" 4, "asleep, 1000" 5, "rain, heaped, 1000" 6, "rain, raining, 1000" 7, "rain, falling, 1000" 8, "asleep, 320" 9, "rain, coming to rest, 320" 10, "rain, heaped, 320" 11, "rain, raining, 320" 12, "rain, falling, 320" 13, "gas, 500" 14) noenhanced
+set yrange [0.4:14.6]
+at_y(v) = v < 0.40001420000000004 ? 0.40001420000000004 : v > 14.599985799999999 ? 14.599985799999999 : v
 set lmargin at screen 0.2111111111111111
 set rmargin at screen 0.6555555555555556
-set tmargin at screen 0.9382716049382716
-set bmargin at screen 0.21604938271604934
-set key at screen 0.6722222222222223, screen 0.9382716049382716 left top Left reverse samplen 2.5 noenhanced textcolor rgb ink
+set tmargin at screen 0.9583333333333334
+set bmargin at screen 0.14583333333333337
+set key at screen 0.6722222222222223, screen 0.9583333333333334 left top Left reverse samplen 2.5 noenhanced textcolor rgb ink
 set xlabel "CPU time per ball and step, ns" noenhanced textcolor rgb ink
 set ylabel "regime" noenhanced textcolor rgb ink
-set terminal svg size 900,324 font 'sans-serif,14' name "regimes"
+set terminal svg size 900,480 font 'sans-serif,14' name "regimes"
 set output svg
-plot csv skip 1 every ::0::5 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 0)) with labels hypertext point pointtype 5 pointsize 1 linecolor rgb "#808080" notitle, \
+plot csv skip 1 every ::0::9 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 0)) with labels hypertext point pointtype 5 pointsize 1 linecolor rgb "#808080" notitle, \
      NaN with points pointtype 5 pointsize 1 linecolor rgb "#808080" title "bare-loop", \
-     csv skip 1 every ::6::13 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 6)) with labels hypertext point pointtype 7 pointsize 1 linecolor rgb "#56b4e9" notitle, \
+     csv skip 1 every ::10::23 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 10)) with labels hypertext point pointtype 7 pointsize 1 linecolor rgb "#56b4e9" notitle, \
      NaN with points pointtype 7 pointsize 1 linecolor rgb "#56b4e9" title "custom-continuous", \
-     csv skip 1 every ::14::21 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 14)) with labels hypertext point pointtype 6 pointsize 1 linecolor rgb "#56b4e9" notitle, \
+     csv skip 1 every ::24::37 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 24)) with labels hypertext point pointtype 6 pointsize 1 linecolor rgb "#56b4e9" notitle, \
      NaN with points pointtype 6 pointsize 1 linecolor rgb "#56b4e9" title "custom-continuous-unread", \
-     csv skip 1 every ::22::29 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 22)) with labels hypertext point pointtype 9 pointsize 1 linecolor rgb "#56b4e9" notitle, \
+     csv skip 1 every ::38::51 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 38)) with labels hypertext point pointtype 9 pointsize 1 linecolor rgb "#56b4e9" notitle, \
      NaN with points pointtype 9 pointsize 1 linecolor rgb "#56b4e9" title "custom-simple", \
-     csv skip 1 every ::30::37 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 30)) with labels hypertext point pointtype 5 pointsize 1 linecolor rgb "#e69f00" notitle, \
+     csv skip 1 every ::52::65 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 52)) with labels hypertext point pointtype 5 pointsize 1 linecolor rgb "#e69f00" notitle, \
      NaN with points pointtype 5 pointsize 1 linecolor rgb "#e69f00" title "box2d", \
-     csv skip 1 every ::38::45 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 38)) with labels hypertext point pointtype 4 pointsize 1 linecolor rgb "#e69f00" notitle, \
+     csv skip 1 every ::66::79 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 66)) with labels hypertext point pointtype 4 pointsize 1 linecolor rgb "#e69f00" notitle, \
      NaN with points pointtype 4 pointsize 1 linecolor rgb "#e69f00" title "box2d-no-bullets", \
-     csv skip 1 every ::46::53 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 46)) with labels hypertext point pointtype 11 pointsize 1 linecolor rgb "#e69f00" notitle, \
+     csv skip 1 every ::80::93 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 80)) with labels hypertext point pointtype 11 pointsize 1 linecolor rgb "#e69f00" notitle, \
      NaN with points pointtype 11 pointsize 1 linecolor rgb "#e69f00" title "box2d-not-continuous"
-set terminal pngcairo size 1800,648 fontscale 1.9 linewidth 2 pointscale 2 font 'DejaVu Sans,11'
+set terminal pngcairo size 1800,960 fontscale 1.9 linewidth 2 pointscale 2 font 'DejaVu Sans,11'
 set output png
 replot
 unset output
 if (!exists('page')) exit
 set lmargin at screen 0.4107142857142857
 set rmargin at screen 0.9785714285714285
-set tmargin at screen 0.9577464788732395
-set bmargin at screen 0.1338028169014085
+set tmargin at screen 0.9727272727272728
+set bmargin at screen 0.08636363636363631
 unset key
 unset xlabel
 unset ylabel
-set terminal svg size 560,284 font 'sans-serif,17' name "regimes"
+set terminal svg size 560,440 font 'sans-serif,17' name "regimes"
 set output page
 replot
 unset output

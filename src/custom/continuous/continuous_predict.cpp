@@ -63,22 +63,23 @@ void ContinuousSolver::enter_cell(BallIndex i) {
     schedule(i);
 }
 
-void ContinuousSolver::offer(BallIndex i, double time, EventType next, std::uint32_t met,
+void ContinuousSolver::offer(BallIndex i, double time, EventType next, std::uint32_t partner,
                              std::uint32_t partner_version) {
     Mover& mover = movers_[i];
     if (!(time <= mover.next_time)) return;
-    if (time == mover.next_time && order_of(i, next, met) >= order_of(i, mover.next, mover.partner)) return;
+    if (time == mover.next_time && order_of(i, next, partner) >= order_of(i, mover.next, mover.partner))
+        return;
     mover.next_time = time;
     mover.next = next;
-    mover.partner = met;
+    mover.partner = partner;
     mover.partner_version = partner_version;
 }
 
-std::uint64_t ContinuousSolver::order_of(BallIndex i, EventType next, std::uint32_t met) {
+std::uint64_t ContinuousSolver::order_of(BallIndex i, EventType next, std::uint32_t partner) {
     constexpr std::uint64_t meets_ball = std::uint64_t{1} << 63;
     if (next == EventType::none) return ~std::uint64_t{0};
     if (next != EventType::ball) return std::uint64_t{i} << 32;
-    return meets_ball | std::uint64_t{std::min(i, met)} << 32 | std::max(i, met);
+    return meets_ball | std::uint64_t{std::min(i, partner)} << 32 | std::max(i, partner);
 }
 
 /// Predicts the next event of a ball on its path.
