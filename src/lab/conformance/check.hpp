@@ -54,7 +54,7 @@ void run_for(World& world, double seconds, double dt, See&& see) {
     }
 }
 
-struct Item {
+struct ContractItem {
     const char* name;
     const char* asks;
     int points;
@@ -63,8 +63,8 @@ struct Item {
     Finding (*check)(const Subject& subject);
 };
 /// In the order in which they are asked; each family in a file of its own.
-[[nodiscard]] std::span<const Item> motion_items();
-[[nodiscard]] std::span<const Item> surface_items();
-[[nodiscard]] std::span<const Item> contract_items();
+[[nodiscard]] std::span<const ContractItem> motion_items();
+[[nodiscard]] std::span<const ContractItem> surface_items();
+[[nodiscard]] std::span<const ContractItem> contract_items();
 
 }  // namespace flipside::lab

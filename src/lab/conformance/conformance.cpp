@@ -23,10 +23,10 @@ namespace {
 constexpr std::string_view grade_names[] = {"pass", "part", "fail", "not offered"};
 constexpr int points_for_loading = 4;
 
-std::vector<const Item*> all_items() {
-    std::vector<const Item*> all;
+std::vector<const ContractItem*> all_items() {
+    std::vector<const ContractItem*> all;
     for (const auto items : {motion_items(), surface_items(), contract_items()})
-        for (const Item& item : items) all.push_back(&item);
+        for (const ContractItem& item : items) all.push_back(&item);
     return all;
 }
 
@@ -38,7 +38,7 @@ std::string names_of_missing(std::uint64_t needs, std::uint64_t declared) {
     return names;
 }
 
-Finding find(const Item& item, const Subject& subject) {
+Finding find(const ContractItem& item, const Subject& subject) {
     const std::string missing = names_of_missing(item.needs, subject.description().features);
     if (!missing.empty() && item.mandatory) return fails("Does not declare " + missing + ".");
     if (!missing.empty())
@@ -53,7 +53,7 @@ Finding find(const Item& item, const Subject& subject) {
     }
 }
 
-Mark marked(const Item& item, const Finding& found) {
+Mark marked(const ContractItem& item, const Finding& found) {
     const double share = found.grade == Grade::pass ? 1 : found.grade == Grade::part ? found.share : 0;
     return {item.name,
             item.asks,
@@ -130,12 +130,12 @@ bool Conformance::passed() const {
 Conformance check_conformance(const std::filesystem::path& file, const std::function<void(double)>& watch) {
     if (!std::filesystem::exists(file)) throw InputError(file.string(), "", "there is no such file");
     Conformance result{printable(file.string()), "", "", {}};
-    const Item loads{"loads",
-                     "The library loads, is of this version of the interface, and describes itself.",
-                     points_for_loading,
-                     0,
-                     true,
-                     nullptr};
+    const ContractItem loads{"loads",
+                             "The library loads, is of this version of the interface, and describes itself.",
+                             points_for_loading,
+                             0,
+                             true,
+                             nullptr};
     std::unique_ptr<const plugin::Plugin> plugin;
     try {
         std::vector<std::string_view> taken;
@@ -155,8 +155,8 @@ Conformance check_conformance(const std::filesystem::path& file, const std::func
     } catch (const InputError& error) {
         result.marks.push_back(marked(loads, fails(error.what())));
     }
-    const std::vector<const Item*> items = all_items();
-    for (const Item* item : items) {
+    const std::vector<const ContractItem*> items = all_items();
+    for (const ContractItem* item : items) {
         const Finding found = plugin ? find(*item, Subject(*plugin)) : fails("It was not loaded.");
         result.marks.push_back(marked(*item, found));
         if (watch) watch(static_cast<double>(result.marks.size()) / static_cast<double>(items.size() + 1));

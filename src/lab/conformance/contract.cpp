@@ -160,7 +160,7 @@ Finding goes_on_from_a_state(const Subject& subject) {
                : fails("A world that is restored goes on " + brief(apart) + " m apart.");
 }
 
-constexpr Item contract[] = {
+constexpr ContractItem contract[] = {
     {"ball numbers", "Balls keep their numbers when others come and go.", 5, 0, true, keeps_numbers},
     {"refusal", "What it does not declare is refused by name; what it declares runs.", 3, 0, true,
      refuses_by_name},
@@ -173,7 +173,7 @@ constexpr Item contract[] = {
 
 }  // namespace
 
-std::span<const Item> contract_items() {
+std::span<const ContractItem> contract_items() {
     return contract;
 }
 

@@ -131,7 +131,7 @@ Finding same_bits_twice(const Subject& subject) {
                           : fails("Two runs of the same scene do not end with the same bits.");
 }
 
-constexpr Item motion[] = {
+constexpr ContractItem motion[] = {
     {"steps", "It advances by exactly dt, whatever its length.", 4, 0, true, steps_of_any_length},
     {"free fall", "A ball in the air flies the parabola.", 10, 0, true, free_fall},
     {"bounce", "A ball comes back to the square of the restitution of its height.", 12, 0, true, bounces},
@@ -143,7 +143,7 @@ constexpr Item motion[] = {
 
 }  // namespace
 
-std::span<const Item> motion_items() {
+std::span<const ContractItem> motion_items() {
     return motion;
 }
 

@@ -155,7 +155,7 @@ Finding gates_work(const Subject& subject) {
 }
 
 constexpr std::uint64_t line = FLIPSIDE_SEGMENTS | FLIPSIDE_POINTS;
-constexpr Item surfaces[] = {
+constexpr ContractItem surfaces[] = {
     {"points", "A ball rests on a point.", 2, FLIPSIDE_POINTS, false, carried_by_point},
     {"segments", "A ball rests on a segment.", 2, line, false, carried_by_segment},
     {"arcs", "A ball rests in an arc.", 2, FLIPSIDE_ARCS | FLIPSIDE_POINTS, false, carried_by_arc},
@@ -175,7 +175,7 @@ constexpr Item surfaces[] = {
 
 }  // namespace
 
-std::span<const Item> surface_items() {
+std::span<const ContractItem> surface_items() {
     return surfaces;
 }
 
