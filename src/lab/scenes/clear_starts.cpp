@@ -1,5 +1,6 @@
 #include "lab/scenes/clear_starts.hpp"
 
+#include <algorithm>
 #include <memory>
 
 #include "lab/contenders/engines.hpp"
@@ -9,13 +10,11 @@ namespace flipside::lab {
 
 void clear_starts(Scene& scene) {
     const Engine& engine = engine_named("custom");
-    for (;;) {
-        const auto world = engine.make(std::make_shared<const Scene>(scene), settings_for(engine, scene));
-        if (world->contacts().empty()) return;
-        const BallNumber touching = world->contacts().front().ball;
-        std::erase_if(scene.balls, [&](const Ball& ball) { return ball.number == touching; });
-        for (BallNumber i = 0; i < scene.balls.size(); ++i) scene.balls[i].number = i;
-    }
+    const auto world = engine.make(std::make_shared<const Scene>(scene), settings_for(engine, scene));
+    std::erase_if(scene.balls, [&](const Ball& ball) {
+        return std::ranges::binary_search(world->contacts(), ball.number, {}, &Contact::ball);
+    });
+    for (BallNumber i = 0; i < scene.balls.size(); ++i) scene.balls[i].number = i;
 }
 
 }  // namespace flipside::lab
