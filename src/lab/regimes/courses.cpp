@@ -38,54 +38,50 @@ Scene balls_at_rest(int balls) {
     return scene;
 }
 
-/// Balls of 27 mm let go over the middle of the pinball table, their velocities turned by `turn` rad.
-Scene pinball_scene(int balls, double turn) {
+/// Balls of 27 mm over the middle of the pinball table.
+Scene balls_on_pinball(int balls) {
     Scene scene = load_scene(scene_file("pinball"));
     const Vec2 middle = 0.5 * (scene.bounds.min + scene.bounds.max);
     scene.balls.clear();
     for (int i = 0; i < balls; ++i) {
-        Ball ball = scene.launcher->ball;
-        ball.number = static_cast<BallNumber>(i);
-        const int row = i / 4;
-        ball.position = middle + Vec2{0.031 * (i % 4) - 0.05, 0.1 + 0.031 * row};
-        ball.velocity = 1.5 * from_angle(1 + i + turn);
-        scene.balls.push_back(ball);
+        scene.balls.push_back(scene.launcher->ball);
+        scene.balls.back().position = middle + Vec2{0.031 * (i % 4) - 0.05, 0.1 + 0.031 * (i / 4)};
     }
     return scene;
 }
 
-/// Balls all over the table of the classic toy, each on a free place of a grid, as fast as its launcher
-/// makes them at most.
-Scene toy_scene(int balls, double turn) {
+/// Balls all over the table of the classic toy, each on a free place of a grid.
+Scene balls_on_toy(int balls) {
     Scene scene = load_scene(scene_file("toy"));
-    const Launcher launcher = *scene.launcher;
-    const double width = 4 * launcher.ball.radius;
-    const Box inner{scene.bounds.min + Vec2{width / 2, width / 2}, scene.bounds.max};
+    const double width = 4 * scene.launcher->ball.radius;
     scene.balls.clear();
-    for (double y = inner.min.y; y < inner.max.y; y += width)
-        for (double x = inner.min.x; x < inner.max.x; x += width) {
-            scene.balls.push_back(launcher.ball);
+    for (double y = scene.bounds.min.y + width / 2; y < scene.bounds.max.y; y += width)
+        for (double x = scene.bounds.min.x + width / 2; x < scene.bounds.max.x; x += width) {
+            scene.balls.push_back(scene.launcher->ball);
             scene.balls.back().position = {x, y};
             scene.balls.back().number = static_cast<BallNumber>(scene.balls.size() - 1);
         }
     clear_starts(scene);
     const std::vector<Ball> free = std::move(scene.balls);
     scene.balls.clear();
-    for (int i = 0; i < balls; ++i) {
-        scene.balls.push_back(
-            free[static_cast<std::size_t>(i) * free.size() / static_cast<std::size_t>(balls)]);
-        scene.balls.back().number = static_cast<BallNumber>(i);
-        scene.balls.back().velocity = launcher.fastest * from_angle(1 + i + turn);
-    }
+    for (std::size_t i = 0, n = static_cast<std::size_t>(balls); i < n; ++i)
+        scene.balls.push_back(free[i * free.size() / n]);
     return scene;
 }
 
-/// The mean of ten starts: what a table costs depends on where its balls come to roll.
-Course table(const char* name, int balls, Scene (*scene)(int balls, double turn)) {
+/// The mean of ten starts, each ball at this speed, m/s, in a direction of its own: what a table costs
+/// depends on where its balls come to roll.
+Course table(const char* name, int balls, double speed, Scene (*placed)(int balls)) {
     const auto starts = [=] {
+        Scene scene = placed(balls);
         std::vector<std::shared_ptr<const Scene>> all;
-        for (int start = 0; start < 10; ++start)
-            all.push_back(std::make_shared<const Scene>(scene(balls, 0.1 * start)));
+        for (int start = 0; start < 10; ++start) {
+            for (std::size_t i = 0; i < scene.balls.size(); ++i) {
+                scene.balls[i].number = static_cast<BallNumber>(i);
+                scene.balls[i].velocity = speed * from_angle(1 + static_cast<double>(i) + 0.1 * start);
+            }
+            all.push_back(std::make_shared<const Scene>(scene));
+        }
         return all;
     };
     return {balls, starts, {{name, 0.5, 3}}, false};
@@ -107,8 +103,8 @@ std::vector<Course> courses() {
         all.push_back(rain(balls, of_rain(balls)));
         all.push_back({balls, [=] { return one(balls_at_rest(balls)); }, {{"asleep", 2, 2}}});
     }
-    for (const int balls : {1, 8}) all.push_back(table("pinball", balls, pinball_scene));
-    for (const int balls : {1, 100}) all.push_back(table("toy", balls, toy_scene));
+    for (const int balls : {1, 8}) all.push_back(table("pinball", balls, 1.5, balls_on_pinball));
+    for (const int balls : {1, 100}) all.push_back(table("toy", balls, 1, balls_on_toy));
     return all;
 }
 
