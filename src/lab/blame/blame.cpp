@@ -1,5 +1,6 @@
 #include "lab/blame/blame.hpp"
 
+#include <iterator>
 #include <numbers>
 
 #include "lab/files/csv.hpp"
@@ -8,75 +9,48 @@
 
 namespace flipside::lab {
 
+namespace {
+
+/// The stage a fault comes from, and its amount in words.
+struct Description {
+    std::string_view stage, before, unit;
+    double scale = 1;  ///< of the amount, to the unit
+};
+constexpr double degrees = 180 / std::numbers::pi;
+/// By Fault.
+constexpr Description descriptions[] = {
+    {"integration", "drift in flight of ", " m"},
+    {"narrow phase", "contact missed at ", " m/s"},
+    {"broad phase", "contact missed, its pair not found, at ", " m/s"},
+    {"continuous collision", "tunnelled at ", " m/s"},
+    {"gate", "let through at ", " m/s"},
+    {"narrow phase", "contact invented at ", " m/s"},
+    {"time of impact", "contact late by ", " s"},
+    {"time of impact", "contact early by ", " s"},
+    {"narrow phase", "normal off by ", " degrees", degrees},
+    {"response", "impulse off by ", " m/s"},
+    {"response", "friction off by ", " m/s"},
+    {"resting contact", "resting contact off by ", " m"},
+    {"motion of parts", "part mistimed by ", " rad"},
+    {"none", "the run stopped", ""},
+    {"unknown", "unknown", ""},
+};
+static_assert(std::size(descriptions) == std::size(fault_names));
+
+const Description& description_of(Fault fault) {
+    return descriptions[static_cast<int>(fault)];
+}
+
+}  // namespace
+
 std::string_view stage_of(Fault fault) {
-    switch (fault) {
-        case Fault::drift:
-            return "integration";
-        case Fault::unpaired:
-            return "broad phase";
-        case Fault::missed:
-        case Fault::invented:
-        case Fault::normal:
-            return "narrow phase";
-        case Fault::tunnelled:
-            return "continuous collision";
-        case Fault::let_through:
-            return "gate";
-        case Fault::late:
-        case Fault::early:
-            return "time of impact";
-        case Fault::impulse:
-        case Fault::friction:
-            return "response";
-        case Fault::resting:
-            return "resting contact";
-        case Fault::motion:
-            return "motion of parts";
-        case Fault::stopped:
-            return "none";
-        case Fault::unknown:
-            break;
-    }
-    return "unknown";
+    return description_of(fault).stage;
 }
 
 std::string in_words(Fault fault, double amount) {
-    const auto with = [&](const char* before, double number, const char* unit) {
-        return before + brief(number) + unit;
-    };
-    switch (fault) {
-        case Fault::drift:
-            return with("drift in flight of ", amount, " m");
-        case Fault::missed:
-            return with("contact missed at ", amount, " m/s");
-        case Fault::unpaired:
-            return with("contact missed, its pair not found, at ", amount, " m/s");
-        case Fault::tunnelled:
-            return with("tunnelled at ", amount, " m/s");
-        case Fault::let_through:
-            return with("let through at ", amount, " m/s");
-        case Fault::invented:
-            return with("contact invented at ", amount, " m/s");
-        case Fault::late:
-            return with("contact late by ", amount, " s");
-        case Fault::early:
-            return with("contact early by ", amount, " s");
-        case Fault::normal:
-            return with("normal off by ", amount * 180 / std::numbers::pi, " degrees");
-        case Fault::impulse:
-            return with("impulse off by ", amount, " m/s");
-        case Fault::friction:
-            return with("friction off by ", amount, " m/s");
-        case Fault::resting:
-            return with("resting contact off by ", amount, " m");
-        case Fault::motion:
-            return with("part mistimed by ", amount, " rad");
-        case Fault::stopped:
-            return "the run stopped";
-        case Fault::unknown:
-            break;
-    }
-    return "unknown";
+    const Description& is = description_of(fault);
+    if (is.unit.empty()) return std::string(is.before);
+    return std::string(is.before) + brief(amount * is.scale) + std::string(is.unit);
 }
 
 std::string in_words(const Blame& blame, const Scene& scene) {

@@ -106,10 +106,9 @@ Blame WrongStep::lacking(const Event& exact_impact) {
     if (own_before(exact_impact)) return make(Fault::impulse, exact_impact, exact_impact.speed);
     if (due.time > history_.end - match_ && comes_after_the_end(due))
         return make(Fault::late, due, history_.end - due.time);
-    return make(why_missed({in_.scene, due, history_.states[step_around(due.time) - 1],
-                            history_.states[step_around(due.time)]},
-                           in_.own),
-                due, due.speed);
+    const std::size_t step = step_around(due.time);
+    return make(why_missed({in_.scene, due, history_.states[step - 1], history_.states[step]}, in_.own), due,
+                due.speed);
 }
 
 /// The step, up to this one, in which a time lies.
