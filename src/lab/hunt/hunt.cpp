@@ -9,6 +9,7 @@
 #include "world/input_error.hpp"
 #include "world/scene_file.hpp"
 #include "world/scene_json.hpp"
+#include "world/trace.hpp"
 
 namespace flipside::lab::hunt {
 
@@ -17,12 +18,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* of_damaged = "it is made again";
-
-std::string brief(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", value);
-    return text;
-}
 
 /// As --contender takes it; a scene of a hunt recommends nothing.
 std::string contender_text(const Request& request) {
