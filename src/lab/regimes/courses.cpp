@@ -45,7 +45,8 @@ Scene balls_on_pinball(int balls) {
     scene.balls.clear();
     for (int i = 0; i < balls; ++i) {
         scene.balls.push_back(scene.launcher->ball);
-        scene.balls.back().position = middle + Vec2{0.031 * (i % 4) - 0.05, 0.1 + 0.031 * (i / 4)};
+        const int row = i / 4;
+        scene.balls.back().position = middle + Vec2{0.031 * (i % 4) - 0.05, 0.1 + 0.031 * row};
     }
     return scene;
 }
