@@ -92,96 +92,134 @@ void ContinuousSolver::reserve(std::size_t balls) {
     supports_.reserve(std::min(features_.size(), most_near));
 }
 
-/// Moves a ball that deeply overlaps a part at the start of the window out of it, by position only. Gates are
-/// ignored: such a ball passes through them. Each round corrects the deepest overlap; what four rounds leave
-/// remains for later windows.
-void ContinuousSolver::push_out_of_parts(BallIndex i) {
-    Ball& ball = bodies_[i];
-    for (int round = 0; round < 4; ++round) {
-        const Box here = bounds_of(ball.position, ball.radius);
-        record_->statistics.pair_tests += movers_[i].candidates.cover(here, ranges_);
-        Touch deepest;
-        deepest.separation = -deep_overlap * ball.radius;
-        bool found = false;
-        PrimitiveIndex seen = layout_.size();
-        for (const FeatureIndex f : movers_[i].candidates.list()) {
-            if (!overlap(here, ranges_[f]) || features_[f].gate || ignores(features_[f], ball)) continue;
-            if (features_[f].primitive == seen) continue;
-            const Primitive& primitive = layout_.primitive(features_[f].primitive);
-            const Pose pose = table_->pose(primitive.part);
-            if (std::holds_alternative<Arc>(features_[f].is) &&
-                closest_point(features_[f], pose.undo(ball.position), ball.radius).distance > ball.radius)
-                continue;
-            seen = features_[f].primitive;
-            if (!should_collide(*table_, primitive, pose, ball)) continue;
-            const Touch touch_now = touch(ball.position, ball.radius, primitive, pose);
-            if (touch_now.past_end || touch_now.separation >= deepest.separation) continue;
-            deepest = touch_now;
-            found = true;
-        }
-        if (!found) return;
-        push_out(ball, deepest);
+void ContinuousSolver::begin(Table& table, std::span<const Ball> balls, double length, StepRecord& record) {
+    table_ = &table, record_ = &record, dt_ = length, start_ = table.time();
+    bodies_.assign(balls.begin(), balls.end());
+    pending_.clear();
+    part_forces_.clear(), ball_forces_.clear();
+    creeping_.clear();
+    events_ = search_steps_ = 0;
+    paths_started_ = false;
+    after_end_ = std::nextafter(dt_, INFINITY);
+    any_in_island_ = false;
+    for (const PartIndex i : table.moving_parts()) {
+        const auto [pose, rate, stop] = table.turning(i, 0);
+        const double end = std::isfinite(stop) ? table.pose(i, stop).angle : pose.angle;
+        turnings_[i] = {pose, rate, stop, end};
+    }
+    assign_movers();
+    settle_gates();
+    current_ = 1 - kept_;
+    table.copy(starts_[current_]);
+    starts_[current_].balls = bodies_;
+    any_awake_ = !std::ranges::all_of(bodies_, &Ball::asleep) ||
+                 !std::ranges::all_of(turnings_, [](const Turning& turning) { return turning.still(); });
+}
+
+/// Assigns a mover to each ball, and clears what it holds of the ball that had it before.
+void ContinuousSolver::assign_movers() {
+    drop_lost();
+    if (pool_.size() < bodies_.size()) reserve(bodies_.size());
+    movers_ = std::span(pool_).first(bodies_.size());
+    for (BallIndex i = 0; i < bodies_.size(); ++i) {
+        Mover& mover = movers_[i];
+        if (mover.number != bodies_[i].number) mover.candidates.forget();
+        mover.number = bodies_[i].number;
+        mover.jammed = mover.frozen = mover.on_tick_path = false;
+        mover.resting_on = mover.separated_from = nullptr;
+        mover.last_event = -1;
+        mover.last_slow = mover.last_hit = -INFINITY;
+        mover.simultaneous_events = mover.idle_events = mover.hits = 0;
+        hot_[i] = {};
+        hot_[i].radius = bodies_[i].radius;
     }
 }
 
-/// Finds the members of islands at the start of the window: balls with a contact force at the end of the
-/// previous window, balls in resting contact, and their neighbours in slow contact. Balls that deeply overlap
-/// each other are members too: in free flight they would never separate.
-void ContinuousSolver::find_islands() {
+void ContinuousSolver::run(double until, StepRecord& record) {
+    record_ = &record;
+    if (!any_awake_) return;
+    const bool starts = !paths_started_;
+    if (starts) start_all_paths();
+    if (record_->trace && (starts || record_->trace->stages.empty())) trace_paths(starts);
+    handle_until(until);
+}
+
+void ContinuousSolver::start_all_paths() {
+    paths_started_ = true;
+    next_events_.reset(bodies_.size());
+    cells_.reset(bodies_);
+    for (BallIndex i = 0; i < bodies_.size(); ++i) {
+        if (!bodies_[i].asleep) push_out_of_parts(i);
+        start_path(i, 0);
+    }
+    find_islands();
+    tick(0);
     members_.clear();
-    const auto join_once = [&](BallIndex i) {
-        if (bodies_[i].asleep || hot_[i].in_island) return;
-        join_island(i, 0);
-        members_.push_back(i);
-    };
-    for (const ContactForce& force : table_->memory().forces) {
-        const auto a = std::ranges::lower_bound(bodies_, force.a, {}, &Ball::number);
-        const auto b = std::ranges::lower_bound(bodies_, force.b, {}, &Ball::number);
-        if (a == bodies_.end() || a->number != force.a || b == bodies_.end() || b->number != force.b)
+    for (BallIndex i = 0; i < bodies_.size(); ++i)
+        if (!bodies_[i].asleep) members_.push_back(i);
+    predict_together(members_, 0);
+}
+
+void ContinuousSolver::handle_until(double time) {
+    for (;;) {
+        const double event = next_events_.time();
+        if (any_in_island_ && next_tick_ <= std::min(event, time) && next_tick_ < dt_) {
+            tick(next_tick_);
             continue;
-        const auto i = static_cast<BallIndex>(a - bodies_.begin()),
-                   j = static_cast<BallIndex>(b - bodies_.begin());
-        ball_forces_.add({i, j, force.normal, force.tangent});
-        join_once(i), join_once(j);
+        }
+        if (event > time || event > dt_) return;
+        record_->trace ? trace_event(next_events_.first()) : handle(next_events_.first());
     }
-    ball_forces_.merge();
+}
+
+/// The ball `time` seconds after the start of the window.
+Ball ContinuousSolver::ball_at(BallIndex i, double time) const {
+    const Mover& mover = movers_[i];
+    Ball ball = bodies_[i];
+    if (ball.asleep) return ball;
+    if (hot_[i].in_island)
+        advance_member(ball, mover, time);
+    else
+        advance(ball, mover.motion, time);
+    return ball;
+}
+
+void ContinuousSolver::report_until(double time, double now) {
+    auto kept = pending_.begin();
+    for (Event& event : pending_) {
+        if (event.time - start_ > time) {
+            *kept++ = event;
+            continue;
+        }
+        event.time = std::min(event.time, now);
+        record_->events.push_back(event);
+    }
+    pending_.erase(kept, pending_.end());
+}
+
+void ContinuousSolver::read(double time, double now, std::vector<Ball>& balls) {
+    balls.clear();
+    read_at_ = time;
     for (BallIndex i = 0; i < movers_.size(); ++i) {
-        if (bodies_[i].asleep) continue;
-        cells_.query_neighbours(i, [&](BallIndex j) {
-            ++record_->statistics.pair_tests;
-            if ((j > i || bodies_[j].asleep) && in_resting_contact(i, j, false)) join_once(i), join_once(j);
-        });
+        rank_[i] = static_cast<BallIndex>(balls.size());
+        if (!hot_[i].lost) balls.push_back(ball_at(i, time));
     }
-    for (std::size_t seen = 0; seen < members_.size();) {
-        const BallIndex i = members_[seen++];
-        cells_.query_neighbours(i, [&](BallIndex j) {
-            if (!hot_[j].in_island && in_resting_contact(i, j, true)) join_once(j);
-        });
-    }
+    report_until(time, now);
 }
 
-/// Whether two balls are in resting contact, or overlap deeply. `beside_island`: one of them is in an island.
-bool ContinuousSolver::in_resting_contact(BallIndex i, BallIndex j, bool beside_island) const {
-    const Ball &a = bodies_[i], &b = bodies_[j];
-    const Vec2 between = a.position - b.position;
-    const double gap = touch_distance * std::min(a.radius, b.radius);
-    const double reach = a.radius + b.radius + gap;
-    if (length_squared(between) > reach * reach || !layers_meet(a, b)) return false;
-    const double out = a.radius + b.radius - deep_overlap * std::min(a.radius, b.radius);
-    if (length_squared(between) < out * out) return true;
-    const double apart = dot(a.velocity - b.velocity, unit(between));
-    if (beside_island) return std::abs(apart) <= scene_.rest_speed;
-    const double closing = closing_acceleration(i, j, 0);
-    if (closing <= 1e-9 * length(scene_.gravity) || apart < -scene_.rest_speed) return false;
-    return apart <= 0 || apart * apart <= 2 * closing * gap;
+void ContinuousSolver::end(double now, std::vector<Ball>& balls) {
+    read(dt_, now, balls);
+    report_until(INFINITY, now);
 }
 
-/// Acceleration with which two touching balls would approach each other without a contact force, m/s².
-double ContinuousSolver::closing_acceleration(BallIndex i, BallIndex j, double time) const {
-    const Path &a = movers_[i].motion.path, &b = movers_[j].motion.path;
-    const Vec2 between = a.position(time) - b.position(time), n = unit(between);
-    const double across = cross(n, a.velocity(time) - b.velocity(time));
-    return -dot(a.acceleration(time) - b.acceleration(time), n) - across * across / length(between);
+/// Moves the movers of lost balls to the end of the pool, where their lists keep their capacity.
+void ContinuousSolver::drop_lost() {
+    BallIndex kept = 0;
+    for (BallIndex i = 0; i < movers_.size(); ++i) {
+        if (hot_[i].lost) continue;
+        if (kept != i) std::swap(movers_[kept], movers_[i]);
+        ++kept;
+    }
 }
 
 std::span<const Pair> ContinuousSolver::find_pairs(std::span<const Ball> balls) {

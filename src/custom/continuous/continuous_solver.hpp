@@ -127,23 +127,20 @@ class ContinuousSolver {
     /// then by the lower ball, then by the higher.
     [[nodiscard]] static std::uint64_t order_of(BallIndex i, EventType next, std::uint32_t partner);
 
-    // The window as a whole (continuous_window.cpp).
+    // A window from its start to its end, and pairs of balls when it is read (continuous_solver.cpp).
     void assign_movers();
     void start_all_paths();
     void handle_until(double time);
     [[nodiscard]] Ball ball_at(BallIndex i, double time) const;
     void report_until(double time, double now);
     void drop_lost();
-
-    // The start of a window, and pairs of balls when it is read (continuous_solver.cpp).
-    void push_out_of_parts(BallIndex i);
-    void find_islands();
-    [[nodiscard]] bool in_resting_contact(BallIndex i, BallIndex j, bool beside_island) const;
     void pair_with_parts(std::span<const Ball> balls, BallIndex i);
     void pair_with_balls(std::span<const Ball> balls, BallIndex i);
-    [[nodiscard]] double closing_acceleration(BallIndex i, BallIndex j, double time) const;
 
-    // Members of islands (continuous_islands.cpp).
+    // Members of islands (islands/members.cpp).
+    void find_islands();
+    [[nodiscard]] bool in_resting_contact(BallIndex i, BallIndex j, bool beside_island) const;
+    [[nodiscard]] double closing_acceleration(BallIndex i, BallIndex j, double time) const;
     void join_island(BallIndex i, double time);
     void leave_island(BallIndex i);
     void solve_jammed(BallIndex first, double time);
@@ -159,7 +156,7 @@ class ContinuousSolver {
     [[nodiscard]] bool in_slow_contact(BallIndex i, BallIndex j, double time) const;
     [[nodiscard]] bool rests_on(BallIndex i, const Feature& feature, const Pose& pose, double time) const;
 
-    // Ticks (continuous_ticks.cpp).
+    // Ticks (islands/ticks.cpp).
     [[nodiscard]] double next_on_grid(double time, double length) const;
     [[nodiscard]] double next_tick(double time) const;
     void tick(double time);
@@ -174,15 +171,7 @@ class ContinuousSolver {
     void remember_forces(double time, double duration);
     void store_forces();
 
-    // Gates (continuous_gates.cpp).
-    void settle_gates();
-    void settle_gate(PartIndex part);
-    [[nodiscard]] bool lets_through(PartIndex part, const Ball& ball, double time) const;
-    [[nodiscard]] bool meet_gate(BallIndex i, PartIndex part, double time);
-    void leave_gate(BallNumber ball, PartIndex part, double time);
-    [[nodiscard]] double distance_to(PartIndex part, Vec2 center, double radius, const Pose& pose) const;
-
-    // Predictions (continuous_predict.cpp).
+    // Predictions (predict.cpp).
     void predict(BallIndex i, double time);
     void predict_together(std::span<const BallIndex> balls, double time);
     void predict_with(BallIndex i, double time, auto&& each_other);
@@ -201,13 +190,14 @@ class ContinuousSolver {
                                     bool inside) const;
     [[nodiscard]] bool ignores(const Feature& feature, const Ball& ball) const;
 
-    // Paths and resting contacts with parts (continuous_paths.cpp).
+    // Paths and resting contacts with parts (paths.cpp).
     struct Support {
         RestingContact contact;
         bool loaded = false;       ///< a force keeps the ball on it
         Vec2 direction{};          ///< unit, in which the ball moves along it
         double distance_left = 0;  ///< m, to the end of the feature in that direction
     };
+    void push_out_of_parts(BallIndex i);
     void start_path(BallIndex i, double time);
     void list_in_cell(BallIndex i, double time);
     void update_swept_bounds(BallIndex i, double time);
@@ -220,7 +210,7 @@ class ContinuousSolver {
     void choose_support(BallIndex i, double time);
     void rest_between(BallIndex i, double time);
 
-    // Events (continuous_events.cpp).
+    // Events (events.cpp).
     void handle(BallIndex i);
     static void advance(Ball& ball, const ConstrainedPath& motion, double time);
     [[nodiscard]] bool is_significant(const Impact& impact, const Ball& ball) const;
@@ -234,8 +224,14 @@ class ContinuousSolver {
     void set_inside(BallNumber ball, PartIndex part, bool inside);
     void report(double time, EventKind kind, const Ball& ball, Other other, const Impact& impact, Vec2 point);
     void wake_carried(BallIndex i, double time);
+    void settle_gates();
+    void settle_gate(PartIndex part);
+    [[nodiscard]] bool lets_through(PartIndex part, const Ball& ball, double time) const;
+    [[nodiscard]] bool meet_gate(BallIndex i, PartIndex part, double time);
+    void leave_gate(BallNumber ball, PartIndex part, double time);
+    [[nodiscard]] double distance_to(PartIndex part, Vec2 center, double radius, const Pose& pose) const;
 
-    // Traces (continuous_trace.cpp).
+    // Traces (trace/continuous_trace.cpp).
     [[nodiscard]] std::string_view name_of_next(BallIndex i) const;
     void trace_next(TraceItem& item, BallIndex i) const;
     void trace_paths(bool all_start);

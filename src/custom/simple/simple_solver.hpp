@@ -26,9 +26,9 @@
 #include "custom/layout.hpp"
 #include "custom/response.hpp"
 #include "custom/settings.hpp"
-#include "custom/simple/simple_trace.hpp"
 #include "custom/step_record.hpp"
 #include "custom/tolerances.hpp"
+#include "custom/trace/simple_trace.hpp"
 
 namespace flipside::custom {
 

@@ -27,6 +27,38 @@ double direction_rounding(const Feature& feature) {
 
 }  // namespace
 
+/// Moves a ball that deeply overlaps a part at the start of the window out of it, by position only. Gates are
+/// ignored: such a ball passes through them. Each round corrects the deepest overlap; what four rounds leave
+/// remains for later windows.
+void ContinuousSolver::push_out_of_parts(BallIndex i) {
+    Ball& ball = bodies_[i];
+    for (int round = 0; round < 4; ++round) {
+        const Box here = bounds_of(ball.position, ball.radius);
+        record_->statistics.pair_tests += movers_[i].candidates.cover(here, ranges_);
+        Touch deepest;
+        deepest.separation = -deep_overlap * ball.radius;
+        bool found = false;
+        PrimitiveIndex seen = layout_.size();
+        for (const FeatureIndex f : movers_[i].candidates.list()) {
+            if (!overlap(here, ranges_[f]) || features_[f].gate || ignores(features_[f], ball)) continue;
+            if (features_[f].primitive == seen) continue;
+            const Primitive& primitive = layout_.primitive(features_[f].primitive);
+            const Pose pose = table_->pose(primitive.part);
+            if (std::holds_alternative<Arc>(features_[f].is) &&
+                closest_point(features_[f], pose.undo(ball.position), ball.radius).distance > ball.radius)
+                continue;
+            seen = features_[f].primitive;
+            if (!should_collide(*table_, primitive, pose, ball)) continue;
+            const Touch touch_now = touch(ball.position, ball.radius, primitive, pose);
+            if (touch_now.past_end || touch_now.separation >= deepest.separation) continue;
+            deepest = touch_now;
+            found = true;
+        }
+        if (!found) return;
+        push_out(ball, deepest);
+    }
+}
+
 /// Starts the path of a ball at its position: along a part in resting contact, or in free flight.
 void ContinuousSolver::start_path(BallIndex i, double time) {
     Ball& ball = bodies_[i];

@@ -1,9 +1,9 @@
-#include "custom/simple/simple_trace.hpp"
+#include "custom/trace/simple_trace.hpp"
 
 #include <algorithm>
 
-#include "custom/geometry/explain.hpp"
 #include "custom/tolerances.hpp"
+#include "custom/trace/explain.hpp"
 
 namespace flipside::custom {
 

@@ -1,4 +1,4 @@
-#include "custom/geometry/explain.hpp"
+#include "custom/trace/explain.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -19,6 +19,66 @@ bool ContinuousSolver::creeps_at(double speed, const Ball& ball) {
     return speed * long_tick_length <= creep_distance * ball.radius;
 }
 
+/// Finds the members of islands at the start of the window: balls with a contact force at the end of the
+/// previous window, balls in resting contact, and their neighbours in slow contact. Balls that deeply overlap
+/// each other are members too: in free flight they would never separate.
+void ContinuousSolver::find_islands() {
+    members_.clear();
+    const auto join_once = [&](BallIndex i) {
+        if (bodies_[i].asleep || hot_[i].in_island) return;
+        join_island(i, 0);
+        members_.push_back(i);
+    };
+    for (const ContactForce& force : table_->memory().forces) {
+        const auto a = std::ranges::lower_bound(bodies_, force.a, {}, &Ball::number);
+        const auto b = std::ranges::lower_bound(bodies_, force.b, {}, &Ball::number);
+        if (a == bodies_.end() || a->number != force.a || b == bodies_.end() || b->number != force.b)
+            continue;
+        const auto i = static_cast<BallIndex>(a - bodies_.begin()),
+                   j = static_cast<BallIndex>(b - bodies_.begin());
+        ball_forces_.add({i, j, force.normal, force.tangent});
+        join_once(i), join_once(j);
+    }
+    ball_forces_.merge();
+    for (BallIndex i = 0; i < movers_.size(); ++i) {
+        if (bodies_[i].asleep) continue;
+        cells_.query_neighbours(i, [&](BallIndex j) {
+            ++record_->statistics.pair_tests;
+            if ((j > i || bodies_[j].asleep) && in_resting_contact(i, j, false)) join_once(i), join_once(j);
+        });
+    }
+    for (std::size_t seen = 0; seen < members_.size();) {
+        const BallIndex i = members_[seen++];
+        cells_.query_neighbours(i, [&](BallIndex j) {
+            if (!hot_[j].in_island && in_resting_contact(i, j, true)) join_once(j);
+        });
+    }
+}
+
+/// Whether two balls are in resting contact, or overlap deeply. `beside_island`: one of them is in an island.
+bool ContinuousSolver::in_resting_contact(BallIndex i, BallIndex j, bool beside_island) const {
+    const Ball &a = bodies_[i], &b = bodies_[j];
+    const Vec2 between = a.position - b.position;
+    const double gap = touch_distance * std::min(a.radius, b.radius);
+    const double reach = a.radius + b.radius + gap;
+    if (length_squared(between) > reach * reach || !layers_meet(a, b)) return false;
+    const double out = a.radius + b.radius - deep_overlap * std::min(a.radius, b.radius);
+    if (length_squared(between) < out * out) return true;
+    const double apart = dot(a.velocity - b.velocity, unit(between));
+    if (beside_island) return std::abs(apart) <= scene_.rest_speed;
+    const double closing = closing_acceleration(i, j, 0);
+    if (closing <= 1e-9 * length(scene_.gravity) || apart < -scene_.rest_speed) return false;
+    return apart <= 0 || apart * apart <= 2 * closing * gap;
+}
+
+/// Acceleration with which two touching balls would approach each other without a contact force, m/s².
+double ContinuousSolver::closing_acceleration(BallIndex i, BallIndex j, double time) const {
+    const Path &a = movers_[i].motion.path, &b = movers_[j].motion.path;
+    const Vec2 between = a.position(time) - b.position(time), n = unit(between);
+    const double across = cross(n, a.velocity(time) - b.velocity(time));
+    return -dot(a.acceleration(time) - b.acceleration(time), n) - across * across / length(between);
+}
+
 /// Makes a ball a member of an island. It keeps its path until the next tick, but has no slow contacts with
 /// other members.
 void ContinuousSolver::join_island(BallIndex i, double time) {

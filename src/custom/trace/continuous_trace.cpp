@@ -52,8 +52,8 @@ void ContinuousSolver::trace_next(TraceItem& item, BallIndex i) const {
 void ContinuousSolver::trace_paths(bool all_start) {
     TraceStage& stage =
         record_->trace->stage(all_start ? "start of the window" : "paths and predictions so far",
-                              all_start ? "src/custom/continuous/continuous_window.cpp: start_all_paths"
-                                        : "src/custom/continuous/continuous_predict.cpp: predict");
+                              all_start ? "src/custom/continuous/continuous_solver.cpp: start_all_paths"
+                                        : "src/custom/continuous/predict.cpp: predict");
     std::size_t meets = 0, rest = 0, asleep = 0, islands = 0;
     for (BallIndex i = 0; i < movers_.size(); ++i) {
         const Mover& mover = movers_[i];
@@ -102,7 +102,7 @@ void ContinuousSolver::trace_event(BallIndex i) {
     const bool meets_ball = name == "meets a ball";
     const BallIndex other = meets_ball ? mover.partner : i;
     if (trace.stages.empty() || trace.stages.back().name != events_stage)
-        trace.stage(events_stage, "src/custom/continuous/continuous_events.cpp: handle");
+        trace.stage(events_stage, "src/custom/continuous/events.cpp: handle");
     const std::size_t stage = trace.stages.size() - 1, at = trace.stages[stage].items.size();
     trace.stages[stage]
         .add("event")
