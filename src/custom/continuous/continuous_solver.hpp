@@ -27,7 +27,6 @@
 #include "custom/continuous/cells.hpp"
 #include "custom/continuous/next_events.hpp"
 #include "custom/continuous/resting_contact.hpp"
-#include "custom/continuous/tangent_faces.hpp"
 #include "custom/islands/contact_solver.hpp"
 #include "custom/islands/force_cache.hpp"
 #include "custom/layout.hpp"

@@ -2,7 +2,6 @@
 #include <functional>
 
 #include "custom/continuous/continuous_solver.hpp"
-#include "custom/continuous/first_exit.hpp"
 #include "custom/engine.hpp"
 #include "world/gate.hpp"
 #include "world/limits.hpp"
@@ -16,31 +15,6 @@ namespace {
 constexpr double sense_gap = gate_clearance;
 /// Radii: least distance that a ball moves between two evaluations of its distance from a sensor.
 constexpr double sense_step = 1e-2;
-
-/// Root of f in (a, b], where f(a) > 0 ≥ f(b); the result is at most `error` behind it. The Illinois
-/// algorithm (Dowell and Jarratt 1971, "A modified regula falsi method for computing the root of an
-/// equation"): chords, and the value at an end that is kept twice is halved. It takes about ten steps; after
-/// `most_chords` it bisects, at most 1,100 times.
-double first_zero(auto&& f, double a, double f_a, double b, double f_b, double error) {
-    constexpr int most_chords = 100;
-    int kept = 0;  // how often in a row b (above 0) or a (below 0) was kept
-    for (int step = 0; b - a > error; ++step) {
-        if (a + (b - a) / 2 <= a || a + (b - a) / 2 >= b) break;
-        const double chord = a + (b - a) * (step < most_chords ? f_a / (f_a - f_b) : 0.5);
-        const double middle = std::max(a + error / 2, std::min(chord, b - error / 2));
-        const double value = f(middle);
-        if (value <= 0) {
-            b = middle, f_b = value;
-            kept = std::min(kept, 0) - 1;
-            if (kept < -1) f_a /= 2;
-        } else {
-            a = middle, f_a = value;
-            kept = std::max(kept, 0) + 1;
-            if (kept > 1) f_b /= 2;
-        }
-    }
-    return b;
-}
 
 }  // namespace
 

@@ -1,57 +1,8 @@
 #include "custom/continuous/time_of_impact.hpp"
 
-#include "custom/continuous/quartic.hpp"
+#include <span>
 
 namespace flipside::custom {
-
-double first_crossing(double gap, double rate, double bend) {
-    if (gap <= 0 && rate < 0) return 0;
-    // b² − 2ac with the rounding of one operation (Kahan).
-    const double w = 2 * gap * bend;
-    const double discriminant = std::fma(rate, rate, -w) + std::fma(-2 * gap, bend, w);
-    if (rate < 0) return discriminant < 0 ? never_touch : 2 * gap / (-rate + std::sqrt(discriminant));
-    if (bend >= 0) return never_touch;
-    return (rate + std::sqrt(std::max(0.0, discriminant))) / -bend;
-}
-
-double first_crossing(double gap, double rate, double bend, double drag) {
-    if (drag <= 0) return first_crossing(gap, rate, bend);
-    if (gap <= 0 && rate < 0) return 0;
-    if (rate >= 0 && bend >= 0) return never_touch;
-    const auto gap_at = [&](const TimeInterval& s) { return gap + s.shrunk * rate + s.fallen * bend; };
-    // The second derivative keeps its sign and decays; the slope changes its sign at most once, at `turn`.
-    const double curve = bend - drag * rate;
-    const double turn = rate * bend < 0 ? drag_turn(rate, bend, drag) : never_touch;
-    double t = 0;
-    if (rate >= 0) {
-        if (rate > 0) t = turn;
-        const double top = gap_at(TimeInterval(drag, t));
-        if (top <= 0) return t;
-        t += std::sqrt(2 * top / -bend);
-    } else {
-        const double deepest = turn < never_touch ? gap_at(TimeInterval(drag, turn)) : gap + rate / drag;
-        if (bend >= 0 && deepest > 0) return never_touch;
-        if (const double without = first_crossing(gap, rate, curve); without < turn) t = without;
-    }
-    // Newton steps. After the first one they stay on the side from which they cannot skip the root.
-    constexpr int most_steps = 100;  // grazes take about 50
-    for (int step = 0; step < most_steps; ++step) {
-        const TimeInterval s(drag, t);
-        const double slope = s.kept * rate + s.shrunk * bend;
-        if (slope >= 0) return t;
-        const double next = std::max(0.0, t - gap_at(s) / slope);
-        if (step > 0 && (curve < 0 ? next >= t : next <= t)) return t;
-        if (!std::isfinite(next)) return never_touch;
-        t = next;
-    }
-    return t;  // every step came nearer: the rest is rounding
-}
-
-double safe_time(double value, double slope, double k) {
-    if (k <= 0) return slope < 0 ? value / -slope : never_touch;
-    const double root = std::sqrt(slope * slope + 2 * k * value);
-    return slope < 0 ? 2 * value / (root - slope) : (slope + root) / k;
-}
 
 namespace {
 
@@ -137,18 +88,6 @@ struct GapTo {
     }
 };
 
-/// Bisection for the time at which a gap closes, between `before` (open) and `after` (closing).
-template <class Closes>
-double closing_between(double before, double after, Closes&& closes) {
-    constexpr int most_halvings = 64;  // enough to reach neighbouring numbers
-    for (int i = 0; i < most_halvings; ++i) {
-        const double middle = before + 0.5 * (after - before);
-        if (middle <= before || middle >= after) break;
-        (closes(middle) ? after : before) = middle;
-    }
-    return after;
-}
-
 /// Conservative advancement. `moving(t)` gives the relative motion, `gap_of` its gap; a gap at t0 of at most
 /// `rounding` means contact.
 ///
@@ -176,10 +115,12 @@ double search(MovingAt&& moving, GapOf&& gap_of, double radius, double rounding,
         } else if (gap.slope < -still) {
             if (h <= 0) {
                 if (step <= sure_steps || open >= t) return t;
-                return closing_between(open, t, [&](double at) {
+                const auto is_open = [&](double at) {
                     const Gap middle = gap_of(moving(at));
-                    return middle.value - zero <= tolerance && middle.slope < -still;
-                });
+                    return !(middle.value - zero <= tolerance && middle.slope < -still);
+                };
+                constexpr int most_halvings = 64;  // reach neighbouring numbers, except next to 0
+                return turning_point(is_open, open, t, most_halvings);
             }
         } else if (gap.slope > still) {
             const double turn = gap.slope / gap.k;
@@ -251,6 +192,61 @@ double touch_line(const Line& line, const Path& path, double radius, double t0, 
             first = t;
     }
     return t0 + first;
+}
+
+/// Instants after the start of a path, s. A polynomial of degree n has at most n − 1 extrema.
+struct Instants {
+    std::array<double, std::size_t{2} * taylor_order> at{};
+    std::size_t count = 0;
+
+    void add(double t) { at[count++] = t; }
+    [[nodiscard]] std::span<double> all() { return {at.data(), count}; }
+};
+
+using Coefficients = std::array<double, taylor_order + 1>;
+
+/// Coefficients of the m-th derivative of Σ c[k]·t^k.
+Coefficients derivative(const Coefficients& c, int m) {
+    Coefficients result{};
+    for (int k = m; k <= taylor_order; ++k) {
+        double factor = 1;
+        for (int i = 0; i < m; ++i) factor *= k - i;
+        result[static_cast<std::size_t>(k - m)] = factor * c[static_cast<std::size_t>(k)];
+    }
+    return result;
+}
+
+/// Adds the zeros in (0, h) of the slope of Σ c[k]·t^k. The zeros of each derivative lie between those of the
+/// next higher one.
+void add_turns(const Coefficients& c, double h, Instants& turns) {
+    std::array<double, taylor_order + 1> zeros{}, next{};
+    std::size_t count = 0;
+    for (int m = taylor_order; m >= 1; --m) {
+        const Coefficients slope = derivative(c, m);
+        const auto is_below = [&](double t) {
+            double sum = 0;
+            for (std::size_t k = slope.size(); k-- > 0;) sum = sum * t + slope[k];
+            return sum < 0;
+        };
+        std::size_t found = 0;
+        double a = 0;
+        for (std::size_t i = 0; i <= count; ++i) {
+            const double b = i < count ? zeros[i] : h;
+            const bool below = is_below(a);
+            if (below != is_below(b))
+                next[found++] = turning_point([&](double t) { return is_below(t) == below; }, a, b);
+            a = b;
+        }
+        zeros = next, count = found;
+    }
+    for (std::size_t i = 0; i < count; ++i) turns.add(zeros[i]);
+}
+
+/// Adds the extremum of one coordinate of a flight, v(t) = v₀·e^(−ct) + a·E(t) = 0. There is at most one.
+void add_turn(double velocity, double acceleration, double drag, double h, Instants& turns) {
+    if (velocity * acceleration >= 0) return;
+    const double t = drag_turn(velocity, acceleration, drag);
+    if (t > 0 && t < h) turns.add(t);
 }
 
 }  // namespace
@@ -325,6 +321,33 @@ double time_of_impact(const Path& a, const Path& b, double radii, double t0, dou
     const double e = straight_touch(p - q, a.velocity(t0) - b.velocity(t0), radii, gap_rounding(p, q, radii));
     const double t = t0 + drag_time(a.flight.drag, e);
     return t <= t1 ? t : never_touch;
+}
+
+double first_exit(const Path& path, const Box& box, double t0, double t1) {
+    const auto is_inside = [&](double t) { return box.contains(path.position(t)); };
+    if (!is_inside(t0)) return t0;
+    Instants turns;
+    const double h = t1 - path.start;
+    if (path.is_taylor()) {
+        for (double Vec2::*axis : {&Vec2::x, &Vec2::y}) {
+            Coefficients series{};
+            for (std::size_t k = 1; k < series.size(); ++k) series[k] = path.taylor[0].displacement[k].*axis;
+            add_turns(series, h, turns);
+        }
+    } else {
+        const Flight& flight = path.flight;
+        add_turn(flight.velocity.x, flight.acceleration.x, flight.drag, h, turns);
+        add_turn(flight.velocity.y, flight.acceleration.y, flight.drag, h, turns);
+    }
+    std::ranges::sort(turns.all());
+    double inside = t0;
+    for (const double turn : turns.all()) {
+        const double t = path.start + turn;
+        if (t <= inside || t >= t1) continue;
+        if (!is_inside(t)) return turning_point(is_inside, inside, t);
+        inside = t;
+    }
+    return t1 > inside && !is_inside(t1) ? turning_point(is_inside, inside, t1) : never_touch;
 }
 
 }  // namespace flipside::custom

@@ -1,6 +1,6 @@
 #pragma once
 /// Time of impact: the first instant at which a disc on its path touches a feature of the table or another
-/// disc. Pure geometry; the continuous narrow phase.
+/// disc, or leaves a box. Pure geometry; the continuous narrow phase.
 ///
 /// There are two methods, tested against each other. Straight relative motion, and parabolas against lines,
 /// lead to quadratic equations; with drag, the distance of a flight from a line is still convex or concave
@@ -19,25 +19,9 @@
 
 #include "custom/continuous/feature.hpp"
 #include "custom/continuous/path.hpp"
-#include "world/table.hpp"
+#include "custom/continuous/roots.hpp"
 
 namespace flipside::custom {
-
-/// How a part turns during a window: at `rate` until `stop`, then not at all. Times are those of the window.
-struct Turning {
-    Pose begin;
-    double rate = 0;
-    double stop = 0;
-    double end_angle = 0;  ///< from `stop` on
-
-    [[nodiscard]] bool still() const { return rate == 0; }
-    [[nodiscard]] Pose pose(double time) const {
-        return {begin.pivot, time < stop ? begin.angle + rate * time : end_angle};
-    }
-    [[nodiscard]] double rate_at(double time) const { return time < stop ? rate : 0; }
-};
-
-inline constexpr double never_touch = INFINITY;
 
 /// Relative size of the rounding that an approach speed may carry without meaning an approach.
 inline constexpr double speed_rounding = 1e-13;
@@ -75,12 +59,12 @@ inline double gap_rounding(Vec2 p, Vec2 q, double radii) {
 [[nodiscard]] double search_impact(const Path& a, const Path& b, double radii, double t0, double t1,
                                    std::uint64_t* steps = nullptr);
 
-/// First t ≥ 0 at which gap + rate·t + ½·bend·t² is ≤ 0 and decreasing, or never_touch. A negative gap that
-/// increases does not count until it decreases again.
-[[nodiscard]] double first_crossing(double gap, double rate, double bend);
-/// The same for gap + rate·E(t) + bend·F(t) (flight.hpp); with drag by about four Newton steps.
-[[nodiscard]] double first_crossing(double gap, double rate, double bend, double drag);
-/// Time for which a function ≥ 0 stays so at least, given its slope and K ≥ |second derivative|.
-[[nodiscard]] double safe_time(double value, double slope, double k);
+/// First time in [t0, t1] at which box.contains(path.position(t)) is false, to one rounding of the time, or
+/// never_touch. Both coordinates are monotone between the instants at which one of them may have an extremum,
+/// so the path leaves in such an interval only if it is outside at its end; then bisection finds the time.
+/// There is no stepping, so a ball that touches the border costs no more than others. Cost: up to four
+/// positions for a flight that stays inside, up to about 0.5 ms for a Taylor polynomial (all zeros of the
+/// derivatives of both coordinates).
+[[nodiscard]] double first_exit(const Path& path, const Box& box, double t0, double t1);
 
 }  // namespace flipside::custom

@@ -1,5 +1,3 @@
-#include "custom/continuous/first_exit.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "custom/flight.hpp"
+#include "custom/layout.hpp"
 #include "custom/response.hpp"
 #include "custom/scenes.hpp"
 #include "custom/tolerances.hpp"

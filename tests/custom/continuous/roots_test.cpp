@@ -1,4 +1,4 @@
-#include "custom/continuous/quartic.hpp"
+#include "custom/continuous/roots.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,9 +1,57 @@
-#include "custom/continuous/quartic.hpp"
+#include "custom/continuous/roots.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include "custom/flight.hpp"
 
 namespace flipside::custom {
+
+double first_crossing(double gap, double rate, double bend) {
+    if (gap <= 0 && rate < 0) return 0;
+    // b² − 2ac with the rounding of one operation (Kahan).
+    const double w = 2 * gap * bend;
+    const double discriminant = std::fma(rate, rate, -w) + std::fma(-2 * gap, bend, w);
+    if (rate < 0) return discriminant < 0 ? never_touch : 2 * gap / (-rate + std::sqrt(discriminant));
+    if (bend >= 0) return never_touch;
+    return (rate + std::sqrt(std::max(0.0, discriminant))) / -bend;
+}
+
+double first_crossing(double gap, double rate, double bend, double drag) {
+    if (drag <= 0) return first_crossing(gap, rate, bend);
+    if (gap <= 0 && rate < 0) return 0;
+    if (rate >= 0 && bend >= 0) return never_touch;
+    const auto gap_at = [&](const TimeInterval& s) { return gap + s.shrunk * rate + s.fallen * bend; };
+    // The second derivative keeps its sign and decays; the slope changes its sign at most once, at `turn`.
+    const double curve = bend - drag * rate;
+    const double turn = rate * bend < 0 ? drag_turn(rate, bend, drag) : never_touch;
+    double t = 0;
+    if (rate >= 0) {
+        if (rate > 0) t = turn;
+        const double top = gap_at(TimeInterval(drag, t));
+        if (top <= 0) return t;
+        t += std::sqrt(2 * top / -bend);
+    } else {
+        const double deepest = turn < never_touch ? gap_at(TimeInterval(drag, turn)) : gap + rate / drag;
+        if (bend >= 0 && deepest > 0) return never_touch;
+        if (const double without = first_crossing(gap, rate, curve); without < turn) t = without;
+    }
+    // Newton steps. After the first one they stay on the side from which they cannot skip the root.
+    constexpr int most_steps = 100;  // grazes take about 50
+    for (int step = 0; step < most_steps; ++step) {
+        const TimeInterval s(drag, t);
+        const double slope = s.kept * rate + s.shrunk * bend;
+        if (slope >= 0) return t;
+        const double next = std::max(0.0, t - gap_at(s) / slope);
+        if (step > 0 && (curve < 0 ? next >= t : next <= t)) return t;
+        if (!std::isfinite(next)) return never_touch;
+        t = next;
+    }
+    return t;  // every step came nearer: the rest is rounding
+}
+
+double safe_time(double value, double slope, double k) {
+    if (k <= 0) return slope < 0 ? value / -slope : never_touch;
+    const double root = std::sqrt(slope * slope + 2 * k * value);
+    return slope < 0 ? 2 * value / (root - slope) : (slope + root) / k;
+}
 
 namespace {
 
@@ -69,7 +117,7 @@ double first_crossing(const Quartic& c, double until) {
         if (f(low) <= 0) return low;
         if (f(high) <= 0) return root_between(low, high, f, df);
     }
-    return INFINITY;
+    return never_touch;
 }
 
 }  // namespace flipside::custom
