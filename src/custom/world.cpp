@@ -20,7 +20,7 @@ CustomWorld::CustomWorld(std::shared_ptr<const Scene> scene, const Settings& set
     if (settings_.solver == "simple")
         simple_ = std::make_unique<SimpleSolver>(*scene_, layout_, settings_);
     else
-        windows_ = std::make_unique<Windows>(table_, layout_, *broad_, settings_);
+        continuous_ = std::make_unique<ContinuousSolver>(table_, layout_, *broad_, settings_);
     reserve_for();
     search_contacts();
     fill_statistics(0);
@@ -30,7 +30,7 @@ CustomWorld::CustomWorld(std::shared_ptr<const Scene> scene, const Settings& set
 void CustomWorld::reserve_for() {
     custom::reserve_for(balls_, balls_.size() + 1);
     if (simple_) simple_->reserve(balls_.size());
-    if (windows_) windows_->reserve(balls_.size());
+    if (continuous_) continuous_->reserve(balls_.size());
     guard_.reserve(balls_.capacity(), std::max(least_capacity, balls_.capacity() * contacts_per_ball));
     contacts_.reserve(layout_.size(), balls_.size());
     custom::reserve_for(table_.memory().forces, balls_.size(), contacts_per_ball);
@@ -41,13 +41,13 @@ void CustomWorld::reserve_for() {
 }
 
 void CustomWorld::step(double dt) {
-    if (windows_) windows_->keep();
+    if (continuous_) continuous_->keep();
     if (record_.trace) record_.trace->stages.clear();
     guard_.run(
         table_, balls_, [&] { make_step(dt); },
         [&](State before) {
             Table::forget_gone(before);
-            if (windows_) before.origin = windows_->kept_origin();
+            if (continuous_) before.origin = continuous_->kept_origin();
             restore(before);
         });
 }
@@ -62,14 +62,14 @@ void CustomWorld::make_step(double dt) {
         step_simple(dt);
     } else {
         contacts_skipped_ |= !contacts_found_;
-        windows_->step(dt, balls_, record_);
-        contacts_found_ = contacts_last_ && windows_->quiet();
+        continuous_->step(dt, balls_, record_);
+        contacts_found_ = contacts_last_ && continuous_->quiet();
     }
     fill_statistics(broad_->tests() - tests_before);
     if (!record_.trace) return;
-    if (windows_ && windows_->quiet())
-        record_.trace->stage("asleep", "src/custom/continuous/windows.cpp: Windows::step").says =
-            "All balls sleep and no part moves: nothing is done.";
+    if (continuous_ && continuous_->quiet())
+        record_.trace->stage("asleep", "src/custom/continuous/continuous_solver.cpp: ContinuousSolver::step")
+            .says = "All balls sleep and no part moves: nothing is done.";
     trace_read_out(*record_.trace, "src/custom/world.cpp: CustomWorld::make_step", *this, *scene_);
 }
 
@@ -127,12 +127,12 @@ std::span<const Contact> CustomWorld::contacts() const {
 void CustomWorld::find_contacts() const {
     if (contacts_found_) return;
     contacts_found_ = true;
-    contacts_last_ = windows_->quiet();
+    contacts_last_ = continuous_->quiet();
     // Balls that slept since then have the same contacts.
-    if (contacts_skipped_ || windows_->fell_asleep())
+    if (contacts_skipped_ || continuous_->fell_asleep())
         contacts_.search(layout_, table_, balls_, *broad_);
     else
-        contacts_.refresh(layout_, table_, balls_, windows_->find_pairs(balls_));
+        contacts_.refresh(layout_, table_, balls_, continuous_->find_pairs(balls_));
     contacts_skipped_ = false;
     record_.statistics.narrow_tests += contacts_.narrow_tests();
     contacts_.report_touches(time(), record_.events);
@@ -157,12 +157,12 @@ void CustomWorld::sort_events() const {
 void CustomWorld::fill_statistics(std::uint64_t pair_tests) {
     Statistics& statistics = record_.statistics;
     statistics.solver = settings_.solver;
-    statistics.event_ordered = windows_ != nullptr;
+    statistics.event_ordered = continuous_ != nullptr;
     statistics.pair_tests += pair_tests;
-    const bool all_sleep = windows_ && windows_->quiet();
+    const bool all_sleep = continuous_ && continuous_->quiet();
     statistics.asleep = static_cast<std::uint64_t>(all_sleep ? std::ssize(balls_)
                                                              : std::ranges::count_if(balls_, &Ball::asleep));
-    if (windows_) {
+    if (continuous_) {
         // Events of all kinds alternate, so there are no stages.
         statistics.broad_phase.name = "cells";
         return;
@@ -181,7 +181,7 @@ void CustomWorld::wake_all() {
 /// Prepares for a change of the world from outside.
 void CustomWorld::interrupt() {
     contacts_last_ = false;
-    if (windows_) windows_->interrupt();
+    if (continuous_) continuous_->interrupt();
 }
 
 void CustomWorld::apply(const Control& control) {
@@ -212,7 +212,7 @@ bool CustomWorld::remove(BallNumber number) {
     const auto ball = std::ranges::lower_bound(balls_, number, {}, &Ball::number);
     if (ball == balls_.end() || ball->number != number) return false;
     find_contacts();
-    if (windows_) windows_->begin_anew();
+    if (continuous_) continuous_->begin_anew();
     balls_.erase(ball);
     std::erase(table_.reported_lost(), number);
     wake_all();
@@ -222,7 +222,7 @@ bool CustomWorld::remove(BallNumber number) {
 
 State CustomWorld::save() const {
     State state = table_.save(balls_);
-    if (windows_) state.origin = windows_->origin();
+    if (continuous_) state.origin = continuous_->origin();
     return state;
 }
 
@@ -240,16 +240,16 @@ void CustomWorld::restore(const State& state) {
 void CustomWorld::load(const State& state) {
     table_.restore(state);
     balls_ = state.balls;
-    if (windows_) windows_->begin_anew();
+    if (continuous_) continuous_->begin_anew();
     reserve_for();
 }
 
 /// Runs the window in which the state was saved from its start. Returns false if this does not lead to the
 /// state: another engine wrote it, or it was changed.
 bool CustomWorld::resume(const State& state) {
-    if (!state.origin || !windows_) return false;
+    if (!state.origin || !continuous_) return false;
     load(*state.origin);
-    if (!windows_->resume(state, balls_, record_)) return false;
+    if (!continuous_->resume(state, balls_, record_)) return false;
     State reached = save();
     reached.origin = state.origin;
     return reached == state;

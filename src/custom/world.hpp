@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "custom/continuous/windows.hpp"
+#include "custom/continuous/continuous_solver.hpp"
 #include "custom/engine.hpp"
 #include "custom/simple/simple_solver.hpp"
 #include "world/step_guard.hpp"
@@ -52,9 +52,9 @@ class CustomWorld final : public World {
     Table table_;
     Layout layout_;
     std::unique_ptr<BroadPhase> broad_;
-    std::unique_ptr<SimpleSolver> simple_;  ///< if the solver is this one
-    std::unique_ptr<Windows> windows_;      ///< if it is this one
-    std::vector<Ball> balls_;               ///< sorted by number
+    std::unique_ptr<SimpleSolver> simple_;          ///< if the solver is this one
+    std::unique_ptr<ContinuousSolver> continuous_;  ///< if it is this one
+    std::vector<Ball> balls_;                       ///< sorted by number
     StepGuard guard_{engine_name};
     // Contacts, and their begin and end events, are found on request.
     mutable bool contacts_found_ = false;

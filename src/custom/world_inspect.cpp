@@ -38,7 +38,7 @@ void inspect_bounds(const Layout& layout, const Table& table, std::span<const Ba
 
 void CustomWorld::inspect(Inspector& inspector) const {
     if (inspector.wants(Topic::boxes)) inspect_bounds(layout_, table_, balls_, inspector);
-    if (inspector.wants(Topic::cells) && windows_) windows_->inspect_cells(inspector);
+    if (inspector.wants(Topic::cells) && continuous_) continuous_->inspect_cells(inspector);
     if (inspector.wants(Topic::cells) && simple_) broad_->inspect(inspector);
     if (inspector.wants(Topic::pairs)) {
         find_contacts();

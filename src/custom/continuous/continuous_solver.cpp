@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <bit>
-#include <functional>
-#include <numeric>
 
 #include "custom/broad_phase/capacity.hpp"
+#include "custom/engine.hpp"
+#include "world/refusal.hpp"
 
 namespace flipside::custom {
 
 namespace {
+
+constexpr double window_length = 1.0 / 4;  // s; a multiple of 1/60 s
+constexpr double rest_length = 1.0 / 60;   // s: how long a ball must be at rest to fall asleep
 
 Box touching_box(const Ball& ball) {
     return bounds_of(ball.position, ball.radius * (1 + touch_distance));
@@ -22,17 +25,27 @@ std::vector<Box> ranges_of(std::span<const Feature> features, const Layout& layo
     return ranges;
 }
 
+std::shared_ptr<const State> without_gone(const State& start) {
+    auto origin = std::make_shared<State>(start);
+    Table::forget_gone(*origin);
+    return origin;
+}
+
 }  // namespace
 
-ContinuousSolver::ContinuousSolver(const Table& table, const Layout& layout, const SolverSettings& settings)
-    : scene_(table.scene()),
+ContinuousSolver::ContinuousSolver(Table& table, const Layout& layout, BroadPhase& broad,
+                                   const SolverSettings& settings)
+    : table_(table),
+      scene_(table.scene()),
       layout_(layout),
+      broad_(broad),
       settings_(settings),
       external_{scene_.gravity, scene_.damping},
       slow_(2 * (scene_.rest_speed + length(scene_.gravity) * tick_length)),
       features_(features_of(layout.primitives(), scene_)),
       ranges_(scene_.bounds, ranges_of(features_, layout, table)),
       primitives_(scene_.parts.size()),
+      sleep_(settings.sleep_speed, scene_.gravity),
       turnings_(scene_.parts.size()) {
     for (PrimitiveIndex i = 0; i < layout.size(); ++i) {
         const Part& part = scene_.parts[layout.primitive(i).part];
@@ -41,7 +54,8 @@ ContinuousSolver::ContinuousSolver(const Table& table, const Layout& layout, con
     for (State& start : starts_) table.copy(start);
 }
 
-void ContinuousSolver::reset(const Table& table, std::span<const Ball> balls) {
+/// Finds again which balls are inside sensors, from the positions of the balls.
+void ContinuousSolver::find_sensed(std::span<const Ball> balls) {
     inside_.clear();
     for (Mover& mover : pool_) mover.candidates.forget();
     for (PartIndex part = 0; part < primitives_.size(); ++part) {
@@ -50,7 +64,7 @@ void ContinuousSolver::reset(const Table& table, std::span<const Ball> balls) {
             if (!layers_meet(ball, scene_.parts[part])) continue;
             for (const PrimitiveIndex primitive : primitives_[part]) {
                 const Touch found =
-                    touch(ball.position, ball.radius, layout_.primitive(primitive), table.pose(part));
+                    touch(ball.position, ball.radius, layout_.primitive(primitive), table_.pose(part));
                 if (found.separation <= 0) set_inside(ball.number, part, true);
             }
         }
@@ -90,30 +104,80 @@ void ContinuousSolver::reserve(std::size_t balls) {
     cells_.reserve(most);
     custom::reserve_for(pairs_, most, pairs_per_ball);
     supports_.reserve(std::min(features_.size(), most_near));
+    sleep_.reserve(balls);
+    contacts_.reserve(layout_.size(), balls);
 }
 
-void ContinuousSolver::begin(Table& table, std::span<const Ball> balls, double length, StepRecord& record) {
-    table_ = &table, record_ = &record, dt_ = length, start_ = table.time();
-    bodies_.assign(balls.begin(), balls.end());
+void ContinuousSolver::step(double dt, std::vector<Ball>& balls, StepRecord& record) {
+    record_ = &record;
+    fell_asleep_ = false;
+    if (quiet_) return table_.advance(dt);
+    Clock now = table_.clock();
+    now.advance(dt);
+    advance_to(now, balls);
+}
+
+/// Advances to `now`, with stops at the ends of windows and at the instants at which sleep_ watches the
+/// balls.
+void ContinuousSolver::advance_to(const Clock& now, std::vector<Ball>& balls) {
+    for (;;) {
+        if (!in_window_) begin(balls);
+        if (quiet_) return table_.set_to(now, start().parts, now.time - start_);
+        const double stop = watched_ ? end_at_ : watch_at_;
+        const Clock here = stop < now.time ? Clock{stop, 0} : now;
+        const double ahead = here.time - start_;
+        run(ahead);
+        table_.set_to(here, start().parts, ahead);
+        table_.memory().engine = engine_name;
+        table_.memory().time = here.time;
+        if (here.time < stop) return read(ahead, now.time, balls);
+        if (watched_) {
+            end(now.time, balls);
+        } else {
+            read(ahead, now.time, balls);
+            sleep_.watch(balls, end_at_ - watch_at_);
+            watched_ = true;
+        }
+        if (stop >= now.time) return;
+    }
+}
+
+/// Begins a window at the table's time.
+void ContinuousSolver::begin(const std::vector<Ball>& balls) {
+    if (!balls_known_) find_sensed(balls);
+    balls_known_ = true;
+    if (!contacts_known_) contacts_.search(layout_, table_, balls, broad_);
+    contacts_known_ = true;
+    start_ = table_.time();
+    double next = std::floor(start_ / window_length) + 1;
+    while (next * window_length <= start_) ++next;
+    end_at_ = next * window_length;
+    dt_ = end_at_ - start_;
+    after_end_ = std::nextafter(dt_, INFINITY);
+    watch_at_ = end_at_ - rest_length;
+    watched_ = !settings_.sleep || watch_at_ <= start_;
+    sleep_.watch({}, rest_length);
+    EngineMemory& memory = table_.memory();
+    if (memory.engine != engine_name || memory.time != start_) memory.forces.clear();
+    bodies_ = balls;
     pending_.clear();
     part_forces_.clear(), ball_forces_.clear();
     creeping_.clear();
     events_ = search_steps_ = 0;
-    paths_started_ = false;
-    after_end_ = std::nextafter(dt_, INFINITY);
-    any_in_island_ = false;
-    for (const PartIndex i : table.moving_parts()) {
-        const auto [pose, rate, stop] = table.turning(i, 0);
-        const double end = std::isfinite(stop) ? table.pose(i, stop).angle : pose.angle;
-        turnings_[i] = {pose, rate, stop, end};
+    paths_started_ = any_in_island_ = false;
+    for (const PartIndex i : table_.moving_parts()) {
+        const auto [pose, rate, stop] = table_.turning(i, 0);
+        const double last = std::isfinite(stop) ? table_.pose(i, stop).angle : pose.angle;
+        turnings_[i] = {pose, rate, stop, last};
     }
     assign_movers();
     settle_gates();
     current_ = 1 - kept_;
-    table.copy(starts_[current_]);
+    table_.copy(starts_[current_]);
     starts_[current_].balls = bodies_;
-    any_awake_ = !std::ranges::all_of(bodies_, &Ball::asleep) ||
-                 !std::ranges::all_of(turnings_, [](const Turning& turning) { return turning.still(); });
+    quiet_ = std::ranges::all_of(bodies_, &Ball::asleep) &&
+             std::ranges::all_of(turnings_, [](const Turning& turning) { return turning.still(); });
+    in_window_ = !quiet_;
 }
 
 /// Assigns a mover to each ball, and clears what it holds of the ball that had it before.
@@ -135,9 +199,8 @@ void ContinuousSolver::assign_movers() {
     }
 }
 
-void ContinuousSolver::run(double until, StepRecord& record) {
-    record_ = &record;
-    if (!any_awake_) return;
+/// Handles all events up to `until`.
+void ContinuousSolver::run(double until) {
     const bool starts = !paths_started_;
     if (starts) start_all_paths();
     if (record_->trace && (starts || record_->trace->stages.empty())) trace_paths(starts);
@@ -184,6 +247,7 @@ Ball ContinuousSolver::ball_at(BallIndex i, double time) const {
     return ball;
 }
 
+/// Records the events up to `time` that are not recorded yet; their times are clamped to `now`.
 void ContinuousSolver::report_until(double time, double now) {
     auto kept = pending_.begin();
     for (Event& event : pending_) {
@@ -197,6 +261,7 @@ void ContinuousSolver::report_until(double time, double now) {
     pending_.erase(kept, pending_.end());
 }
 
+/// Replaces `balls` by their state at `time`, without lost balls.
 void ContinuousSolver::read(double time, double now, std::vector<Ball>& balls) {
     balls.clear();
     read_at_ = time;
@@ -207,9 +272,14 @@ void ContinuousSolver::read(double time, double now, std::vector<Ball>& balls) {
     report_until(time, now);
 }
 
+/// Reads the balls at the end of the window, and updates contacts and sleep.
 void ContinuousSolver::end(double now, std::vector<Ball>& balls) {
     read(dt_, now, balls);
     report_until(INFINITY, now);
+    in_window_ = false;
+    contacts_.refresh(layout_, table_, balls, find_pairs(balls));
+    contacts_.wake_unsupported(balls, scene_.gravity);
+    if (settings_.sleep) fell_asleep_ |= sleep_.update(balls, contacts_.contacts());
 }
 
 /// Moves the movers of lost balls to the end of the pool, where their lists keep their capacity.
@@ -220,6 +290,31 @@ void ContinuousSolver::drop_lost() {
         if (kept != i) std::swap(movers_[kept], movers_[i]);
         ++kept;
     }
+}
+
+std::shared_ptr<const State> ContinuousSolver::origin() const {
+    return in_window_ ? without_gone(start()) : nullptr;
+}
+
+void ContinuousSolver::keep() {
+    kept_ = current_;
+    kept_in_window_ = in_window_;
+}
+
+std::shared_ptr<const State> ContinuousSolver::kept_origin() const {
+    return kept_in_window_ ? without_gone(starts_[kept_]) : nullptr;
+}
+
+bool ContinuousSolver::resume(const State& state, std::vector<Ball>& balls, StepRecord& record) {
+    record_ = &record;
+    begin(balls);
+    if (!(state.clock.time >= table_.time() && state.clock.time < end_at_)) return false;
+    try {
+        advance_to(state.clock, balls);
+    } catch (const Refusal&) {
+        return false;
+    }
+    return true;
 }
 
 std::span<const Pair> ContinuousSolver::find_pairs(std::span<const Ball> balls) {

@@ -4,14 +4,19 @@
 /// are handled in order of time, and only the balls involved are predicted again. The only error is rounding;
 /// none grows with dt.
 ///
-/// The solver works in windows of at most a quarter of a second. All balls start a new path at the start of a
-/// window. Then the window is run to any instants and read there; how often it is read changes no bit.
-/// Resting contacts follow from positions and velocities at the start, so a window can be repeated from the
-/// state of the world there.
+/// The solver works in windows of a quarter of a second, whose ends lie on a grid of the world's time. All
+/// balls start a new path at the start of a window; a step handles the events up to its end and reads the
+/// balls off their paths. So the result does not depend on the steps, to the bit. A window begins at the end
+/// of the previous one, or when something outside the solver has changed the world. Resting contacts follow
+/// from positions and velocities at the start, so a window can be repeated from the state of the world there.
 ///
-/// Cells (cells.hpp) find neighbours. A ball that changes its cell queries the cells that are new beside it.
-/// Of each ball only the next event is kept (next_events.hpp). If the partner of that event has changed its
-/// path meanwhile, the ball is predicted again.
+/// A ball falls asleep at the end of a window if it was at rest in the last sixtieth of a second (sleep.hpp);
+/// a sleeping ball that has lost a support wakes there, and so does one beside a ball that moves. If all
+/// balls sleep and no part moves, the world is quiet, and a step costs nothing per ball.
+///
+/// Cells (neighbours.hpp) find neighbours. A ball that changes its cell queries the cells that are new beside
+/// it. Of each ball only the next event is kept (next_events.hpp). If the partner of that event has changed
+/// its path meanwhile, the ball is predicted again.
 ///
 /// A slow contact with a part becomes a resting contact (resting_contact.hpp): slow is an approach below
 /// rest_speed, or a bounce too short to matter. Balls in resting contact with each other have no first
@@ -23,12 +28,14 @@
 /// and in between they are obstacles to the other members, until one of these pushes them. Inside islands the
 /// result is not exact, but it does not depend on the steps. Statistics count members as handed_over.
 
-#include "custom/continuous/box_index.hpp"
-#include "custom/continuous/cells.hpp"
+#include <memory>
+
+#include "custom/broad_phase/broad_phase.hpp"
+#include "custom/continuous/neighbours.hpp"
 #include "custom/continuous/next_events.hpp"
 #include "custom/continuous/resting_contact.hpp"
 #include "custom/islands/contact_solver.hpp"
-#include "custom/islands/force_cache.hpp"
+#include "custom/islands/sleep.hpp"
 #include "custom/layout.hpp"
 #include "custom/response.hpp"
 #include "custom/settings.hpp"
@@ -38,37 +45,37 @@ namespace flipside::custom {
 
 class ContinuousSolver {
   public:
-    /// Keeps references to the table's scene and to layout.
-    ContinuousSolver(const Table& table, const Layout& layout, const SolverSettings& settings);
+    /// Keeps references to all but the settings. `broad` finds the contacts at the start of a window that
+    /// does not follow on another.
+    ContinuousSolver(Table& table, const Layout& layout, BroadPhase& broad, const SolverSettings& settings);
 
-    /// Begins a window of `length` seconds at the table's time. Until the end of the window the caller
-    /// updates the table's clock and parts; the solver updates its gates and targets.
-    void begin(Table& table, std::span<const Ball> balls, double length, StepRecord& record);
-    /// Handles all events up to `until`, s after the start of the window.
-    void run(double until, StepRecord& record);
-    /// Replaces `balls` by the state `time` seconds after the start of the window, without lost balls. run()
-    /// must have reached that time. Also records all events up to there that are not recorded yet; event
-    /// times are clamped to `now`.
-    void read(double time, double now, std::vector<Ball>& balls);
-    /// The same at the end of the window, after run() to the end.
-    void end(double now, std::vector<Ball>& balls);
-
-    /// The state of the world at the window's start.
-    [[nodiscard]] const State& start() const { return starts_[current_]; }
-    /// Keeps the start of the current window when later windows begin, until the next call.
-    void keep_start() { kept_ = current_; }
-    [[nodiscard]] const State& kept_start() const { return starts_[kept_]; }
-    /// Whether all balls sleep and no part moves in this window.
-    [[nodiscard]] bool quiet() const { return !any_awake_; }
-    /// Draws the cells.
-    void inspect_cells(Inspector& inspector) const { cells_.inspect(inspector); }
-    /// Pairs whose boxes overlap and which contain an awake ball, in the order of a broad phase; `balls` are
-    /// those of the last read().
-    [[nodiscard]] std::span<const Pair> find_pairs(std::span<const Ball> balls);
     /// Reserves memory for so many balls.
     void reserve(std::size_t balls);
-    /// Finds again which balls are inside sensors, from the positions of the balls.
-    void reset(const Table& table, std::span<const Ball> balls);
+    /// Moves clock, parts and balls by dt.
+    void step(double dt, std::vector<Ball>& balls, StepRecord& record);
+    /// Ends the window here, after something outside the solver has changed balls or parts, or added balls.
+    void interrupt() { in_window_ = quiet_ = contacts_known_ = false; }
+    /// The same after balls were removed or replaced; clears all that the solver holds of them.
+    void begin_anew() { interrupt(), balls_known_ = false; }
+    /// Whether nothing moves until interrupt(): all balls sleep and no part moves.
+    [[nodiscard]] bool quiet() const { return quiet_; }
+    /// Whether a ball fell asleep in the last step.
+    [[nodiscard]] bool fell_asleep() const { return fell_asleep_; }
+
+    /// State at the start of the current window, which leads to the present state; null between windows.
+    [[nodiscard]] std::shared_ptr<const State> origin() const;
+    /// Keeps the current window for kept_origin(), until the next call.
+    void keep();
+    [[nodiscard]] std::shared_ptr<const State> kept_origin() const;
+    /// Runs the window that begins at the state's origin, which is loaded already, up to the state. Returns
+    /// false if that does not lead to the state: another engine wrote it, or it was changed.
+    bool resume(const State& state, std::vector<Ball>& balls, StepRecord& record);
+
+    /// Pairs whose boxes overlap and which contain an awake ball, in the order of a broad phase; `balls` are
+    /// those after the last step.
+    [[nodiscard]] std::span<const Pair> find_pairs(std::span<const Ball> balls);
+    /// Draws the cells.
+    void inspect_cells(Inspector& inspector) const { cells_.inspect(inspector); }
 
   private:
     enum class EventType : std::uint8_t { none, feature, ball, path_end, sensor, leave_bounds };
@@ -126,10 +133,17 @@ class ContinuousSolver {
     /// then by the lower ball, then by the higher.
     [[nodiscard]] static std::uint64_t order_of(BallIndex i, EventType next, std::uint32_t partner);
 
-    // A window from its start to its end, and pairs of balls when it is read (continuous_solver.cpp).
+    // Windows, from start to end, and the events of each (continuous_solver.cpp).
+    void advance_to(const Clock& now, std::vector<Ball>& balls);
+    void begin(const std::vector<Ball>& balls);
+    void find_sensed(std::span<const Ball> balls);
     void assign_movers();
+    void run(double until);
     void start_all_paths();
     void handle_until(double time);
+    void read(double time, double now, std::vector<Ball>& balls);
+    void end(double now, std::vector<Ball>& balls);
+    [[nodiscard]] const State& start() const { return starts_[current_]; }
     [[nodiscard]] Ball ball_at(BallIndex i, double time) const;
     void report_until(double time, double now);
     void drop_lost();
@@ -170,7 +184,7 @@ class ContinuousSolver {
     void remember_forces(double time, double duration);
     void store_forces();
 
-    // Predictions (predict.cpp).
+    // Predictions (next_events.cpp).
     void predict(BallIndex i, double time);
     void predict_together(std::span<const BallIndex> balls, double time);
     void predict_with(BallIndex i, double time, auto&& each_other);
@@ -189,7 +203,7 @@ class ContinuousSolver {
                                     bool inside) const;
     [[nodiscard]] bool ignores(const Feature& feature, const Ball& ball) const;
 
-    // Paths and resting contacts with parts (paths.cpp).
+    // Paths and resting contacts with parts (path.cpp).
     struct Support {
         RestingContact contact;
         bool loaded = false;       ///< a force keeps the ball on it
@@ -237,8 +251,10 @@ class ContinuousSolver {
     void trace_event(BallIndex i);
     void trace_tick(double time, double duration);
 
+    Table& table_;
     const Scene& scene_;
     const Layout& layout_;
+    BroadPhase& broad_;
     SolverSettings settings_;
     ExternalForces external_;
     double slow_;  ///< m/s: slower approaches inside an island are resting contacts, not impacts
@@ -248,20 +264,31 @@ class ContinuousSolver {
     std::vector<Sensed> inside_;                           ///< balls in sensors and open gates, sorted
 
     // The current window.
-    Table* table_ = nullptr;
     StepRecord* record_ = nullptr;
-    double start_ = 0;            ///< s, on the table's clock; all other times are relative to it
-    double dt_ = 0;               ///< its length, s
-    double after_end_ = 0;        ///< the next number after dt_
-    double read_at_ = 0;          ///< time of the last read(), s
-    std::vector<Ball> bodies_;    ///< each at the start of its path
-    std::vector<Event> pending_;  ///< not recorded yet
-    bool paths_started_ = false;  ///< start_all_paths() has run
-    bool any_awake_ = false;
+    bool in_window_ = false, quiet_ = false;
+    double start_ = 0, end_at_ = 0;  ///< s, on the table's clock; all other times are relative to start_
+    double dt_ = 0;                  ///< its length, s
+    double after_end_ = 0;           ///< the next number after dt_
+    double read_at_ = 0;             ///< time of the last read(), s
+    std::vector<Ball> bodies_;       ///< each at the start of its path
+    std::vector<Event> pending_;     ///< not recorded yet
+    bool paths_started_ = false;     ///< start_all_paths() has run
     std::uint64_t events_ = 0, search_steps_ = 0;
     double next_tick_ = 0;
     bool any_in_island_ = false, any_creeps_ = false;
     std::uint32_t batch_ = 0;
+
+    // Kept from window to window.
+    bool balls_known_ = false;     ///< there is data on the balls from the previous window
+    bool contacts_known_ = false;  ///< contacts_ is up to date
+    TouchList contacts_;           ///< at the start of the window
+    Sleep sleep_;
+    double watch_at_ = 0;   ///< s, on the table's clock: when to watch the balls in this window
+    bool watched_ = false;  ///< sleep_.watch() has been called in it
+    bool fell_asleep_ = false;
+    std::array<State, 2> starts_;  ///< of the current window, and of the one that is kept
+    std::size_t current_ = 0, kept_ = 0;
+    bool kept_in_window_ = false;
 
     // Buffers, kept to save allocations.
     std::vector<Turning> turnings_;  ///< per part
@@ -282,8 +309,6 @@ class ContinuousSolver {
     std::vector<BallIndex>
         rank_;  ///< index of a ball among those of the last read(), or among the bodies of a solve
     std::vector<Pair> pairs_;
-    std::array<State, 2> starts_;  ///< of the current window, and of the one that is kept
-    std::size_t current_ = 0, kept_ = 0;
 };
 
 }  // namespace flipside::custom

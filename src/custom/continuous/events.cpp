@@ -130,7 +130,7 @@ void ContinuousSolver::hit_feature(BallIndex i, double time) {
         if (is_significant(impact, ball)) movers_[i].idle_events = 0;
         report(time, EventKind::impact, ball, Other::part(index), impact, point);
         if (part.target) {
-            table_->set_down(index, true);
+            table_.set_down(index, true);
             release(index, time);
         }
     }
@@ -228,14 +228,14 @@ void ContinuousSolver::lose(BallIndex i, double time) {
     const Vec2 p = movers_[i].motion.path.position(time);
     report(time, EventKind::lost, ball, {}, {}, p);
     if (scene_.keep_lost) {
-        table_->reported_lost().push_back(ball.number);
+        table_.reported_lost().push_back(ball.number);
         return predict(i, time);
     }
     hot_[i].lost = true;
     ++hot_[i].version;
     cells_.remove(i);
     next_events_.set(i, INFINITY, 0);
-    std::erase_if(table_->blocked(), [&](const Blocked& blocked) { return blocked.ball == ball.number; });
+    std::erase_if(table_.blocked(), [&](const Blocked& blocked) { return blocked.ball == ball.number; });
     for (PartIndex part = 0; part < primitives_.size(); ++part) {
         if (!inside(ball.number, part)) continue;
         if (!scene_.parts[part].sensor) {
@@ -289,7 +289,7 @@ void ContinuousSolver::settle_gates() {
 }
 
 void ContinuousSolver::settle_gate(PartIndex part) {
-    const auto [pose, rate, until_stop] = table_->turning(part, 0);
+    const auto [pose, rate, until_stop] = table_.turning(part, 0);
     const auto is_near = [&, &pose = pose](const Ball& ball) {
         const double out =
             std::max(gate_clearance * ball.radius, 4 * gap_rounding(ball.position, ball.radius));
@@ -297,8 +297,8 @@ void ContinuousSolver::settle_gate(PartIndex part) {
                distance_to(part, ball.position, ball.radius, pose) < out;
     };
     const auto passes = [&, &pose = pose, &rate = rate](const Ball& ball) {
-        if (table_->parts()[part].open || inside(ball.number, part)) return true;
-        if (table_->is_blocked(part, ball.number)) return false;
+        if (table_.parts()[part].open || inside(ball.number, part)) return true;
+        if (table_.is_blocked(part, ball.number)) return false;
         if (begins_deep(*gate_of(scene_.parts[part]), pose.undo(ball.position), ball.radius)) return true;
         const Vec2 relative = ball.velocity - cross(rate, ball.position - pose.pivot);
         return flipside::lets_through(*gate_of(scene_.parts[part]), pose.undo(ball.position),
@@ -306,20 +306,20 @@ void ContinuousSolver::settle_gate(PartIndex part) {
     };
     const bool open =
         std::ranges::any_of(bodies_, [&](const Ball& ball) { return is_near(ball) && passes(ball); });
-    table_->set_open(part, open);
+    table_.set_open(part, open);
     for (Ball& ball : bodies_) {
         const bool near = is_near(ball);
-        const bool was_blocked = table_->is_blocked(part, ball.number);
+        const bool was_blocked = table_.is_blocked(part, ball.number);
         set_inside(ball.number, part, open && near);
-        table_->set_blocked(part, ball.number, !open && near);
+        table_.set_blocked(part, ball.number, !open && near);
         if (open && was_blocked) ball.asleep = false;
     }
 }
 
 /// Whether the gate lets a ball through that touches it.
 bool ContinuousSolver::lets_through(PartIndex part, const Ball& ball, double time) const {
-    if (table_->parts()[part].open) return true;
-    if (table_->is_blocked(part, ball.number)) return false;
+    if (table_.parts()[part].open) return true;
+    if (table_.is_blocked(part, ball.number)) return false;
     const Turning& turning = turnings_[part];
     const Pose pose = turning.pose(time);
     const Vec2 relative = ball.velocity - cross(turning.rate_at(time), ball.position - pose.pivot);
@@ -332,13 +332,13 @@ bool ContinuousSolver::lets_through(PartIndex part, const Ball& ball, double tim
 bool ContinuousSolver::meet_gate(BallIndex i, PartIndex part, double time) {
     const Ball& ball = bodies_[i];
     if (!lets_through(part, ball, time)) {
-        table_->set_blocked(part, ball.number, true);
+        table_.set_blocked(part, ball.number, true);
         return false;
     }
     set_inside(ball.number, part, true);
-    if (table_->parts()[part].open) return true;
-    table_->set_open(part, true);
-    std::erase_if(table_->blocked(), [&](const Blocked& blocked) {
+    if (table_.parts()[part].open) return true;
+    table_.set_open(part, true);
+    std::erase_if(table_.blocked(), [&](const Blocked& blocked) {
         if (blocked.gate == part) set_inside(blocked.ball, part, true);
         return blocked.gate == part;
     });
@@ -348,11 +348,11 @@ bool ContinuousSolver::meet_gate(BallIndex i, PartIndex part, double time) {
 
 /// Handles a ball that has left a gate, whether the gate let it through or not.
 void ContinuousSolver::leave_gate(BallNumber ball, PartIndex part, double time) {
-    table_->set_blocked(part, ball, false);
+    table_.set_blocked(part, ball, false);
     if (!inside(ball, part)) return;
     set_inside(ball, part, false);
     if (std::ranges::any_of(inside_, [&](const Sensed& s) { return s.sensor == part; })) return;
-    table_->set_open(part, false);
+    table_.set_open(part, false);
     // Predictions made while the gate was open no longer hold.
     for (BallIndex j = 0; j < movers_.size(); ++j)
         if (movers_[j].number != ball && !bodies_[j].asleep && !hot_[j].lost) predict(j, time);

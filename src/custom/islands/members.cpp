@@ -29,7 +29,7 @@ void ContinuousSolver::find_islands() {
         join_island(i, 0);
         members_.push_back(i);
     };
-    for (const ContactForce& force : table_->memory().forces) {
+    for (const ContactForce& force : table_.memory().forces) {
         const auto a = std::ranges::lower_bound(bodies_, force.a, {}, &Ball::number);
         const auto b = std::ranges::lower_bound(bodies_, force.b, {}, &Ball::number);
         if (a == bodies_.end() || a->number != force.a || b == bodies_.end() || b->number != force.b)

@@ -223,7 +223,7 @@ void ContinuousSolver::add_part_contacts(BallIndex i, double time, double durati
         const Primitive& primitive = layout_.primitive(seen);
         const Turning& turning = turnings_[primitive.part];
         const Pose pose = turning.pose(time);
-        if (!layout_.should_collide(*table_, seen, pose, ball)) continue;
+        if (!layout_.should_collide(table_, seen, pose, ball)) continue;
         ++record_->statistics.narrow_tests;
         const Touch found = touch(ball.position, ball.radius, primitive, pose);
         if (found.past_end || found.separation > slack) continue;
@@ -274,7 +274,7 @@ void ContinuousSolver::remember_forces(double time, double duration) {
 
 /// Writes the forces between balls into the engine's memory, which saved states contain.
 void ContinuousSolver::store_forces() {
-    std::vector<ContactForce>& known = table_->memory().forces;
+    std::vector<ContactForce>& known = table_.memory().forces;
     known.clear();
     for (const ContactForce& force : ball_forces_.all())
         known.push_back({movers_[force.a].number, movers_[force.b].number, force.normal, force.tangent});

@@ -53,7 +53,7 @@ void ContinuousSolver::trace_paths(bool all_start) {
     TraceStage& stage =
         record_->trace->stage(all_start ? "start of the window" : "paths and predictions so far",
                               all_start ? "src/custom/continuous/continuous_solver.cpp: start_all_paths"
-                                        : "src/custom/continuous/predict.cpp: predict");
+                                        : "src/custom/continuous/next_events.cpp: predict");
     std::size_t meets = 0, rest = 0, asleep = 0, islands = 0;
     for (BallIndex i = 0; i < movers_.size(); ++i) {
         const Mover& mover = movers_[i];

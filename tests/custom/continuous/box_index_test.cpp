@@ -1,7 +1,6 @@
-#include "custom/continuous/box_index.hpp"
-
 #include <gtest/gtest.h>
 
+#include "custom/continuous/neighbours.hpp"
 #include "rapidcheck/gtest.h"
 
 namespace flipside::custom {

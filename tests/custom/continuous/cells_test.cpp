@@ -1,5 +1,3 @@
-#include "custom/continuous/cells.hpp"
-
 #include <algorithm>
 #include <set>
 
@@ -7,6 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "custom/between.hpp"
+#include "custom/continuous/neighbours.hpp"
 
 namespace flipside::custom::test {
 namespace {

@@ -1,9 +1,8 @@
-#include "custom/islands/force_cache.hpp"
-
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "custom/islands/contact_solver.hpp"
 #include "rapidcheck/gtest.h"
 
 namespace flipside::custom {

@@ -43,12 +43,12 @@ void ContinuousSolver::push_out_of_parts(BallIndex i) {
             if (!overlap(here, ranges_[f]) || features_[f].gate || ignores(features_[f], ball)) continue;
             if (features_[f].primitive == seen) continue;
             const Primitive& primitive = layout_.primitive(features_[f].primitive);
-            const Pose pose = table_->pose(primitive.part);
+            const Pose pose = table_.pose(primitive.part);
             if (std::holds_alternative<Arc>(features_[f].is) &&
                 closest_point(features_[f], pose.undo(ball.position), ball.radius).distance > ball.radius)
                 continue;
             seen = features_[f].primitive;
-            if (!should_collide(*table_, primitive, pose, ball)) continue;
+            if (!should_collide(table_, primitive, pose, ball)) continue;
             const Touch touch_now = touch(ball.position, ball.radius, primitive, pose);
             if (touch_now.past_end || touch_now.separation >= deepest.separation) continue;
             deepest = touch_now;
@@ -163,7 +163,7 @@ void ContinuousSolver::find_supports(BallIndex i, double time) {
             shortest_bounce * std::sqrt(ball.radius * force) +
             unending_bounce(feature, force, gap_rounding(ball.position, ball.radius), mixed.restitution);
         if (std::abs(dot(relative, normal)) > still) continue;
-        if (feature.gate) table_->set_blocked(feature.part, ball.number, true);
+        if (feature.gate) table_.set_blocked(feature.part, ball.number, true);
         const double scale = length(external_.gravity) + length_squared(relative) / ball.radius;
         supports_.push_back({contact, contact.force > 1e-12 * scale});
     }

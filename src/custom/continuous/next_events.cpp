@@ -20,7 +20,7 @@ constexpr double sense_step = 1e-2;
 
 /// Whether the feature does not collide with the ball now.
 bool ContinuousSolver::ignores(const Feature& feature, const Ball& ball) const {
-    return feature.sensor || table_->parts()[feature.part].down || !layers_meet(ball, feature) ||
+    return feature.sensor || table_.parts()[feature.part].down || !layers_meet(ball, feature) ||
            (feature.gate && inside(ball.number, feature.part));
 }
 
@@ -119,13 +119,13 @@ bool ContinuousSolver::above_tangent_face(const Mover& mover, const Feature& fea
 void ContinuousSolver::predict_features(BallIndex i, double time) {
     Mover& mover = movers_[i];
     mover.has_near_part = mover.resting_on != nullptr;
-    if (mover.candidates.list().empty() && inside_.empty() && table_->blocked().empty()) return;
+    if (mover.candidates.list().empty() && inside_.empty() && table_.blocked().empty()) return;
     const Ball& ball = bodies_[i];
     const Path& path = mover.motion.path;
     for (auto in = std::ranges::lower_bound(inside_, ball.number, {}, &Sensed::ball);
          in != inside_.end() && in->ball == ball.number; ++in)
         offer(i, sense_time(in->sensor, ball, path, time, true), EventType::sensor, in->sensor);
-    for (const Blocked& blocked : table_->blocked())
+    for (const Blocked& blocked : table_.blocked())
         if (blocked.ball == ball.number)
             offer(i, sense_time(blocked.gate, ball, path, time, true), EventType::sensor, blocked.gate);
     PartIndex sensed = ~0U;
@@ -220,7 +220,7 @@ void ContinuousSolver::predict_loss(BallIndex i, double time) {
     Mover& mover = movers_[i];
     const Box& bounds = scene_.bounds;
     if (bounds.contains(mover.bounds.min) && bounds.contains(mover.bounds.max)) return;
-    const auto& reported = table_->reported_lost();
+    const auto& reported = table_.reported_lost();
     if (std::ranges::find(reported, ball.number) != reported.end()) return;
     const double last = std::min({dt_, mover.motion.until, mover.next_time, mover.cell_exit});
     offer(i, first_exit(mover.motion.path, bounds, time, last), EventType::leave_bounds);
