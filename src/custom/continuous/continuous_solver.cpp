@@ -1,3 +1,6 @@
+// A step: windows on the grid of the world's time, the events of each in order of time, and the balls at its
+// end.
+
 #include "custom/continuous/continuous_solver.hpp"
 
 #include <algorithm>

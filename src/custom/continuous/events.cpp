@@ -1,3 +1,5 @@
+// Handles events: impacts, ends of paths, sensors, gates, and the loss of a ball.
+
 #include <algorithm>
 
 #include "custom/continuous/continuous_solver.hpp"

@@ -1,3 +1,5 @@
+// Predicts the next event of a ball on its path, and puts it into the queue.
+
 #include <algorithm>
 #include <functional>
 

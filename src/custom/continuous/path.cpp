@@ -1,3 +1,5 @@
+// Starts the path of a ball: in flight, or in resting contact with a part.
+
 #include <algorithm>
 
 #include "custom/continuous/continuous_solver.hpp"

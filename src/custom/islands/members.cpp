@@ -1,3 +1,5 @@
+// Members of contact islands: which balls are, and the paths that they follow between ticks.
+
 #include <algorithm>
 #include <cmath>
 

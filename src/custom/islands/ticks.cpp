@@ -1,3 +1,5 @@
+// Ticks: all contacts of the members are collected and solved together.
+
 #include <algorithm>
 #include <cmath>
 
