@@ -31,8 +31,6 @@ class Layout {
     [[nodiscard]] double rate(const Table& table, PrimitiveIndex i, double ahead) const {
         return moves(i) ? table.rate(primitives_[i].part, ahead) : 0;
     }
-    /// Whether a primitive is no part of a sensor, target or gate.
-    [[nodiscard]] bool always_collides(PrimitiveIndex i) const { return always_collides_[i]; }
     /// The same as should_collide() above; cheap for most primitives.
     [[nodiscard]] bool should_collide(const Table& table, PrimitiveIndex i, const Pose& pose,
                                       const Ball& ball) const {
@@ -74,7 +72,7 @@ class Layout {
     PrimitiveIndex still_ = 0;
     std::vector<Proxy> still_proxies_;
     std::vector<PartIndex> gates_;
-    std::vector<char> always_collides_;       ///< per primitive
+    std::vector<char> always_collides_;       ///< per primitive: no part of a sensor, target or gate
     std::vector<std::uint32_t> material_of_;  ///< per primitive
     std::size_t materials_;
     std::vector<Mixed> mixed_;

@@ -19,14 +19,8 @@ auto key(const Contact& contact) {
     return std::tie(contact.ball, contact.other);
 }
 
-/// The ball with a number, or null; `balls` are sorted by number.
-const Ball* find(std::span<const Ball> balls, BallNumber number) {
-    const auto at = std::ranges::lower_bound(balls, number, {}, &Ball::number);
-    return at != balls.end() && at->number == number ? &*at : nullptr;
-}
-
 bool sleeps(std::span<const Ball> balls, BallNumber number) {
-    const Ball* ball = find(balls, number);
+    const Ball* ball = find_ball(balls, number);
     return ball != nullptr && ball->asleep;
 }
 
@@ -147,7 +141,7 @@ void TouchList::wake_unsupported(std::span<Ball> balls, Vec2 gravity) {
     woken_.assign(balls.size(), 0);
     bool any = false;
     const auto wake = [&](BallNumber number) {
-        const Ball* found = find(balls, number);
+        const Ball* found = find_ball(balls, number);
         if (found == nullptr || !found->asleep) return;
         const auto i = static_cast<std::size_t>(found - balls.data());
         balls[i].asleep = false;
@@ -155,7 +149,7 @@ void TouchList::wake_unsupported(std::span<Ball> balls, Vec2 gravity) {
         any = true;
     };
     const auto is_woken = [&](BallNumber number) {
-        const Ball* found = find(balls, number);
+        const Ball* found = find_ball(balls, number);
         return found != nullptr && woken_[static_cast<std::size_t>(found - balls.data())] != 0;
     };
     const double most = most_from_above * length(gravity);

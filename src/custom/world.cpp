@@ -209,11 +209,11 @@ BallNumber CustomWorld::add(const Ball& ball) {
 }
 
 bool CustomWorld::remove(BallNumber number) {
-    const auto ball = std::ranges::lower_bound(balls_, number, {}, &Ball::number);
-    if (ball == balls_.end() || ball->number != number) return false;
+    const Ball* ball = find_ball(balls_, number);
+    if (ball == nullptr) return false;
     find_contacts();
     if (continuous_) continuous_->begin_anew();
-    balls_.erase(ball);
+    balls_.erase(balls_.begin() + (ball - balls_.data()));
     std::erase(table_.reported_lost(), number);
     wake_all();
     search_contacts();

@@ -12,34 +12,37 @@ namespace flipside::custom {
 /// Highest power of a Taylor polynomial.
 inline constexpr int taylor_order = 22;
 
+/// Coefficients of a polynomial in time.
+template <class T>
+struct Series {
+    std::array<T, taylor_order + 1> terms{};
+
+    [[nodiscard]] T& operator[](int k) { return terms[static_cast<std::size_t>(k)]; }
+    [[nodiscard]] const T& operator[](int k) const { return terms[static_cast<std::size_t>(k)]; }
+
+    /// The value at t less that at 0, and both derivatives.
+    [[nodiscard]] T change(double t) const {
+        T sum{};
+        for (int k = taylor_order; k >= 1; --k) sum = t * (sum + (*this)[k]);
+        return sum;
+    }
+    [[nodiscard]] T slope(double t) const {
+        T sum{};
+        for (int k = taylor_order; k >= 1; --k) sum = t * sum + k * (*this)[k];
+        return sum;
+    }
+    [[nodiscard]] T bend(double t) const {
+        T sum{};
+        for (int k = taylor_order; k >= 2; --k) sum = t * sum + k * (k - 1) * (*this)[k];
+        return sum;
+    }
+};
+
 /// Motion of a ball in powers of the time since the start of its path.
 struct TaylorPath {
-    std::array<Vec2, taylor_order + 1> displacement{};  ///< m
-    std::array<double, taylor_order + 1> spin{};        ///< change of the spin, rad/s
-    double top_speed = 0, top_acceleration = 0;         ///< bounds over the whole polynomial
-
-    [[nodiscard]] Vec2 position(double t) const {
-        Vec2 sum;
-        for (std::size_t k = taylor_order; k >= 1; --k) sum = t * (sum + displacement[k]);
-        return sum;
-    }
-    [[nodiscard]] Vec2 velocity(double t) const {
-        Vec2 sum;
-        for (std::size_t k = taylor_order; k >= 1; --k)
-            sum = t * sum + static_cast<double>(k) * displacement[k];
-        return sum;
-    }
-    [[nodiscard]] Vec2 acceleration(double t) const {
-        Vec2 sum;
-        for (std::size_t k = taylor_order; k >= 2; --k)
-            sum = t * sum + static_cast<double>(k * (k - 1)) * displacement[k];
-        return sum;
-    }
-    [[nodiscard]] double spin_change(double t) const {
-        double sum = 0;
-        for (std::size_t k = taylor_order; k >= 1; --k) sum = t * (sum + spin[k]);
-        return sum;
-    }
+    Series<Vec2> displacement;                   ///< m
+    Series<double> spin;                         ///< change of the spin, rad/s
+    double top_speed = 0, top_acceleration = 0;  ///< bounds over the whole polynomial
 };
 
 struct Path {
@@ -52,15 +55,15 @@ struct Path {
     [[nodiscard]] bool is_taylor() const { return !taylor.empty(); }
     [[nodiscard]] Vec2 position(double time) const {
         const double t = time - start;
-        return flight.position + (is_taylor() ? taylor[0].position(t) : flight.displacement(t));
+        return flight.position + (is_taylor() ? taylor[0].displacement.change(t) : flight.displacement(t));
     }
     [[nodiscard]] Vec2 velocity(double time) const {
         const double t = time - start;
-        return is_taylor() ? taylor[0].velocity(t) : flight.velocity_at(t);
+        return is_taylor() ? taylor[0].displacement.slope(t) : flight.velocity_at(t);
     }
     [[nodiscard]] Vec2 acceleration(double time) const {
         const double t = time - start;
-        return is_taylor() ? taylor[0].acceleration(t)
+        return is_taylor() ? taylor[0].displacement.bend(t)
                            : flight.acceleration - flight.drag * flight.velocity_at(t);
     }
     struct Motion {
@@ -68,7 +71,8 @@ struct Path {
     };
     [[nodiscard]] Motion at(double time) const {
         const double t = time - start;
-        if (is_taylor()) return {flight.position + taylor[0].position(t), taylor[0].velocity(t)};
+        if (is_taylor())
+            return {flight.position + taylor[0].displacement.change(t), taylor[0].displacement.slope(t)};
         const TimeInterval interval(flight.drag, t);
         return {flight.position + flight.displacement(interval), flight.velocity_after(interval)};
     }

@@ -7,24 +7,17 @@ namespace flipside::custom {
 namespace {
 
 constexpr int order = taylor_order;
-template <class T>
-using Series = std::array<T, order + 1>;
-
-/// Unsigned index, to avoid warnings about conversions.
-constexpr std::size_t at(int k) {
-    return static_cast<std::size_t>(k);
-}
 
 /// Term k of the product of two series.
 template <class A, class B>
 auto product(const Series<A>& a, const Series<B>& b, int k) {
-    auto sum = a[0] * b[at(k)];
-    for (int j = 1; j <= k; ++j) sum += a[at(j)] * b[at(k - j)];
+    auto sum = a[0] * b[k];
+    for (int j = 1; j <= k; ++j) sum += a[j] * b[k - j];
     return sum;
 }
 double dot_product(const Series<Vec2>& a, const Series<Vec2>& b, int k) {
     double sum = 0;
-    for (int j = 0; j <= k; ++j) sum += dot(a[at(j)], b[at(k - j)]);
+    for (int j = 0; j <= k; ++j) sum += dot(a[j], b[k - j]);
     return sum;
 }
 
@@ -32,7 +25,7 @@ double dot_product(const Series<Vec2>& a, const Series<Vec2>& b, int k) {
 Series<Vec2> turning_vector(Vec2 v, double rate) {
     Series<Vec2> series;
     series[0] = v;
-    for (int k = 0; k < order; ++k) series[at(k + 1)] = rate / (k + 1) * perp(series[at(k)]);
+    for (int k = 0; k < order; ++k) series[k + 1] = rate / (k + 1) * perp(series[k]);
     return series;
 }
 
@@ -103,16 +96,16 @@ Loads expand_on_line(const Guide& guide, Vec2 normal, Vec2 velocity, const Exter
     s[0] = guide.s;
     s[1] = dot(velocity, t[0]) + d * w;
     for (int k = 0; k + 2 <= order; ++k) {
-        const double speed = (k + 1) * s[at(k + 1)] - (k == 0 ? d * w : 0);
-        const double force = 2 * w * (k + 1) * s[at(k + 1)] - (k == 0 ? d * w * w : 0) -
-                             dot(n[at(k)], external.gravity) + c * w * s[at(k)];
-        const double tangential = w * w * s[at(k)] + dot(t[at(k)], external.gravity) - c * speed;
+        const double speed = (k + 1) * s[k + 1] - (k == 0 ? d * w : 0);
+        const double force = 2 * w * (k + 1) * s[k + 1] - (k == 0 ? d * w * w : 0) -
+                             dot(n[k], external.gravity) + c * w * s[k];
+        const double tangential = w * w * s[k] + dot(t[k], external.gravity) - c * speed;
         const double bend = friction.share() * tangential + friction.slide * force;
-        s[at(k + 2)] = bend / ((k + 1) * (k + 2));
-        loads.force[at(k)] = force;
-        loads.slide[at(k)] = -bend;
+        s[k + 2] = bend / ((k + 1) * (k + 2));
+        loads.force[k] = force;
+        loads.slide[k] = -bend;
     }
-    for (int k = 0; k <= order; ++k) displacement[at(k)] = product(s, t, k) + d * n[at(k)];
+    for (int k = 0; k <= order; ++k) displacement[k] = product(s, t, k) + d * n[k];
     return loads;
 }
 
@@ -122,8 +115,8 @@ Loads expand_on_circle(const Guide& guide, Vec2 normal, Vec2 velocity, const Ext
     const Series<Vec2> center = turning_vector(guide.arm, guide.rate);
     Series<Vec2> felt{};  // gravity and inertial forces in the frame of the moving centre
     for (int k = 0; k + 2 <= order; ++k)
-        felt[at(k)] = (k == 0 ? external.gravity : Vec2{}) - (k + 1) * (k + 2) * center[at(k + 2)] -
-                      c * (k + 1) * center[at(k + 1)];
+        felt[k] = (k == 0 ? external.gravity : Vec2{}) - (k + 1) * (k + 2) * center[k + 2] -
+                  c * (k + 1) * center[k + 1];
     Series<Vec2> out{}, tangent{};  // out' = turn·tangent, tangent' = −turn·out
     Series<double> turn{};
     Loads loads;
@@ -132,16 +125,16 @@ Loads expand_on_circle(const Guide& guide, Vec2 normal, Vec2 velocity, const Ext
     turn[0] = dot(velocity - cross(guide.rate, guide.arm), tangent[0]) / radius;
     for (int k = 0; k < order; ++k) {
         const double force = -side * (dot_product(out, felt, k) + radius * product(turn, turn, k));
-        const double tangential = dot_product(tangent, felt, k) - c * radius * turn[at(k)];
+        const double tangential = dot_product(tangent, felt, k) - c * radius * turn[k];
         const double bend = friction.share() * tangential - side * friction.slide * force;
-        turn[at(k + 1)] = bend / (radius * (k + 1));
+        turn[k + 1] = bend / (radius * (k + 1));
         const Vec2 turned = product(turn, tangent, k) / (k + 1);
-        out[at(k + 1)] = turned;
-        tangent[at(k + 1)] = perp(turned);
-        loads.force[at(k)] = force;
-        loads.slide[at(k)] = side * bend;
+        out[k + 1] = turned;
+        tangent[k + 1] = perp(turned);
+        loads.force[k] = force;
+        loads.slide[k] = side * bend;
     }
-    for (int k = 0; k <= order; ++k) displacement[at(k)] = center[at(k)] + radius * out[at(k)];
+    for (int k = 0; k <= order; ++k) displacement[k] = center[k] + radius * out[k];
     return loads;
 }
 
@@ -149,7 +142,7 @@ Loads expand_on_circle(const Guide& guide, Vec2 normal, Vec2 velocity, const Ext
 double valid_time(const Series<Vec2>& series, double error) {
     double h = never_touch;
     for (const int k : {order, order - 1, order - 2}) {
-        const double term = length(series[at(k)]);
+        const double term = length(series[k]);
         if (term > 0) h = std::min(h, math::root(error / term, k));
     }
     return h;
@@ -170,13 +163,13 @@ class StepBudget {
 /// First time in [0, h] at which the series falls below zero.
 double first_below_zero(const Series<double>& f, double h, StepBudget& budget) {
     double k2 = 0, power = 1;
-    for (int k = 2; k <= order; ++k, power *= h) k2 += k * (k - 1) * std::abs(f[at(k)]) * power;
+    for (int k = 2; k <= order; ++k, power *= h) k2 += k * (k - 1) * std::abs(f[k]) * power;
     const double tolerance = 1e-15 * (std::abs(f[0]) + k2 * h * h + std::abs(f[1]) * h);
     for (double t = 0; t < h && budget.take_step();) {
         double value = 0, slope = 0;
         for (int k = order; k >= 0; --k) {
             slope = slope * t + value;
-            value = value * t + f[at(k)];
+            value = value * t + f[k];
         }
         if (value <= tolerance && slope < 0) return t;
         const double step = safe_time(std::max(value, tolerance), slope, k2);
@@ -260,7 +253,7 @@ void ConstrainedPath::fly(const Flight& flight, double time) {
 double ConstrainedPath::spin_at(double spin, double time) const {
     const double t = time - path.start;
     if (roll != Vec2{}) return dot(roll, path.velocity(time));
-    return spin + (path.is_taylor() ? path.taylor[0].spin_change(t) : spin_rate * t);
+    return spin + (path.is_taylor() ? path.taylor[0].spin.change(t) : spin_rate * t);
 }
 
 namespace {
@@ -323,9 +316,8 @@ void move_on_curve(const RestingContact& contact, const Ball& ball, const Guide&
     const double h = std::min({valid, stop, t1}) - time;
     double power = 1;
     for (int k = 1; k <= order; ++k, power *= h) {
-        taylor.top_speed += k * length(taylor.displacement[at(k)]) * power;
-        if (k < order)
-            taylor.top_acceleration += (k + 1) * k * length(taylor.displacement[at(k + 1)]) * power;
+        taylor.top_speed += k * length(taylor.displacement[k]) * power;
+        if (k < order) taylor.top_acceleration += (k + 1) * k * length(taylor.displacement[k + 1]) * power;
     }
     const double separates = time + first_below_zero(loads.force, h, budget);
     motion.until = std::min({valid, stop, separates});
@@ -336,15 +328,14 @@ void move_on_curve(const RestingContact& contact, const Ball& ball, const Guide&
     const double sign = friction.slide > 0 ? 1 : -1;
     more[0] = sign * (along - ball.radius * ball.spin);
     for (int k = 0; k + 1 < order; ++k) {
-        const double sliding_force = friction.slide * loads.force[at(k)];
-        taylor.spin[at(k + 1)] =
-            (friction.rolls ? loads.slide[at(k)] : 2 * sliding_force) / (ball.radius * (k + 1));
+        const double sliding_force = friction.slide * loads.force[k];
+        taylor.spin[k + 1] = (friction.rolls ? loads.slide[k] : 2 * sliding_force) / (ball.radius * (k + 1));
         if (!friction.rolls) {
-            more[at(k + 1)] = sign * (loads.slide[at(k)] - 2 * sliding_force) / (k + 1);
+            more[k + 1] = sign * (loads.slide[k] - 2 * sliding_force) / (k + 1);
             continue;
         }
-        more[at(k)] = contact.friction * loads.force[at(k)] + loads.slide[at(k)] / 2;
-        less[at(k)] = contact.friction * loads.force[at(k)] - loads.slide[at(k)] / 2;
+        more[k] = contact.friction * loads.force[k] + loads.slide[k] / 2;
+        less[k] = contact.friction * loads.force[k] - loads.slide[k] / 2;
     }
     double switches = never_touch;
     if (friction.rolls)

@@ -203,29 +203,27 @@ struct Instants {
     [[nodiscard]] std::span<double> all() { return {at.data(), count}; }
 };
 
-using Coefficients = std::array<double, taylor_order + 1>;
-
-/// Coefficients of the m-th derivative of Σ c[k]·t^k.
-Coefficients derivative(const Coefficients& c, int m) {
-    Coefficients result{};
+/// Coefficients of the m-th derivative.
+Series<double> derivative(const Series<double>& c, int m) {
+    Series<double> result;
     for (int k = m; k <= taylor_order; ++k) {
         double factor = 1;
         for (int i = 0; i < m; ++i) factor *= k - i;
-        result[static_cast<std::size_t>(k - m)] = factor * c[static_cast<std::size_t>(k)];
+        result[k - m] = factor * c[k];
     }
     return result;
 }
 
 /// Adds the zeros in (0, h) of the slope of Σ c[k]·t^k. The zeros of each derivative lie between those of the
 /// next higher one.
-void add_turns(const Coefficients& c, double h, Instants& turns) {
+void add_turns(const Series<double>& c, double h, Instants& turns) {
     std::array<double, taylor_order + 1> zeros{}, next{};
     std::size_t count = 0;
     for (int m = taylor_order; m >= 1; --m) {
-        const Coefficients slope = derivative(c, m);
+        const Series<double> slope = derivative(c, m);
         const auto is_below = [&](double t) {
             double sum = 0;
-            for (std::size_t k = slope.size(); k-- > 0;) sum = sum * t + slope[k];
+            for (int k = taylor_order; k >= 0; --k) sum = sum * t + slope[k];
             return sum < 0;
         };
         std::size_t found = 0;
@@ -330,8 +328,8 @@ double first_exit(const Path& path, const Box& box, double t0, double t1) {
     const double h = t1 - path.start;
     if (path.is_taylor()) {
         for (double Vec2::*axis : {&Vec2::x, &Vec2::y}) {
-            Coefficients series{};
-            for (std::size_t k = 1; k < series.size(); ++k) series[k] = path.taylor[0].displacement[k].*axis;
+            Series<double> series;
+            for (int k = 1; k <= taylor_order; ++k) series[k] = path.taylor[0].displacement[k].*axis;
             add_turns(series, h, turns);
         }
     } else {

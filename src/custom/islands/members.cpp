@@ -32,12 +32,10 @@ void ContinuousSolver::find_islands() {
         members_.push_back(i);
     };
     for (const ContactForce& force : table_.memory().forces) {
-        const auto a = std::ranges::lower_bound(bodies_, force.a, {}, &Ball::number);
-        const auto b = std::ranges::lower_bound(bodies_, force.b, {}, &Ball::number);
-        if (a == bodies_.end() || a->number != force.a || b == bodies_.end() || b->number != force.b)
-            continue;
-        const auto i = static_cast<BallIndex>(a - bodies_.begin()),
-                   j = static_cast<BallIndex>(b - bodies_.begin());
+        const Ball *a = find_ball(bodies_, force.a), *b = find_ball(bodies_, force.b);
+        if (a == nullptr || b == nullptr) continue;
+        const auto i = static_cast<BallIndex>(a - bodies_.data()),
+                   j = static_cast<BallIndex>(b - bodies_.data());
         ball_forces_.add({i, j, force.normal, force.tangent});
         join_once(i), join_once(j);
     }

@@ -21,8 +21,7 @@ constexpr double falling = 0.5;
 constexpr double faster_to_wake = 4;
 
 std::size_t index_of(std::span<const Ball> balls, BallNumber number) {
-    return static_cast<std::size_t>(std::ranges::lower_bound(balls, number, {}, &Ball::number) -
-                                    balls.begin());
+    return static_cast<std::size_t>(find_ball(balls, number) - balls.data());
 }
 
 }  // namespace

@@ -24,8 +24,8 @@ void decide_gate(Table& table, PartIndex part, double begin, double end, const s
     };
     std::erase_if(table.blocked(), [&](const Blocked& blocked) {
         if (blocked.gate != part) return false;
-        const auto ball = std::ranges::find(balls, blocked.ball, &Ball::number);
-        return ball != balls.end() && separation(*ball) > touch_distance * ball->radius;
+        const Ball* ball = find_ball(balls, blocked.ball);
+        return ball != nullptr && separation(*ball) > touch_distance * ball->radius;
     });
     const bool was_open = table.parts()[part].open;
     bool occupied = false;

@@ -73,7 +73,7 @@ TEST(FirstExit, Grazes) {
 Path polynomial(std::initializer_list<double> series) {
     Path path;
     TaylorPath& taylor = path.taylor.emplace_back();
-    std::size_t k = 0;
+    int k = 0;
     for (const double c : series) {
         if (k == 0)
             path.flight.position = {c, 0.5};
