@@ -126,7 +126,7 @@ void ContinuousSolver::advance_to(const Clock& now, std::vector<Ball>& balls) {
     for (;;) {
         if (!in_window_) begin(balls);
         if (quiet_) return table_.set_to(now, start().parts, now.time - start_);
-        const double stop = watched_ ? end_at_ : watch_at_;
+        const double stop = watched_ ? end_on_clock_ : watch_at_;
         const Clock here = stop < now.time ? Clock{stop, 0} : now;
         const double ahead = here.time - start_;
         run(ahead);
@@ -138,7 +138,7 @@ void ContinuousSolver::advance_to(const Clock& now, std::vector<Ball>& balls) {
             end(now.time, balls);
         } else {
             read(ahead, now.time, balls);
-            sleep_.watch(balls, end_at_ - watch_at_);
+            sleep_.watch(balls, end_on_clock_ - watch_at_);
             watched_ = true;
         }
         if (stop >= now.time) return;
@@ -154,10 +154,10 @@ void ContinuousSolver::begin(const std::vector<Ball>& balls) {
     start_ = table_.time();
     double next = std::floor(start_ / window_length) + 1;
     while (next * window_length <= start_) ++next;
-    end_at_ = next * window_length;
-    dt_ = end_at_ - start_;
-    after_end_ = std::nextafter(dt_, INFINITY);
-    watch_at_ = end_at_ - rest_length;
+    end_on_clock_ = next * window_length;
+    end_ = end_on_clock_ - start_;
+    after_end_ = std::nextafter(end_, INFINITY);
+    watch_at_ = end_on_clock_ - rest_length;
     watched_ = !settings_.sleep || watch_at_ <= start_;
     sleep_.watch({}, rest_length);
     EngineMemory& memory = table_.memory();
@@ -229,11 +229,11 @@ void ContinuousSolver::start_all_paths() {
 void ContinuousSolver::handle_until(double time) {
     for (;;) {
         const double event = next_events_.time();
-        if (any_in_island_ && next_tick_ <= std::min(event, time) && next_tick_ < dt_) {
+        if (any_in_island_ && next_tick_ <= std::min(event, time) && next_tick_ < end_) {
             tick(next_tick_);
             continue;
         }
-        if (event > time || event > dt_) return;
+        if (event > time || event > end_) return;
         record_->trace ? trace_event(next_events_.first()) : handle(next_events_.first());
     }
 }
@@ -277,7 +277,7 @@ void ContinuousSolver::read(double time, double now, std::vector<Ball>& balls) {
 
 /// Reads the balls at the end of the window, and updates contacts and sleep.
 void ContinuousSolver::end(double now, std::vector<Ball>& balls) {
-    read(dt_, now, balls);
+    read(end_, now, balls);
     report_until(INFINITY, now);
     in_window_ = false;
     contacts_.refresh(layout_, table_, balls, find_pairs(balls));
@@ -311,7 +311,7 @@ std::shared_ptr<const State> ContinuousSolver::kept_origin() const {
 bool ContinuousSolver::resume(const State& state, std::vector<Ball>& balls, StepRecord& record) {
     record_ = &record;
     begin(balls);
-    if (!(state.clock.time >= table_.time() && state.clock.time < end_at_)) return false;
+    if (!(state.clock.time >= table_.time() && state.clock.time < end_on_clock_)) return false;
     try {
         advance_to(state.clock, balls);
     } catch (const Refusal&) {

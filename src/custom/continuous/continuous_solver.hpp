@@ -266,13 +266,14 @@ class ContinuousSolver {
     // The current window.
     StepRecord* record_ = nullptr;
     bool in_window_ = false, quiet_ = false;
-    double start_ = 0, end_at_ = 0;  ///< s, on the table's clock; all other times are relative to start_
-    double dt_ = 0;                  ///< its length, s
-    double after_end_ = 0;           ///< the next number after dt_
-    double read_at_ = 0;             ///< time of the last read(), s
-    std::vector<Ball> bodies_;       ///< each at the start of its path
-    std::vector<Event> pending_;     ///< not recorded yet
-    bool paths_started_ = false;     ///< start_all_paths() has run
+    double start_ = 0;            ///< s, on the table's clock; all other times are relative to it
+    double end_on_clock_ = 0;     ///< the same of the end, s
+    double end_ = 0;              ///< of the window, s
+    double after_end_ = 0;        ///< the next number after end_
+    double read_at_ = 0;          ///< time of the last read(), s
+    std::vector<Ball> bodies_;    ///< each at the start of its path
+    std::vector<Event> pending_;  ///< not recorded yet
+    bool paths_started_ = false;  ///< start_all_paths() has run
     std::uint64_t events_ = 0, search_steps_ = 0;
     double next_tick_ = 0;
     bool any_in_island_ = false, any_creeps_ = false;

@@ -52,7 +52,7 @@ void ContinuousSolver::handle(BallIndex i) {
                          ? movers_[std::min(i, mover.partner)]
                          : mover;
     counted.simultaneous_events =
-        time <= counted.last_event + instant * dt_ ? counted.simultaneous_events + 1 : 0;
+        time <= counted.last_event + instant * end_ ? counted.simultaneous_events + 1 : 0;
     counted.last_event = time;
     if (counted.simultaneous_events > most_at_once || ++counted.idle_events > most_idle) {
         counted.idle_events = most_idle - idle_after_jam;
@@ -111,10 +111,9 @@ void ContinuousSolver::hit_feature(BallIndex i, double time) {
     const Turning& turning = turnings_[index];
     const Pose pose = turning.pose(time);
     advance(ball, movers_[i].motion, time);
-    const Closest closest = closest_point(feature, pose.undo(ball.position), ball.radius);
+    const auto [distance, normal, facing] = closest_point(feature, pose, ball.position, ball.radius);
     if (feature.gate && meet_gate(i, index, time)) return restart(i, time);
-    const Vec2 normal = pose.angle == 0 ? closest.normal : rotated(closest.normal, pose.angle);
-    const Vec2 point = ball.position - closest.distance * normal;
+    const Vec2 point = ball.position - distance * normal;
     const Vec2 surface = cross(turning.rate_at(time), point - pose.pivot);
     if (const Vec2 v = true_velocity(i, time); - dot(v - surface, normal) > scene_.rest_speed)
         ball.velocity = v;

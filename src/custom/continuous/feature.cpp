@@ -221,6 +221,12 @@ Closest closest_point(const Feature& feature, Vec2 point, double radius) {
     return std::visit(ClosestPointTo{point, radius}, feature.is);
 }
 
+Closest closest_point(const Feature& feature, const Pose& pose, Vec2 point, double radius) {
+    Closest found = closest_point(feature, pose.undo(point), radius);
+    if (pose.angle != 0) found.normal = rotated(found.normal, pose.angle);
+    return found;
+}
+
 bool clear_of(const Feature& feature, Vec2 a, Vec2 b, double radius, double sag) {
     return std::visit(ClearOf{a, b, radius, sag}, feature.is);
 }

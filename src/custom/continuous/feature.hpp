@@ -102,6 +102,8 @@ struct Closest {
     bool facing = true;   ///< whether the closest point lies between the ends of the curve
 };
 [[nodiscard]] Closest closest_point(const Feature& feature, Vec2 point, double radius);
+/// The same for the feature in a pose.
+[[nodiscard]] Closest closest_point(const Feature& feature, const Pose& pose, Vec2 point, double radius);
 
 /// Cheap conservative test: true only if a disc whose centre stays within `sag` of the chord from a to b
 /// cannot touch the feature (in the pose of the scene file).

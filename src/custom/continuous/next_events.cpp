@@ -132,7 +132,7 @@ void ContinuousSolver::predict_features(BallIndex i, double time) {
             offer(i, sense_time(blocked.gate, ball, path, time, true), EventType::sensor, blocked.gate);
     PartIndex sensed = ~0U;
     // Bound on the distance of the path from its chord, with a margin greater than touch_distance.
-    const double end = std::min({dt_, mover.motion.until, mover.cell_exit}), duration = end - time;
+    const double end = std::min({end_, mover.motion.until, mover.cell_exit}), duration = end - time;
     const Vec2 from = time == path.start ? path.flight.position : path.position(time);
     const Vec2 to = path.position(end);
     const double sag = path.max_acceleration(end) * duration * duration / 8 + clearance_margin(ball);
@@ -156,7 +156,7 @@ void ContinuousSolver::predict_features(BallIndex i, double time) {
         if (hot_[i].in_island && rests_on(i, feature, turning.pose(time), time)) continue;
         if (turning.still() && above_tangent_face(mover, feature, turning.begin)) continue;
         ++record_->statistics.narrow_tests;
-        const double last = std::min({mover.next_time, dt_, mover.on_tick_path ? mover.motion.until : dt_});
+        const double last = std::min({mover.next_time, end_, mover.on_tick_path ? mover.motion.until : end_});
         offer(i, time_of_impact(feature, turning, path, ball.radius, time, last, &search_steps_),
               EventType::feature, f);
     }
@@ -174,7 +174,7 @@ void ContinuousSolver::predict_ball(BallIndex i, BallIndex j, double time) {
     if (a.in_island && (b.in_island || bodies_[j].asleep) && in_slow_contact(i, j, time)) return;
     const Mover &mover = movers_[i], &other = movers_[j];
     const double from = std::max(a.start, b.start);
-    const double until = std::min({dt_, mover.motion.until, other.motion.until});
+    const double until = std::min({end_, mover.motion.until, other.motion.until});
     if (until < from) return;
     ++record_->statistics.narrow_tests;
     const double met = time_of_impact(mover.motion.path, other.motion.path, a.radius + b.radius, from, until,
@@ -224,7 +224,7 @@ void ContinuousSolver::predict_loss(BallIndex i, double time) {
     if (bounds.contains(mover.bounds.min) && bounds.contains(mover.bounds.max)) return;
     const auto& reported = table_.reported_lost();
     if (std::ranges::find(reported, ball.number) != reported.end()) return;
-    const double last = std::min({dt_, mover.motion.until, mover.next_time, mover.cell_exit});
+    const double last = std::min({end_, mover.motion.until, mover.next_time, mover.cell_exit});
     offer(i, first_exit(mover.motion.path, bounds, time, last), EventType::leave_bounds);
 }
 
@@ -234,15 +234,15 @@ void ContinuousSolver::predict_loss(BallIndex i, double time) {
 double ContinuousSolver::sense_time(PartIndex part, const Ball& ball, const Path& path, double time,
                                     bool inside) const {
     const Turning& turning = turnings_[part];
-    const double own = path.max_speed(dt_), w = std::abs(turning.rate);
+    const double own = path.max_speed(end_), w = std::abs(turning.rate);
     const double out = std::max(sense_gap * ball.radius, 4 * gap_rounding(ball.position, ball.radius));
     const auto left_at = [&](double t) {
         const double distance = distance_to(part, path.position(t), ball.radius, turning.pose(t));
         return inside ? out - distance : distance;
     };
-    const double far = w == 0 ? 0 : length(path.position(time) - turning.begin.pivot) + own * (dt_ - time);
+    const double far = w == 0 ? 0 : length(path.position(time) - turning.begin.pivot) + own * (end_ - time);
     const double speed = own + w * far;
-    const double error = std::max(gap_rounding(ball.position, ball.radius) / speed, 4 * 0x1p-53 * dt_);
+    const double error = std::max(gap_rounding(ball.position, ball.radius) / speed, 4 * 0x1p-53 * end_);
     double before = time, left_before = 0;
     constexpr int most_steps = 100'000;  // some hundred for a ball that rolls along the border of a sensor
     double t = time;
@@ -251,8 +251,8 @@ double ContinuousSolver::sense_time(PartIndex part, const Ball& ball, const Path
         if (left <= 0) return first_zero(left_at, before, left_before, t, left, error);
         before = t;
         left_before = left;
-        if (t >= dt_) return never_touch;
-        t = std::min(dt_, t + std::max(left, sense_step * ball.radius) / speed);
+        if (t >= end_) return never_touch;
+        t = std::min(end_, t + std::max(left, sense_step * ball.radius) / speed);
     }
     refuse_search(engine_name, ball.number, Other::part(part), start_ + time, scene_);
 }

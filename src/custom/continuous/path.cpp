@@ -94,7 +94,7 @@ void ContinuousSolver::list_in_cell(BallIndex i, double time) {
     const Ball& ball = bodies_[i];
     constexpr double soon = 1e-3;  // s
     cells_.choose_level(
-        i, std::max(Cells::width_for(ball.radius), movers_[i].motion.path.max_speed(dt_) * soon));
+        i, std::max(Cells::width_for(ball.radius), movers_[i].motion.path.max_speed(end_) * soon));
     cells_.insert(i, ball.position);
     update_swept_bounds(i, time);
 }
@@ -110,10 +110,10 @@ void ContinuousSolver::update_swept_bounds(BallIndex i, double time) {
         return;
     }
     const auto [here, velocity] = path.at(time);
-    const double left = dt_ - time;
+    const double left = end_ - time;
     Vec2 top{std::abs(path.flight.acceleration.x), std::abs(path.flight.acceleration.y)};
     if (path.is_taylor() || path.flight.drag > 0) {
-        const double most = path.max_acceleration(dt_);
+        const double most = path.max_acceleration(end_);
         top = {most, most};
     }
     const double duration = std::min(cells_.time_in_cell(i, here, velocity, top), left);
@@ -149,11 +149,11 @@ void ContinuousSolver::find_supports(BallIndex i, double time) {
         const Turning& turning = turnings_[feature.part];
         const Pose pose = turning.pose(time);
         ++record_->statistics.narrow_tests;
-        const Closest closest = closest_point(feature, pose.undo(ball.position), ball.radius);
+        const Closest closest = closest_point(feature, pose, ball.position, ball.radius);
         const double gap = closest.distance - ball.radius;
         if (!closest.facing || gap > support_gap * ball.radius + gap_rounding(ball.position, ball.radius))
             continue;
-        const Vec2 normal = pose.angle == 0 ? closest.normal : rotated(closest.normal, pose.angle);
+        const Vec2 normal = closest.normal;
         if (feature.gate && lets_through(feature.part, ball, time)) continue;
         RestingContact contact = resting_contact_at(feature, turning, ball, normal, time, external_);
         const Mixed mixed = layout_.mixed(ball.material, scene_.parts[feature.part].material);
@@ -225,7 +225,7 @@ void ContinuousSolver::choose_support(BallIndex i, double time) {
     for (const Support& support : supports_) {
         if (!support.loaded || !supports_alone(support, ball)) continue;
         mover.resting_on = support.contact.feature;
-        if (!constrain(support.contact, ball, time, dt_, external_, mover.motion)) join_island(i, time);
+        if (!constrain(support.contact, ball, time, end_, external_, mover.motion)) join_island(i, time);
         return;
     }
     const double slow = 1e-6 * std::sqrt(ball.radius * length(external_.gravity));

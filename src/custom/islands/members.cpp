@@ -237,9 +237,8 @@ bool ContinuousSolver::in_slow_contact(BallIndex i, BallIndex j, double time) co
 /// which could take it into the part before the next tick: for it the limit is rest_speed.
 bool ContinuousSolver::rests_on(BallIndex i, const Feature& feature, const Pose& pose, double time) const {
     const auto here = movers_[i].motion.path.at(time);
-    const Closest closest = closest_point(feature, pose.undo(here.position), bodies_[i].radius);
-    const Vec2 normal = pose.angle == 0 ? closest.normal : rotated(closest.normal, pose.angle);
-    const Vec2 point = here.position - closest.distance * normal;
+    const auto [distance, normal, facing] = closest_point(feature, pose, here.position, bodies_[i].radius);
+    const Vec2 point = here.position - distance * normal;
     const Vec2 surface = cross(turnings_[feature.part].rate_at(time), point - pose.pivot);
     const double closing = -dot(here.velocity - surface, normal);
     if (hot_[i].creeps) return creeps_at(closing, bodies_[i]);

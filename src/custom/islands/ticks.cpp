@@ -17,9 +17,9 @@ constexpr std::size_t members_per_creeping = 4;
 
 /// Next point after `time` on the grid of spacing `length` that ends with the window, s.
 double ContinuousSolver::next_on_grid(double time, double length) const {
-    double left = std::ceil((dt_ - time) / length) - 1;
-    while (left > 0 && dt_ - left * length <= time + 1e-3 * tick_length) --left;
-    return left > 0 ? dt_ - left * length : dt_;
+    double left = std::ceil((end_ - time) / length) - 1;
+    while (left > 0 && end_ - left * length <= time + 1e-3 * tick_length) --left;
+    return left > 0 ? end_ - left * length : end_;
 }
 
 double ContinuousSolver::next_tick(double time) const {

@@ -43,7 +43,7 @@ void ContinuousSolver::trace_next(TraceItem& item, BallIndex i) const {
     const std::string_view name = name_of_next(i);
     const double time = std::min(mover.cell_exit, mover.next_time);
     item.with("next", name);
-    if (time <= dt_) item.with("next_time", start_ + time);
+    if (time <= end_) item.with("next_time", start_ + time);
     if (name == "meets a part") item.with("next_part", scene_.parts[features_[mover.partner].part].name);
     if (name == "meets a ball") item.with("next_ball", bodies_[mover.partner].number);
 }
@@ -80,13 +80,13 @@ void ContinuousSolver::trace_paths(bool all_start) {
         islands += hot_[i].in_island;
         rest += mover.resting_on != nullptr;
         meets +=
-            mover.next_time <= dt_ && (mover.next == EventType::feature || mover.next == EventType::ball);
+            mover.next_time <= end_ && (mover.next == EventType::feature || mover.next == EventType::ball);
         trace_next(item, i);
         const double now = std::max(0.0, mover.motion.path.start);
-        const double end = std::min({mover.cell_exit, mover.next_time, dt_});
+        const double end = std::min({mover.cell_exit, mover.next_time, end_});
         if (end > now) item.with("swept", swept(now, end, [&](double t) { return ball_at(i, t).position; }));
     }
-    stage.says = (all_start ? "A window of " + milliseconds(dt_) + " begins and all balls start a new path: "
+    stage.says = (all_start ? "A window of " + milliseconds(end_) + " begins and all balls start a new path: "
                             : "The window since " + brief(start_) + " s goes on: ") +
                  std::to_string(meets) + " of " + counted(stage.items.size(), "ball") +
                  " will have an impact in it, " + std::to_string(rest) + " rest on a part, " +
