@@ -12,10 +12,7 @@ Layout::Layout(const Scene& scene)
         std::stable_partition(primitives_.begin(), primitives_.end(),
                               [&](const Primitive& p) { return !Table::moves(scene.parts[p.part]); });
     still_ = static_cast<PrimitiveIndex>(moving - primitives_.begin());
-    for (PrimitiveIndex i = 0; i < still_; ++i) {
-        const Part& part = scene.parts[primitives_[i].part];
-        still_proxies_.push_back({bounds_of(primitives_[i]), part.layer, part.collides_with, false, false});
-    }
+    for (PrimitiveIndex i = 0; i < still_; ++i) still_proxies_.push_back(proxy_of(primitives_[i]));
     for (const Primitive& primitive : primitives_) {
         const Part& part = scene.parts[primitive.part];
         always_collides_.push_back(!part.sensor && !part.target && gate_of(part) == nullptr);
@@ -27,20 +24,9 @@ Layout::Layout(const Scene& scene)
         for (const Material& b : scene.materials) mixed_.push_back(mix(a, b));
 }
 
-Proxy Layout::proxy(const Table& table, PrimitiveIndex i, double begin, double end) const {
-    const Part& part = scene_.parts[primitives_[i].part];
-    const Pose first = table.pose(primitives_[i].part, begin), last = table.pose(primitives_[i].part, end);
-    const double turned = last.angle - first.angle;
-    Box box = bounds_of(primitives_[i], first);
-    if (turned != 0) {
-        box = united(box, bounds_of(primitives_[i], last));
-        // Between both poses, a point at distance d from the pivot is outside by less than d·(1 −
-        // cos(turned/2)).
-        const double dx = std::max(box.max.x - first.pivot.x, first.pivot.x - box.min.x);
-        const double dy = std::max(box.max.y - first.pivot.y, first.pivot.y - box.min.y);
-        box = grown(box, length({dx, dy}) * std::min(2.0, turned * turned / 8));
-    }
-    return {box, part.layer, part.collides_with, false, turned != 0};
+Proxy Layout::proxy_of(const Primitive& primitive, const Pose& pose) const {
+    const Part& part = scene_.parts[primitive.part];
+    return {bounds_of(primitive, pose), part.layer, part.collides_with, false};
 }
 
 bool should_collide(const Table& table, const Primitive& primitive, const Pose& pose, const Ball& ball) {

@@ -23,7 +23,6 @@ class Layout {
     [[nodiscard]] const Primitive& primitive(PrimitiveIndex i) const { return primitives_[i]; }
     [[nodiscard]] std::span<const Primitive> primitives() const { return primitives_; }
     [[nodiscard]] PrimitiveIndex size() const { return static_cast<PrimitiveIndex>(primitives_.size()); }
-    [[nodiscard]] bool moves(PrimitiveIndex i) const { return i >= still_; }
     /// Pose and rate (rad/s) of a primitive `ahead` seconds from now; cheap for still primitives.
     [[nodiscard]] Pose pose(const Table& table, PrimitiveIndex i, double ahead) const {
         return moves(i) ? table.pose(primitives_[i].part, ahead) : Pose{};
@@ -41,17 +40,14 @@ class Layout {
     /// Indices of the parts that are gates.
     [[nodiscard]] std::span<const PartIndex> gates() const { return gates_; }
 
-    /// Fills `moving` with the proxies of the moving primitives, then of the balls. The box of a primitive
-    /// covers its motion from `begin` to `end`, s after the table's time. `box_of` gives the box of a ball.
-    /// Balls are active if awake or if `all_active`; a primitive is active if it turns in that interval.
-    void fill_proxies(const Table& table, std::span<const Ball> balls, double begin, double end,
-                      bool all_active, auto&& box_of, std::vector<Proxy>& moving) const {
+    /// Fills `moving` with the proxies of the moving primitives, `ahead` seconds after the table's time, then
+    /// of the balls. `box_of` gives the box of a ball.
+    void fill_proxies(const Table& table, std::span<const Ball> balls, double ahead, auto&& box_of,
+                      std::vector<Proxy>& moving) const {
         moving.clear();
         for (PrimitiveIndex i = still_; i < primitives_.size(); ++i)
-            moving.push_back(proxy(table, i, begin, end));
-        for (const Ball& ball : balls)
-            moving.push_back(
-                {box_of(ball), ball.layer, ball.collides_with, true, all_active || !ball.asleep});
+            moving.push_back(proxy_of(primitives_[i], table.pose(primitives_[i].part, ahead)));
+        for (const Ball& ball : balls) moving.push_back({box_of(ball), ball.layer, ball.collides_with, true});
     }
 
     /// Restitution, friction and kick between two materials.
@@ -63,10 +59,10 @@ class Layout {
         return mixed(ball.material, material_of_[i]);
     }
 
-    /// Proxy of a moving primitive, as in fill_proxies().
-    [[nodiscard]] Proxy proxy(const Table& table, PrimitiveIndex i, double begin, double end) const;
-
   private:
+    [[nodiscard]] bool moves(PrimitiveIndex i) const { return i >= still_; }
+    [[nodiscard]] Proxy proxy_of(const Primitive& primitive, const Pose& pose = {}) const;
+
     const Scene& scene_;
     std::vector<Primitive> primitives_;
     PrimitiveIndex still_ = 0;

@@ -94,7 +94,7 @@ void TouchList::search(const Layout& layout, const Table& table, std::span<const
     const auto box_of = [](const Ball& ball) {
         return bounds_of(ball.position, ball.radius * (1 + touch_distance));
     };
-    layout.fill_proxies(table, balls, 0, 0, true, box_of, moving_);
+    layout.fill_proxies(table, balls, 0, box_of, moving_);
     broad.find_pairs(moving_, pairs_);
     test_pairs(layout, table, balls);
 }

@@ -23,12 +23,11 @@ struct Proxy {
     std::uint32_t layer = 1;            ///< one bit
     std::uint32_t collides_with = ~0U;  ///< mask of layers
     bool ball = false;                  ///< a ball, or else part of the table
-    bool active = false;                ///< awake or moving; two inactive proxies cannot begin to touch
 };
 
-/// Whether the boxes of two proxies must be tested: one is active, one is a ball, and their layers meet.
+/// Whether the boxes of two proxies must be tested: one is a ball, and their layers meet.
 [[nodiscard]] constexpr bool may_meet(const auto& a, const auto& b) {
-    return (a.active || b.active) && (a.ball || b.ball) && layers_meet(a, b);
+    return (a.ball || b.ball) && layers_meet(a, b);
 }
 
 /// Two proxies whose boxes overlap; a < b, so b moves. Ordered by b, then a.
@@ -77,7 +76,7 @@ class BroadPhase {
     void find_pairs(std::span<const Proxy> moving, std::vector<Pair>& pairs) {
         pairs.clear();
         pairs_ = &pairs;
-        moving_ = std::ranges::any_of(moving, &Proxy::active) ? moving : std::span<const Proxy>{};
+        moving_ = std::ranges::any_of(moving, &Proxy::ball) ? moving : std::span<const Proxy>{};
         search();
         std::ranges::sort(pairs);
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <span>
 #include <vector>
 
@@ -61,21 +62,13 @@ class Cells {
 
     /// Visits all balls that ball i may touch while both stay in their cells, and some others, in any order.
     void query_neighbours(BallIndex i, auto&& visit) const {
-        for (const Level& level : levels_) {
-            if (level.number == cells_[i].level)
-                each_around(cells_[i], i, visit);
-            else
-                each_on_other(level, i, visit);
-        }
+        query(i, visit, [](std::int64_t, std::int64_t) { return true; });
     }
     /// The same, but only those that a query from the cell `before` would not have visited.
     void query_new_neighbours(BallIndex i, const Cell& before, auto&& visit) const {
-        for (const Level& level : levels_) {
-            if (level.number == cells_[i].level)
-                each_newly_around(cells_[i], before, i, visit);
-            else
-                each_on_other(level, i, visit);
-        }
+        query(i, visit, [&](std::int64_t column, std::int64_t row) {
+            return std::abs(column - before.column) > 1 || std::abs(row - before.row) > 1;
+        });
     }
 
   private:
@@ -113,19 +106,19 @@ class Cells {
         for (BallIndex j = heads_[bucket(cell)]; j != none; j = links_[j].next)
             if (links_[j].key == key && j != except) visit(j);
     }
-    void each_around(const Cell& at, BallIndex except, auto& visit) const {
-        for (std::int64_t row = at.row - 1; row <= at.row + 1; ++row)
-            for (std::int64_t column = at.column - 1; column <= at.column + 1; ++column)
-                each_in({at.level, column, row}, except, visit);
+    void query(BallIndex i, auto& visit, auto&& is_wanted) const {
+        for (const Level& level : levels_) {
+            if (level.number == cells_[i].level)
+                each_around(cells_[i], i, visit, is_wanted);
+            else
+                each_on_other(level, i, visit);
+        }
     }
-    void each_newly_around(const Cell& at, const Cell& before, BallIndex except, auto& visit) const {
-        const auto was_adjacent = [](std::int64_t index, std::int64_t other) {
-            return index >= other - 1 && index <= other + 1;
-        };
+    /// `is_wanted` chooses among the nine cells.
+    void each_around(const Cell& at, BallIndex except, auto& visit, auto& is_wanted) const {
         for (std::int64_t row = at.row - 1; row <= at.row + 1; ++row)
             for (std::int64_t column = at.column - 1; column <= at.column + 1; ++column)
-                if (!was_adjacent(row, before.row) || !was_adjacent(column, before.column))
-                    each_in({at.level, column, row}, except, visit);
+                if (is_wanted(column, row)) each_in({at.level, column, row}, except, visit);
     }
     void each_on_other(const Level& level, BallIndex i, auto& visit) const {
         const Cell& at = cells_[i];

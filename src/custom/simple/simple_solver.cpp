@@ -55,7 +55,7 @@ void SimpleSolver::move_balls(const TimeInterval& interval) {
 
 void SimpleSolver::find_pairs(BroadPhase& broad) {
     const auto box_of = [](const Ball& ball) { return bounds_of(ball.position, ball.radius); };
-    layout_.fill_proxies(*table_, *balls_, ahead_, ahead_, true, box_of, moving_);
+    layout_.fill_proxies(*table_, *balls_, ahead_, box_of, moving_);
     const std::uint64_t tests_before = broad.tests();
     broad.find_pairs(moving_, pairs_);
     if (trace_) trace_->found_pairs(moving_, *balls_, broad.tests() - tests_before);

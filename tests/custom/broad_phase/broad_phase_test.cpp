@@ -16,8 +16,8 @@ namespace {
 
 const Box world{{0, 0}, {16, 8}};
 
-Proxy ball_at(Vec2 center, double radius, bool active = true) {
-    return {bounds_of(center, radius), 1, ~0U, true, active};
+Proxy ball_at(Vec2 center, double radius) {
+    return {bounds_of(center, radius), 1, ~0U, true};
 }
 
 using Make = std::function<std::unique_ptr<BroadPhase>(std::vector<Proxy>)>;
@@ -72,7 +72,7 @@ double coordinate(int beyond) {
 Proxy any_proxy(bool ball, int beyond) {
     const double x = coordinate(beyond), y = coordinate(beyond);
     const double w = *rc::gen::inRange(0, 6) * 0.5, h = *rc::gen::inRange(0, 6) * 0.5;
-    Proxy proxy{{{x, y}, {x + w, y + h}}, 1, ~0U, ball, *rc::gen::inRange(0, 3) > 0};
+    Proxy proxy{{{x, y}, {x + w, y + h}}, 1, ~0U, ball};
     proxy.layer = 1U << *rc::gen::inRange(0, 3);
     proxy.collides_with = *rc::gen::inRange(0U, 8U);
     return proxy;
@@ -92,10 +92,7 @@ RC_GTEST_PROP(BroadPhase, AllFindWhatBruteForceFinds, ()) {
     const int beyond = *rc::gen::element(0, 20);
     std::vector<Proxy> still;
     const int parts = *rc::gen::inRange(0, 20);
-    for (int i = 0; i < parts; ++i) {
-        still.push_back(any_proxy(false, beyond));
-        still.back().active = false;
-    }
+    for (int i = 0; i < parts; ++i) still.push_back(any_proxy(false, beyond));
     std::vector<std::unique_ptr<BroadPhase>> all;
     for (const Kind& kind : kinds()) all.push_back(kind.make(still));
     for (int search = 0; search < 3; ++search) {
@@ -113,8 +110,8 @@ RC_GTEST_PROP(BroadPhase, AllFindWhatBruteForceFinds, ()) {
 // Balls of similar size among a few huge boxes, and many balls at one position.
 TEST(BroadPhase, ManyBallsAmongHugeBoxes) {
     std::vector<Proxy> still, moving;
-    for (int i = 0; i < 8; ++i) still.push_back({{{2.0 * i, 0}, {2.0 * i, 8}}, 1, ~0U, false, false});
-    moving.push_back({{{0, 0}, {16, 8}}, 1, ~0U, false, true});
+    for (int i = 0; i < 8; ++i) still.push_back({{{2.0 * i, 0}, {2.0 * i, 8}}, 1, ~0U, false});
+    moving.push_back({{{0, 0}, {16, 8}}, 1, ~0U, false});
     moving.push_back(ball_at({8, 4}, 5));
     std::mt19937 random(7);
     const auto number = [&](double limit) { return std::uniform_real_distribution(0.0, limit)(random); };
@@ -177,21 +174,20 @@ TEST(BroadPhase, OutsideTheWorldAndAtInfinity) {
 }
 
 TEST(BroadPhase, BoxesWithoutHeightOrSize) {
-    const std::vector<Proxy> still{{{{0, 4}, {16, 4}}, 1, ~0U, false, false},
-                                   {{{3, 4}, {3, 4}}, 1, ~0U, false, false}};
+    const std::vector<Proxy> still{{{{0, 4}, {16, 4}}, 1, ~0U, false}, {{{3, 4}, {3, 4}}, 1, ~0U, false}};
     const std::vector<Proxy> moving{ball_at({3, 4}, 0), ball_at({3, 4}, 0), ball_at({5, 5}, 1)};
     EXPECT_EQ(pairs_of(still, moving), (std::vector<Pair>{{0, 2}, {1, 2}, {0, 3}, {1, 3}, {2, 3}, {0, 4}}));
 }
 
-TEST(BroadPhase, StillPairsSleepersAndForeignLayersAreNotTested) {
-    const Proxy still{{{0, 0}, {16, 8}}, 1, ~0U, false, false};
+TEST(BroadPhase, PairsOfPartsAndForeignLayersAreNotTested) {
+    const Proxy still{{{0, 0}, {16, 8}}, 1, ~0U, false};
     Proxy other_layer = ball_at({3, 3}, 1);
     other_layer.collides_with = 2;
     for (const auto& [name, make] : kinds()) {
         std::vector<Pair> pairs;
-        const auto asleep = make({still, still});
-        asleep->find_pairs(std::vector<Proxy>(100, ball_at({3, 3}, 1, false)), pairs);
-        EXPECT_EQ(asleep->tests(), 0U) << name;
+        const auto parts = make({still, still});
+        parts->find_pairs(std::vector<Proxy>(100, still), pairs);
+        EXPECT_EQ(parts->tests(), 0U) << name;
         EXPECT_TRUE(pairs.empty()) << name;
         const auto layers = make({still});
         layers->find_pairs(std::vector<Proxy>{other_layer}, pairs);

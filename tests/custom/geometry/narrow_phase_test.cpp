@@ -138,7 +138,7 @@ std::vector<Vec2> samples(const Primitive& primitive, double step) {
 double coordinate() {
     return *rc::gen::inRange(-3000, 3000) * 1e-3;
 }
-Vec2 fill_proxies() {
+Vec2 any_place() {
     const double x = coordinate();
     return {x, coordinate()};
 }
@@ -149,9 +149,9 @@ double size() {
 /// For all primitives, the point lies on the surface and no sample is closer. Inside a solid the separation
 /// is the negative distance from the closest surface.
 void check_against_samples(const Primitive& primitive, bool solid) {
-    const Vec2 center = fill_proxies();
+    const Vec2 center = any_place();
     const double radius = size();
-    const Pose pose{fill_proxies(), *rc::gen::inRange(-3, 4) * 0.9};
+    const Pose pose{any_place(), *rc::gen::inRange(-3, 4) * 0.9};
     const Touch found = touch(center, radius, primitive, pose);
     constexpr double step = 2e-3;
     double nearest = 1e9, to_point = 1e9;
@@ -170,24 +170,24 @@ void check_against_samples(const Primitive& primitive, bool solid) {
 }
 
 RC_GTEST_PROP(NarrowPhase, SegmentAgreesWithSamples, ()) {
-    const Vec2 a = fill_proxies();
+    const Vec2 a = any_place();
     check_against_samples({primitive::Segment{a, a + size() * from_angle(coordinate())}}, false);
 }
 RC_GTEST_PROP(NarrowPhase, ArcAgreesWithSamples, ()) {
-    const Vec2 center = fill_proxies();
+    const Vec2 center = any_place();
     const double from = coordinate();
     check_against_samples({primitive::Arc{center, size(), from, from + *rc::gen::inRange(10, 6283) * 1e-3}},
                           false);
 }
 RC_GTEST_PROP(NarrowPhase, CircleAgreesWithSamples, ()) {
-    const Vec2 center = fill_proxies();
+    const Vec2 center = any_place();
     check_against_samples({primitive::Circle{center, size()}}, true);
 }
 RC_GTEST_PROP(NarrowPhase, PolygonAgreesWithSamples, ()) {
     // Corners on an ellipse, in order, are convex.
     const int corners = *rc::gen::inRange(3, 9);
     const double width = 0.1 + size(), height = 0.1 + size();
-    const Vec2 center = fill_proxies();
+    const Vec2 center = any_place();
     primitive::Polygon polygon;
     for (int i = 0; i < corners; ++i) {
         const Vec2 out = from_angle((i + *rc::gen::inRange(0, 800) * 1e-3) * 2 * pi / corners);
@@ -197,7 +197,7 @@ RC_GTEST_PROP(NarrowPhase, PolygonAgreesWithSamples, ()) {
 }
 RC_GTEST_PROP(NarrowPhase, TaperAgreesWithSamples, ()) {
     const double a = size(), b = size();
-    const Vec2 at = fill_proxies();
+    const Vec2 at = any_place();
     const Vec2 along = (std::abs(a - b) + size()) * from_angle(coordinate());
     check_against_samples({primitive::Taper{at, at + along, a, b}}, true);
 }
