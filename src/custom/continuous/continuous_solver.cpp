@@ -151,15 +151,7 @@ void ContinuousSolver::begin(const std::vector<Ball>& balls) {
     balls_known_ = true;
     if (!contacts_known_) contacts_.search(layout_, table_, balls, broad_);
     contacts_known_ = true;
-    start_ = table_.time();
-    double next = std::floor(start_ / window_length) + 1;
-    while (next * window_length <= start_) ++next;
-    end_on_clock_ = next * window_length;
-    end_ = end_on_clock_ - start_;
-    after_end_ = std::nextafter(end_, INFINITY);
-    watch_at_ = end_on_clock_ - rest_length;
-    watched_ = !settings_.sleep || watch_at_ <= start_;
-    sleep_.watch({}, rest_length);
+    choose_end();
     EngineMemory& memory = table_.memory();
     if (memory.engine != engine_name || memory.time != start_) memory.forces.clear();
     bodies_ = balls;
@@ -181,6 +173,19 @@ void ContinuousSolver::begin(const std::vector<Ball>& balls) {
     quiet_ = std::ranges::all_of(bodies_, &Ball::asleep) &&
              std::ranges::all_of(turnings_, [](const Turning& turning) { return turning.still(); });
     in_window_ = !quiet_;
+}
+
+/// Ends the window at the next point of the grid, and chooses when to watch which balls are at rest.
+void ContinuousSolver::choose_end() {
+    start_ = table_.time();
+    double next = std::floor(start_ / window_length) + 1;
+    while (next * window_length <= start_) ++next;
+    end_on_clock_ = next * window_length;
+    end_ = end_on_clock_ - start_;
+    after_end_ = std::nextafter(end_, INFINITY);
+    watch_at_ = end_on_clock_ - rest_length;
+    watched_ = !settings_.sleep || watch_at_ <= start_;
+    sleep_.watch({}, rest_length);
 }
 
 /// Assigns a mover to each ball, and clears what it holds of the ball that had it before.
@@ -210,6 +215,7 @@ void ContinuousSolver::run(double until) {
     handle_until(until);
 }
 
+/// Starts and predicts the paths of all balls at the start of the window.
 void ContinuousSolver::start_all_paths() {
     paths_started_ = true;
     next_events_.reset(bodies_.size());
@@ -226,6 +232,7 @@ void ContinuousSolver::start_all_paths() {
     predict_together(members_, 0);
 }
 
+/// Handles events and ticks in order of time; a tick comes before an event at the same time.
 void ContinuousSolver::handle_until(double time) {
     for (;;) {
         const double event = next_events_.time();

@@ -136,6 +136,7 @@ class ContinuousSolver {
     // Windows, from start to end, and the events of each (continuous_solver.cpp).
     void advance_to(const Clock& now, std::vector<Ball>& balls);
     void begin(const std::vector<Ball>& balls);
+    void choose_end();
     void find_sensed(std::span<const Ball> balls);
     void assign_movers();
     void run(double until);
