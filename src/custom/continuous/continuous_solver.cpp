@@ -247,13 +247,10 @@ void ContinuousSolver::handle_until(double time) {
 
 /// The ball `time` seconds after the start of the window.
 Ball ContinuousSolver::ball_at(BallIndex i, double time) const {
-    const Mover& mover = movers_[i];
     Ball ball = bodies_[i];
     if (ball.asleep) return ball;
-    if (hot_[i].in_island)
-        advance_member(ball, mover, time);
-    else
-        advance(ball, mover.motion, time);
+    advance(ball, movers_[i].motion, time);
+    if (movers_[i].on_tick_path) ball.velocity = true_velocity(i, time);
     return ball;
 }
 

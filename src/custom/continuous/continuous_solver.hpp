@@ -163,7 +163,6 @@ class ContinuousSolver {
     void start_tick_path(BallIndex i, double time, const ContactSolver::Body& body);
     void start_creep_path(BallIndex i, double time, double until, const ContactSolver::Body& body);
     void advance_to(BallIndex i, double time);
-    void advance_member(Ball& ball, const Mover& mover, double time) const;
     [[nodiscard]] Vec2 true_velocity(BallIndex i, double time) const;
     [[nodiscard]] static bool creeps_at(double speed, const Ball& ball);
     [[nodiscard]] bool collapses(BallIndex i, BallIndex j, double approach, double time);

@@ -290,20 +290,17 @@ void ContinuousSolver::settle_gates() {
 }
 
 void ContinuousSolver::settle_gate(PartIndex part) {
-    const auto [pose, rate, until_stop] = table_.turning(part, 0);
-    const auto is_near = [&, &pose = pose](const Ball& ball) {
+    const Pose pose = turnings_[part].pose(0);
+    const auto is_near = [&](const Ball& ball) {
         const double out =
             std::max(gate_clearance * ball.radius, 4 * gap_rounding(ball.position, ball.radius));
         return layers_meet(ball, scene_.parts[part]) &&
                distance_to(part, ball.position, ball.radius, pose) < out;
     };
-    const auto passes = [&, &pose = pose, &rate = rate](const Ball& ball) {
-        if (table_.parts()[part].open || inside(ball.number, part)) return true;
-        if (table_.is_blocked(part, ball.number)) return false;
-        if (begins_deep(*gate_of(scene_.parts[part]), pose.undo(ball.position), ball.radius)) return true;
-        const Vec2 relative = ball.velocity - cross(rate, ball.position - pose.pivot);
-        return flipside::lets_through(*gate_of(scene_.parts[part]), pose.undo(ball.position),
-                                      rotated(relative, -pose.angle), ball.radius);
+    const auto passes = [&](const Ball& ball) {
+        return inside(ball.number, part) || lets_through(part, ball, 0) ||
+               (!table_.is_blocked(part, ball.number) &&
+                begins_deep(*gate_of(scene_.parts[part]), pose.undo(ball.position), ball.radius));
     };
     const bool open =
         std::ranges::any_of(bodies_, [&](const Ball& ball) { return is_near(ball) && passes(ball); });

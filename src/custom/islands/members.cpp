@@ -145,20 +145,10 @@ Vec2 ContinuousSolver::true_velocity(BallIndex i, double time) const {
     return mover.velocity_begin + part * (mover.velocity_end - mover.velocity_begin);
 }
 
-/// Moves a member along its path to `time`, with its true velocity.
-void ContinuousSolver::advance_member(Ball& ball, const Mover& mover, double time) const {
-    const double start = mover.motion.path.start;
-    advance(ball, mover.motion, time);
-    if (!mover.on_tick_path) return;
-    const double part = (time - start) / (mover.motion.until - start);
-    ball.velocity = mover.velocity_begin + part * (mover.velocity_end - mover.velocity_begin);
-}
-
+/// Moves a ball along its path to `time`, with its true velocity.
 void ContinuousSolver::advance_to(BallIndex i, double time) {
-    if (hot_[i].in_island)
-        advance_member(bodies_[i], movers_[i], time);
-    else
-        advance(bodies_[i], movers_[i].motion, time);
+    advance(bodies_[i], movers_[i].motion, time);
+    bodies_[i].velocity = true_velocity(i, time);
 }
 
 /// Starts the path of a member until its next tick.
