@@ -73,6 +73,8 @@ class RealWindow {
     Json now();
     [[nodiscard]] Process& program() { return program_; }
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+    /// Where it lies on the display, "X,Y" in px.
+    [[nodiscard]] std::string place() const;
 
   private:
     /// The next line of the report, if it is complete.
