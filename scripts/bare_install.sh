@@ -43,11 +43,10 @@ inside_it "flipside --version && flipside scenes | head -n 2 && cd /tmp &&
     flipside certify drop --seconds 1 --out run.json && flipside_check_certificate run.json"
 stage "its window"
 mkdir -p out
-# What Mesa keeps of its shaders goes elsewhere than into a home. SFML 2.5 places a window by the screen's width alone, and
-# without a window manager it stays there; the ground around it is cut off.
-inside_it "cd /tmp && XDG_CACHE_HOME=/tmp xvfb-run -a -s '-screen 0 1600x1280x24' sh -c '
+# What Mesa keeps of its shaders goes elsewhere than into a home.
+inside_it "cd /tmp && XDG_CACHE_HOME=/tmp xvfb-run -a -s '-screen 0 1280x800x24' sh -c '
     flipside play pinball --no-settings & window=\$!
-    sleep 15; xwd -root -silent > window.xwd; kill \$window; wait \$window'; convert xwd:window.xwd -trim +repage window.png"
+    sleep 15; xwd -root -silent > window.xwd; kill \$window; wait \$window'; convert xwd:window.xwd window.png"
 cp "$root/tmp/window.png" "out/bare-$release.png"
 colours=$(inside_it "identify -format %k /tmp/window.png")
 echo "out/bare-$release.png: $colours colours"

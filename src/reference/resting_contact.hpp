@@ -22,7 +22,7 @@ struct Body {
 };
 
 template <class R>
-struct Drive {
+struct ExternalForces {
     V<R> gravity;
     R drag{};
 };
@@ -49,29 +49,31 @@ struct RestingContact {
 template <class R>
 [[nodiscard]] RestingContact<R> resting_contact_at(const Feature<R>& feature, const Turning<R>* turning,
                                                    const Body<R>& ball, const R& time, const R& friction,
-                                                   const Drive<R>& drive, const R& snap);
+                                                   const ExternalForces<R>& external, const R& snap);
 
 /// How friction acts at a contact.
-enum class Rub { none, slides, rolls };
+enum class FrictionMode { none, sliding, rolling };
 template <class R>
-struct Rubbing {
-    Rub how = Rub::none;
+struct ContactFriction {
+    FrictionMode mode = FrictionMode::none;
     R force{};  ///< per mass, along the tangent
     R sign{};   ///< of the slip, while it slides
 };
 template <class R>
-[[nodiscard]] Rubbing<R> rubbing_of(const RestingContact<R>& contact, const Body<R>& ball);
+[[nodiscard]] ContactFriction<R> friction_at(const RestingContact<R>& contact, const Body<R>& ball);
 
 /// The path along one surface.
 template <class R>
-struct Ride {
+struct ConstrainedPath {
     Path<R> path;
     R until = infinity<R>();  ///< end of the path, not after `last`
     bool separates = false;   ///< whether the contact ends at `until`
 };
 /// From `time` to `last` at most.
 template <class R>
-[[nodiscard]] Ride<R> ride(const RestingContact<R>& contact, const Rubbing<R>& rubbing, const Body<R>& ball,
-                           const R& time, const R& last, const Drive<R>& drive);
+[[nodiscard]] ConstrainedPath<R> constrained_path(const RestingContact<R>& contact,
+                                                  const ContactFriction<R>& friction, const Body<R>& ball,
+                                                  const R& time, const R& last,
+                                                  const ExternalForces<R>& external);
 
 }  // namespace flipside::reference

@@ -20,6 +20,19 @@ TEST_F(CommandLine, TheBotPlaysTheSameGamesEachTimeAndSaysWhatTheyComeTo) {
     EXPECT_NE(rows[0].at("score"), rows[1].at("score"));
 }
 
+TEST_F(CommandLine, TheBotsGamesAreReplaysToTheBit) {
+    const Result games = flipside("bot pinball --engine box2d --games 2 --seed 3 --out " + file("games.csv") +
+                                  " --replays " + file("new/games"));
+    ASSERT_EQ(games.code, 0) << games.err;
+    for (const auto& row : rows_of(file("games.csv"))) {
+        const Result replay =
+            flipside("replay " + file("new/games/game-" + row.at("seed") + ".flipside-replay"));
+        EXPECT_EQ(replay.code, 0) << replay.err;
+        EXPECT_NE(replay.out.find(row.at("score")), std::string::npos) << replay.out;
+    }
+    expect_refused("bot pinball --engine custom --games 1 --replays " + file("games.csv"), 1, "games.csv");
+}
+
 TEST_F(CommandLine, TheBotNeedsATableToPlayOn) {
     expect_refused("bot box --engine custom", 2, "no game can be played");
 }

@@ -120,7 +120,10 @@ RealWindow::RealWindow(std::vector<std::string> arguments, const std::filesystem
     wait("a first frame", [](const Json& state) { return state["frame"] > 2; });
     for (const double end = clock_seconds() + patience; window_.empty() && clock_seconds() < end;)
         window_ = output_of("xdotool search --name '^Flipside$' | tail -n 1");
-    // Without a window manager nobody else gives the window the keyboard and a place on the display.
+    first_place_ =
+        output_of("xdotool getwindowgeometry --shell " + window_ + " | sed -n 's/^[XY]=//p' | paste -sd,");
+    // Points of the window are then points of the display. Without a window manager nobody else gives it the
+    // keyboard.
     xdotool("windowmove " + window_ + " 0 0");
     xdotool("windowfocus --sync " + window_);
 }

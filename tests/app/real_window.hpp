@@ -73,12 +73,15 @@ class RealWindow {
     Json now();
     [[nodiscard]] Process& program() { return program_; }
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+    /// Where it lay on the display when it opened, "X,Y" in px; since then it is at 0,0.
+    [[nodiscard]] const std::string& first_place() const { return first_place_; }
 
   private:
     /// The next line of the report, if it is complete.
     bool read(Json& report);
 
     std::filesystem::path folder_;
+    std::string first_place_;
     Process program_;
     std::ifstream report_;
     std::string line_;

@@ -94,6 +94,12 @@ void expect_in_order(const Json& state) {
     expect_apart(rects, panel);
 }
 
+TEST_P(WindowSizes, OpensInTheMiddleOfTheDisplay) {
+    open({"drop"});
+    EXPECT_EQ(window->first_place(), std::to_string((3840 - GetParam().width) / 2) + "," +
+                                         std::to_string((2160 - GetParam().height) / 2));
+}
+
 TEST_P(WindowSizes, NothingIsCutOffOrLiesOverAnother) {
     open({"pinball"});
     for (const char* tab : {"Lesson", "Table", "See", "Engines", "Numbers"}) {

@@ -15,7 +15,7 @@ namespace {
 namespace bots = lab::bot;
 
 struct BotOptions {
-    std::string scene = "pinball", engine, dt, out;
+    std::string scene = "pinball", engine, dt, out, replays;
     std::vector<std::string> settings;
     std::size_t games = 200;
     std::uint64_t seed = 1;
@@ -57,7 +57,11 @@ void print_figures(const bots::Figures& figures, std::size_t games) {
 
 int play_games(const BotOptions& options) {
     require_distinct({{{"the scene", lab::scene_file(options.scene)}}, {{"--out", options.out}}, true});
-    const bots::Request request = bot_request(options);
+    bots::Request request = bot_request(options);
+    if (!options.replays.empty()) {
+        lab::make_folder(options.replays);
+        request.replays = options.replays;
+    }
     std::vector<bots::Played> games;
     {
         Progress progress(static_cast<double>(options.games));
@@ -105,6 +109,10 @@ void add_bot(CLI::App& program, Action& chosen) {
         ->type_name("K=V");
     command.add_option("--out", options->out, "A row per game: score, time, balls, stuck ones")
         ->type_name("CSV");
+    command
+        .add_option("--replays", options->replays,
+                    "Save each game there, as game-SEED.flipside-replay (see `flipside replay`)")
+        ->type_name("DIR");
     command.callback([options, &chosen] { chosen = [options] { return play_games(*options); }; });
 }
 

@@ -11,6 +11,7 @@
 #include <SFML/Window/Mouse.hpp>
 
 #include "app/window/contender_choice.hpp"
+#include "app/window/display.hpp"
 #include "app/window/help.hpp"
 #include "app/window/panel.hpp"
 #include "app/window/plot_export.hpp"
@@ -62,10 +63,6 @@ Stage first_stage(const PlayOptions& options, const Kept& kept, std::string& not
             options.dt};
 }
 
-double scale_for(sf::Vector2u size) {
-    return usual_scale(sf::VideoMode::getDesktopMode().height, size.x, size.y);
-}
-
 }  // namespace
 
 App::App(const PlayOptions& options)
@@ -93,6 +90,7 @@ App::App(const PlayOptions& options)
     if (!names_a_show(options)) begin_where_it_ended();
     controls_.lesson_wanted = lessons_.lesson() || controls_.newcomer;
     controls_.table_wanted = !controls_.lesson_wanted;
+    window_.setPosition(middle_for(window_.getSize()));
     window_.setFramerateLimit(60);
     window_.setKeyRepeatEnabled(false);
 }

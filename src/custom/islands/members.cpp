@@ -9,6 +9,8 @@ namespace flipside::custom {
 
 namespace {
 
+/// Radii: a member that moves farther than this in a tick rests on no part.
+constexpr double farthest_chord = 0.1;
 /// Radii: a member that moves no farther than this in a long tick creeps.
 constexpr double creep_distance = 0.02;
 /// Contacts with balls in a row, each within a tick of the one before, that show an inelastic collapse.
@@ -232,6 +234,7 @@ bool ContinuousSolver::rests_on(BallIndex i, const Feature& feature, const Pose&
     const Vec2 surface = cross(turnings_[feature.part].rate_at(time), point - pose.pivot);
     const double closing = -dot(here.velocity - surface, normal);
     if (hot_[i].creeps) return creeps_at(closing, bodies_[i]);
+    if (length(here.velocity) * tick_length > farthest_chord * bodies_[i].radius) return false;
     return closing <= (movers_[i].on_tick_path ? slow_ : scene_.rest_speed);
 }
 

@@ -4,6 +4,8 @@
 
 #include "lab/bot/player.hpp"
 #include "lab/bot/still_watch.hpp"
+#include "lab/files/whole_file.hpp"
+#include "lab/replay/replay.hpp"
 #include "lab/session/run.hpp"
 #include "world/input_error.hpp"
 #include "world/json_file.hpp"
@@ -11,6 +13,12 @@
 namespace flipside::lab::bot {
 
 namespace {
+
+void save_replay(const Request& request, const Session& session, std::uint64_t seed) {
+    const RecordedRun runs[] = {{std::string(request.engine->name), &session, request.dt}};
+    write_whole_file(*request.replays / ("game-" + std::to_string(seed) + ".flipside-replay"),
+                     to_json(replay_of(runs)));
+}
 
 /// What every ball in play met last of that by which a drain is told from another.
 class LastMet {
@@ -77,6 +85,7 @@ Played play(const Request& request, std::uint64_t seed) {
     played.longest_still = watch.longest();
     played.searches = session.game().searches();
     played.script = session.recording().controls();
+    if (request.replays) save_replay(request, session, seed);
     return played;
 }
 

@@ -2,9 +2,11 @@
 /// Whole games, played by the bot (player.hpp) on an engine.
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,8 @@ struct Request {
     Settings settings;
     double dt = 1.0 / 60;      ///< s
     double longest = 30 * 60;  ///< s of a game, after which it is left unfinished
+    /// The folder in which each game is saved as game-SEED.flipside-replay (replay/replay.hpp), if any.
+    std::optional<std::filesystem::path> replays = std::nullopt;
 };
 
 /// What became of a game.

@@ -79,8 +79,7 @@ void write_rounds(const Request& request, const std::vector<Found>& all, const f
 std::string plan_of(const Request& request) {
     return contender_text(request) + " goal=" + std::string(name_of(request.goal)) +
            " seconds=" + brief(request.seconds) + " seed=" + std::to_string(request.seed) +
-           " scenes=" + std::to_string(request.scenes) + " rounds=" + std::to_string(request.rounds) +
-           " build=" + build_commit() + "\n";
+           " scenes=" + std::to_string(request.scenes) + " build=" + build_commit() + "\n";
 }
 
 std::string sentence(const Request& request, const Measured& measured) {

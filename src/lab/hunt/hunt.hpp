@@ -18,7 +18,8 @@
 
 namespace flipside::lab::hunt {
 
-/// Everything that decides what a hunt finds, in a line; the commit of this build is in it.
+/// Everything that decides what a round finds, in a line; the commit of this build is in it. How many rounds
+/// there are is not, so a hunt can go on for more of them later.
 [[nodiscard]] std::string plan_of(const Request& request);
 
 /// A scene file's name and its sentence of what was found.

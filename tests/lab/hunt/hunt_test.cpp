@@ -58,6 +58,19 @@ TEST_F(Hunt, InPartsGivesTheSameBytesAsInOne) {
     EXPECT_TRUE(said.empty());
 }
 
+TEST_F(Hunt, GoesOnForMoreRoundsWhereItEnded) {
+    Request request = request_for(Goal::overlap, "a=box2d");
+    static_cast<void>(hunt_in("whole", request));
+    request.rounds = 2;
+    ASSERT_EQ(hunt_in("later", request)->size(), 2U);
+    const auto first_written = fs::last_write_time(folder / "later/rounds/001.txt");
+    request.rounds = 3;
+    ASSERT_EQ(hunt_in("later", request)->size(), 3U);
+    for (const char* file : {"worst.json", "rounds.csv", "plan.txt", "rounds/002.txt", "rounds/003.txt"})
+        EXPECT_EQ(text(std::string("whole/") + file), text(std::string("later/") + file)) << file;
+    EXPECT_EQ(fs::last_write_time(folder / "later/rounds/001.txt"), first_written);
+}
+
 TEST_F(Hunt, MakesWhatIsDamagedAgainAndNothingElse) {
     const Request request = request_for(Goal::energy, "a=box2d");
     static_cast<void>(hunt_in("one", request));

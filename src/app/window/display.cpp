@@ -1,0 +1,23 @@
+#include "app/window/display.hpp"
+
+#include <SFML/Window/VideoMode.hpp>
+
+#include "app/window/layout.hpp"
+
+namespace flipside::app {
+
+double scale_for(sf::Vector2u size) {
+    return usual_scale(sf::VideoMode::getDesktopMode().height, size.x, size.y);
+}
+
+// SFML 2.5 takes the display's width for its height, so a window that no window manager moves is cut off
+// below.
+sf::Vector2i middle_for(sf::Vector2u size) {
+    const sf::VideoMode display = sf::VideoMode::getDesktopMode();
+    const auto margin = [](unsigned all, unsigned own) {
+        return all > own ? static_cast<int>((all - own) / 2) : 0;
+    };
+    return {margin(display.width, size.x), margin(display.height, size.y)};
+}
+
+}  // namespace flipside::app
