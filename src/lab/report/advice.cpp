@@ -12,12 +12,6 @@ namespace flipside::lab::report {
 
 namespace {
 
-std::string radii(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.2g", value);
-    return text;
-}
-
 std::string setting_of(const sweep::Figures& f) {
     return f.contender + " at " + step_text(f.dt);
 }
@@ -27,7 +21,8 @@ std::string ratio_of(const Best& best) {
     const Median ratio =
         best.ratio.value_or(Median{best.instead->cpu_min / best.take->cpu_min, std::nan(""), std::nan("")});
     return times_text(ratio.value) +
-           (std::isnan(ratio.low) ? "" : " (" + radii(ratio.low) + " to " + radii(ratio.high) + ")");
+           (std::isnan(ratio.low) ? ""
+                                  : " (" + rounded_text(ratio.low) + " to " + rounded_text(ratio.high) + ")");
 }
 
 /// Who is taken how often: "custom in 4 of 4 kinds of scene".
@@ -71,26 +66,26 @@ Pick pick_of(const std::vector<sweep::Figures>& all, const Best& best) {
         return {kind_of(best.variant),
                 "nothing",
                 std::string(colour::grey),
-                "no setting comes within " + radii(good_enough) + " radii",
+                "no setting comes within " + rounded_text(good_enough) + " radii",
                 "",
                 ""};
     const sweep::Figures& f = *best.take;
-    const std::string none = "none is surely within " + radii(good_enough) + " radii";
+    const std::string none = "none is surely within " + rounded_text(good_enough) + " radii";
     return {kind_of(best.variant),
             f.contender + " at " + step_text(f.dt) + (ignores_step(all, f) ? " or any other step" : ""),
             colour_of(f.engine),
-            (f.median_high <= sweep::exact_radii ? "exact: " : "") + radii(f.median) + " (" +
-                radii(f.median_low) + " to " + radii(f.median_high) + ")",
+            (f.median_high <= sweep::exact_radii ? "exact: " : "") + rounded_text(f.median) + " (" +
+                rounded_text(f.median_low) + " to " + rounded_text(f.median_high) + ")",
             time_text(f.cpu_min),
             best.instead == nullptr ? none
-                                    : setting_of(*best.instead) + ": " + radii(best.instead->median) +
+                                    : setting_of(*best.instead) + ": " + rounded_text(best.instead->median) +
                                           " radii, " + ratio_of(best) + " the cost"};
 }
 
 std::vector<std::string> findings_of(const std::vector<sweep::Figures>& all, std::span<const Best> best) {
-    std::vector<std::string> findings{"Cheapest of all that are off by less than " + radii(good_enough) +
-                                      " radii a few tenths of a second later: " + winners(best) + "." +
-                                      leads(best)};
+    std::vector<std::string> findings{
+        "Cheapest of all that are off by less than " + rounded_text(good_enough) +
+        " radii a few tenths of a second later: " + winners(best) + "." + leads(best)};
     std::vector<std::string> told;
     std::string any, others;
     for (const Best& b : best)

@@ -61,20 +61,6 @@ std::string in_one_line(const std::string& text) {
     return line;
 }
 
-/// With so many significant digits, and thousands set apart: "1,250".
-std::string rounded_text(double value, int digits = 3) {
-    if (!(std::abs(value) < 1e15)) return short_number(value);
-    if (value != 0) {
-        const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - digits + 1);
-        value = std::round(value / unit) * unit;
-    }
-    if (std::abs(value) < 1000) return short_number(value);
-    std::string text = std::to_string(std::llround(value));
-    for (auto at = static_cast<std::ptrdiff_t>(text.size()) - 3; at > (value < 0 ? 1 : 0); at -= 3)
-        text.insert(static_cast<std::size_t>(at), ",");
-    return text;
-}
-
 }  // namespace
 
 Frame frame_of(const Figure& figure) {
@@ -105,6 +91,19 @@ std::string short_number(double value) {
     return text;
 }
 
+std::string rounded_text(double value, int digits) {
+    if (!(std::abs(value) < 1e15)) return short_number(value);
+    if (value != 0) {
+        const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - digits + 1);
+        value = std::round(value / unit) * unit;
+    }
+    if (std::abs(value) < 1000) return short_number(value);
+    std::string text = std::to_string(std::llround(value));
+    for (auto at = static_cast<std::ptrdiff_t>(text.size()) - 3; at > (value < 0 ? 1 : 0); at -= 3)
+        text.insert(static_cast<std::size_t>(at), ",");
+    return text;
+}
+
 std::string step_text(double dt) {
     const double per_second = std::round(1 / dt);
     return std::abs(per_second * dt - 1) < 1e-9 ? "1/" + short_number(per_second) + " s"
@@ -117,12 +116,13 @@ std::string time_text(double seconds) {
         const char* name;
     };
     for (const Unit unit : {Unit{1, "s"}, Unit{1e-3, "ms"}, Unit{1e-6, "µs"}})
-        if (seconds >= 0.9995 * unit.seconds) return rounded_text(seconds / unit.seconds) + " " + unit.name;
-    return rounded_text(seconds / 1e-9) + " ns";
+        if (seconds >= 0.9995 * unit.seconds)
+            return rounded_text(seconds / unit.seconds, 3) + " " + unit.name;
+    return rounded_text(seconds / 1e-9, 3) + " ns";
 }
 
 std::string times_text(double ratio) {
-    return rounded_text(ratio, 2) + (ratio == 1 ? " time" : " times");
+    return rounded_text(ratio) + (ratio == 1 ? " time" : " times");
 }
 
 }  // namespace flipside::lab::report

@@ -80,6 +80,8 @@ void write_csv(const Figure& figure, const std::filesystem::path& file);
 
 /// A number for people: 4 significant digits.
 [[nodiscard]] std::string short_number(double value);
+/// With so many significant digits, and thousands set apart: "0.052", "1,250".
+[[nodiscard]] std::string rounded_text(double value, int digits = 2);
 /// A step size as "1/60 s".
 [[nodiscard]] std::string step_text(double dt);
 /// Seconds with the unit that suits them: "26 µs", "1.3 ms", "4.1 s".

@@ -152,21 +152,15 @@ Median ratio_of(const Result& dear, const Result& cheap) {
     return median_of(std::move(ratios));
 }
 
-std::string digits(double value, const char* format = "%.2g") {
-    char text[32];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
-
 std::string with_interval(const Median& median) {
-    return times_text(median.value) + " (" + digits(median.low, "%.3g") + " to " +
-           digits(median.high, "%.3g") + ")";
+    return times_text(median.value) + " (" + rounded_text(median.low, 3) + " to " +
+           rounded_text(median.high, 3) + ")";
 }
 
 /// "0.0088 radii deep" and, where it is known, how far off.
 std::string faults_of(const Result& result) {
-    return (result.error ? digits(*result.error) + ", " : "") + "overlap " + digits(result.deepest) +
-           " radii";
+    return (result.error ? rounded_text(*result.error) + ", " : "") + "overlap " +
+           rounded_text(result.deepest) + " radii";
 }
 
 Pick pick_of(const Row& row) {
@@ -176,7 +170,7 @@ Pick pick_of(const Row& row) {
         return {kind,
                 "nothing",
                 std::string(colour::grey),
-                "every setting is off or overlaps by more than " + digits(good_enough) + " radii",
+                "every setting is off or overlaps by more than " + rounded_text(good_enough) + " radii",
                 "",
                 ""};
     const auto is_other = [&](const Result& result) { return result.kind.engine != take->kind.engine; };
@@ -191,7 +185,7 @@ Pick pick_of(const Row& row) {
             take->kind.name + " at 1/60 s",
             colour_of(take->kind.engine),
             faults_of(*take),
-            time_text(cost.value * per_second) + " ± " + digits(within) + " %",
+            time_text(cost.value * per_second) + " ± " + rounded_text(within) + " %",
             other == nullptr ? "no other ran it"
                              : none + other->kind.name + " at 1/60 s: " + faults_of(*other) + ", " +
                                    with_interval(ratio_of(*other, *take)) + " the cost"};
@@ -210,7 +204,7 @@ std::string exceptions(const std::vector<Row>& rows, const std::string& usual, A
         text += (text.empty() ? "" : "; ") + row.with_balls() + " (" + best->kind.name;
         if (mine != nullptr)
             text += " at " + with_interval(ratio_of(*best, *mine)) + " the cost, overlap " +
-                    digits(best->deepest) + " instead of " + digits(mine->deepest) + " radii";
+                    rounded_text(best->deepest) + " instead of " + rounded_text(mine->deepest) + " radii";
         text += ")";
     }
     return text;
@@ -226,9 +220,9 @@ std::vector<std::string> findings_of(const std::vector<Row>& rows) {
         std::ranges::max_element(wins, {}, &std::pair<const std::string, std::size_t>::second)->first;
     const std::string others = exceptions(rows, usual, is_good);
     const std::string sunk = exceptions(rows, usual, [](const Result&) { return true; });
-    return {"By what the balls do: of all that are off and overlap by less than " + digits(good_enough) +
-            " radii " + usual + " is the cheapest in " + std::to_string(wins.at(usual)) + " of " +
-            std::to_string(rows.size()) + " regimes" +
+    return {"By what the balls do: of all that are off and overlap by less than " +
+            rounded_text(good_enough) + " radii " + usual + " is the cheapest in " +
+            std::to_string(wins.at(usual)) + " of " + std::to_string(rows.size()) + " regimes" +
             (others.empty() ? "." : "; another engine wins " + others + ".") +
             (sunk.empty()
                  ? ""
@@ -302,17 +296,17 @@ Table table_of(const std::vector<Row>& rows) {
             }
             const Median cost = median_of(result.nanoseconds);
             const auto number = [](std::optional<double> value) {
-                return Table::Cell{value ? digits(*value) : "–", true};
+                return Table::Cell{value ? rounded_text(*value) : "–", true};
             };
             table.rows.push_back({{row.name()},
                                   {result.kind.name},
-                                  {digits(cost.value, "%.3g"), true},
-                                  {digits(cost.low, "%.3g") + " – " + digits(cost.high, "%.3g"), true},
-                                  {result.own > 0 ? digits(result.own, "%.3g") : "–", true},
-                                  {best != nullptr ? digits(ratio_of(result, *best).value) : "–", true,
+                                  {rounded_text(cost.value, 3), true},
+                                  {rounded_text(cost.low, 3) + " – " + rounded_text(cost.high, 3), true},
+                                  {result.own > 0 ? rounded_text(result.own, 3) : "–", true},
+                                  {best != nullptr ? rounded_text(ratio_of(result, *best).value) : "–", true,
                                    &result == best ? "good" : ""},
                                   number(result.error),
-                                  {result.kind.engine.empty() ? "–" : digits(result.deepest), true,
+                                  {result.kind.engine.empty() ? "–" : rounded_text(result.deepest), true,
                                    result.deepest > good_enough ? "bad" : ""},
                                   number(result.drift),
                                   {std::to_string(result.lost), true}});

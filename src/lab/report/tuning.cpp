@@ -66,12 +66,6 @@ Measurement measurement_of(const sweep::Variant& variant, const Engine& engine, 
                                });
 }
 
-std::string two_digits(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.2g", value);
-    return text;
-}
-
 /// The rows of a table, and what they say for the front page.
 struct Told {
     Table table;
@@ -82,15 +76,15 @@ void tell(Told& told, const CsvTable& csv) {
     for (std::size_t row = 0; row < csv.rows(); ++row) {
         const double error = csv.number(row, "error"), ratio = csv.number(row, "ratio");
         const std::string kind = kind_of(csv.text(row, "variant"));
-        const std::string times = std::isnan(ratio)
-                                      ? "–"
-                                      : times_text(ratio) + " (" + two_digits(csv.number(row, "ratio_low")) +
-                                            " to " + two_digits(csv.number(row, "ratio_high")) + ")";
+        const std::string times =
+            std::isnan(ratio) ? "–"
+                              : times_text(ratio) + " (" + rounded_text(csv.number(row, "ratio_low")) +
+                                    " to " + rounded_text(csv.number(row, "ratio_high")) + ")";
         const double cost = csv.number(row, "cost");
         told.table.rows.push_back({{kind},
                                    {csv.text(row, "engine") + ", " + csv.text(row, "role")},
                                    {csv.text(row, "contender")},
-                                   {two_digits(error), true, error <= good_enough ? "good" : "bad"},
+                                   {rounded_text(error), true, error <= good_enough ? "good" : "bad"},
                                    {std::isfinite(cost) ? time_text(cost) : "–", true},
                                    {times, true}});
         if (csv.text(row, "role") != "ours as it comes") continue;
@@ -98,7 +92,7 @@ void tell(Told& told, const CsvTable& csv) {
         std::string& list = is_reached ? told.reached : told.missed;
         list += (list.empty() ? "" : "; ") + csv.text(row, "engine");
         list += is_reached ? " costs " + times + " as much on " + kind
-                           : " on " + kind + " (" + two_digits(csv.number(row - 2, "error")) + " radii)";
+                           : " on " + kind + " (" + rounded_text(csv.number(row - 2, "error")) + " radii)";
     }
 }
 
@@ -118,7 +112,7 @@ Content show_tuning(const Data& data, const std::vector<sweep::Variant>& variant
                 tell(told, CsvTable(data.path(file), data.read(file)));
     if (told.table.rows.empty()) return {};
     std::string finding = "Against the cheapest settings that a search finds for an error of at most " +
-                          two_digits(good_enough) + " radii, beside ours as it comes:";
+                          rounded_text(good_enough) + " radii, beside ours as it comes:";
     if (!told.reached.empty()) finding += " " + told.reached + ".";
     if (!told.missed.empty()) finding += " Nothing that was tried gets there: " + told.missed + ".";
     return {{}, {told.table}, {finding}, {}};
@@ -133,7 +127,7 @@ Chapter tuning_chapter(const Effort& effort) {
         "An engine that was badly set proves nothing. So for every engine that is not ours all its "
         "settings and its step, down to 1/" +
             std::to_string(effort.tuning_finest) +
-            " s, are searched for the cheapest with an error of at most " + two_digits(good_enough) +
+            " s, are searched for the cheapest with an error of at most " + rounded_text(good_enough) +
             " radii, scene by scene, on " + std::to_string(effort.tuning_windows) +
             " windows, and judged on as many others (flipside sweep --tune).",
         {},
