@@ -9,7 +9,8 @@ namespace flipside::custom {
 
 namespace {
 
-/// Radii: a member that moves farther than this in a tick rests on no part.
+/// Radii: a member that moves farther than this in a tick rests on no part. The chord of a slower one enters
+/// a concave arc of at least its own radius by at most farthest_chord²/8 = 0.00125 radii.
 constexpr double farthest_chord = 0.1;
 /// Radii: a member that moves no farther than this in a long tick creeps.
 constexpr double creep_distance = 0.02;
