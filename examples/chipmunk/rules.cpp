@@ -1,5 +1,5 @@
-/// Flipside's rules for contacts, in Chipmunk's callbacks: restitution and friction, sensors, gates; and what
-/// is reported.
+/// Flipside's rules for contacts, in Chipmunk's callbacks: who bounces how, sensors, gates; and what is
+/// reported.
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
-/// Makes Box2D's contacts obey the scene: which bodies collide, how materials mix, kick, gates and joints;
-/// and notes the impacts.
+/// Makes Box2D's contacts obey the scene: who meets whom, how materials mix, kick, gates and joints; and
+/// notes the impacts.
 
 #include <vector>
 

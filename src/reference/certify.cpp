@@ -84,7 +84,7 @@ void Simulation<R>::note_leg(Mover& mover, bool given) {
     leg.velocity = narrow(path.velocity);
     leg.spin = static_cast<double>(path.spin);
     note_pair_of_parts(mover, leg.start);
-    if (path.is_taylor) {
+    if (path.rides) {
         leg.held = mover.held[0];
         for (std::size_t k = 1; k <= taylor_order<R>; ++k) {
             if (k > 1) leg.displacements.push_back(narrow(path.displacements[k]));

@@ -142,15 +142,15 @@ class LeastSquares {
   private:
     [[nodiscard]] Edge edge_of(std::size_t k, double side) const {
         const Support& support = supports_[k];
-        const double friction = side * support.friction;
-        const Vec2 force = support.normal + friction * perp(support.normal);
+        const double rub = side * support.friction;
+        const Vec2 force = support.normal + rub * perp(support.normal);
         Edge edge{k, support.friction > 0 ? side : 0, {}};
         const std::size_t a = 3 * std::size_t{support.disc}, b = 3 * std::size_t{support.other};
-        edge.entries = {{{a, force.x}, {a + 1, force.y}, {a + 2, friction}, {a, 0}, {a, 0}, {a, 0}}};
+        edge.entries = {{{a, force.x}, {a + 1, force.y}, {a + 2, rub}, {a, 0}, {a, 0}, {a, 0}}};
         if (support.other != Support::still) {
             edge.entries[3] = {b, -force.x};
             edge.entries[4] = {b + 1, -force.y};
-            edge.entries[5] = {b + 2, friction};
+            edge.entries[5] = {b + 2, rub};
         }
         return edge;
     }

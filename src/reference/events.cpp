@@ -20,7 +20,7 @@ void Simulation<R>::advance(Mover& mover) {
     path.start = now_;
     path.spin_rate = R(0);
     path.roll = {};
-    path.is_taylor = path.rests = false;
+    path.rides = path.rests = false;
 }
 
 template <class R>
@@ -52,7 +52,7 @@ void Simulation<R>::keep_order(Mover& mover) {
                                 : "its own path";
     throw Refusal("reference: ball " + std::to_string(mover.ball.number) + " meets " + met +
                   (too_many ? " after too many searches in one step" + at_time(now_)
-                            : " without end" + at_time(now_) + ": it is squeezed, or its contacts rest"));
+                            : " without end" + at_time(now_) + ": it is squeezed or in a pile"));
 }
 
 /// Notes an impact.
@@ -154,8 +154,7 @@ void Simulation<R>::hit_ball(Place i) {
     const V<R> relative = a.body.velocity - b.body.velocity;
     const R closing = -dot(relative, normal);
     using std::sqrt;
-    const R negligible_speed =
-        sqrt(2 * epsilon<R>() * std::min(a.radius, b.radius) * length(external_.gravity));
+    const R hop = sqrt(2 * epsilon<R>() * std::min(a.radius, b.radius) * length(drive_.gravity));
     bool slow = true;
     if (closing > 4096 * epsilon<R>() * (length(a.body.velocity) + length(b.body.velocity))) {
         const Mixed& material = mixed(a.ball.material, b.ball.material);
@@ -163,7 +162,7 @@ void Simulation<R>::hit_ball(Place i) {
             respond(a.body, a.mass, b.body, b.mass, normal, material, scene_->rest_speed);
         require_speed(a, Other::ball(b.ball.number));
         require_speed(b, Other::ball(a.ball.number));
-        slow = !impact.happened || impact.speed <= negligible_speed;
+        slow = !impact.happened || impact.speed <= hop;
         if (impact.happened)
             report(EventKind::impact, a, Other::ball(b.ball.number), impact,
                    b.body.position + b.radius * normal, normal);
@@ -184,8 +183,7 @@ void Simulation<R>::refuse_piles(Mover& a, Mover& b) const {
     const auto refuse = [&] {
         throw Refusal("reference: balls " + std::to_string(a.ball.number) + " and " +
                       std::to_string(b.ball.number) + " press on each other" + at_time(now_) +
-                      ": resting contacts have no order of impacts" +
-                      (now_ - a.unheld_since <= moment ? a.unheld : ""));
+                      ": a pile has no order of impacts" + (now_ - a.unheld_since <= moment ? a.unheld : ""));
     };
     if (now_ - a.pressed_since > moment) {
         a.pressed_since = now_;
@@ -199,7 +197,7 @@ void Simulation<R>::refuse_piles(Mover& a, Mover& b) const {
     if (magnitude(apart) > 4096 * epsilon<R>() * speed) return;
     const R pulled =
         dot(a.path.begins_with() - b.path.begins_with(), normal) + across * across / (a.radius + b.radius);
-    const R scale = length(external_.gravity) + length(a.path.begins_with()) + length(b.path.begins_with());
+    const R scale = length(drive_.gravity) + length(a.path.begins_with()) + length(b.path.begins_with());
     if (pulled >= -4096 * epsilon<R>() * scale) return;
     refuse();
 }

@@ -25,10 +25,9 @@ Body<R> Simulation<R>::body_now(const Mover& mover) const {
 template <class R>
 bool Simulation<R>::is_at_rest(const Mover& mover) const {
     using std::sqrt;
-    const R negligible_speed = sqrt(2 * epsilon<R>() * mover.radius * length(external_.gravity));
+    const R hop = sqrt(2 * epsilon<R>() * mover.radius * length(drive_.gravity));
     const Body<R> body = body_now(mover);
-    return length(body.velocity) <= negligible_speed &&
-           magnitude(body.spin) * mover.radius <= negligible_speed;
+    return length(body.velocity) <= hop && magnitude(body.spin) * mover.radius <= hop;
 }
 
 /// The balls at rest that touch this one, which is at rest itself.
@@ -50,7 +49,7 @@ auto Simulation<R>::touched_at_rest(Place i) const -> std::vector<Place> {
 /// Whether a ball at rest touches another that its weight can load.
 template <class R>
 bool Simulation<R>::leans(Place i) const {
-    return length(external_.gravity) > 0 && is_at_rest(movers_[i]) && !touched_at_rest(i).empty();
+    return length(drive_.gravity) > 0 && is_at_rest(movers_[i]) && !touched_at_rest(i).empty();
 }
 
 /// All balls at rest in contact with this one, directly or through others, with their supports.
@@ -169,7 +168,7 @@ template <class R>
 void Simulation<R>::refuse_hit(const Mover& hit, const std::string& by) const {
     throw Refusal("reference: " + by + " hits ball " + std::to_string(hit.ball.number) + " in a heap of " +
                   std::to_string(heaps_.at(hit.heap).balls.size()) + " balls that press on each other" +
-                  at_time(now_) + ": resting contacts have no order of impacts");
+                  at_time(now_) + ": a pile has no order of impacts");
 }
 
 #define FLIPSIDE_HEAPS(R)                                                     \

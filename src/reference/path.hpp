@@ -57,7 +57,7 @@ struct Path {
     R angle{}, spin{};                ///< at the start
     R spin_rate{};                    ///< rad/s²; of closed forms
     V<R> roll;                        ///< for a ball that rolls on a static line: its spin is roll·velocity
-    bool is_taylor = false;           ///< follows the series below instead of the closed form
+    bool rides = false;               ///< follows the series below instead of the closed form
     bool rests = false;               ///< the centre does not move; the ball may spin
     Series<V<R>, R> displacements{};  ///< of the position
     Series<R, R> spins{};             ///< of the spin
@@ -66,7 +66,7 @@ struct Path {
     [[nodiscard]] Motion<R> at(const R& time) const {
         const R t = time - start;
         if (rests) return {position, {}};
-        if (is_taylor) return ridden(t);
+        if (rides) return ridden(t);
         if (!(drag > 0))
             return {position + t * (velocity + (t / 2) * acceleration), velocity + t * acceleration};
         const R x = drag * t, phi = drag_phi(x), e = 1 - x * phi;
@@ -75,7 +75,7 @@ struct Path {
     }
     [[nodiscard]] Spinning<R> spinning_at(const R& time) const {
         const R t = time - start;
-        if (is_taylor) {
+        if (rides) {
             R turned{}, gained{};
             for (std::size_t k = taylor_order<R>; k >= 1; --k) {
                 const auto power = static_cast<int>(k);
@@ -93,11 +93,11 @@ struct Path {
     /// Acceleration at the start.
     [[nodiscard]] V<R> begins_with() const {
         if (rests) return {};
-        return is_taylor ? R(2) * displacements[2] : acceleration - drag * velocity;
+        return rides ? R(2) * displacements[2] : acceleration - drag * velocity;
     }
     [[nodiscard]] Bounds<R> bounds(const R& from, const R& until) const {
         if (rests) return {};
-        if (is_taylor) return ride_bounds;
+        if (rides) return ride_bounds;
         const R speed = length(at(from).velocity) + length(acceleration) * (until - from);
         return {speed, length(acceleration) + drag * speed};
     }
@@ -105,7 +105,7 @@ struct Path {
     /// Bound on the acceleration along a unit vector.
     [[nodiscard]] R bend_along(const V<R>& n, const R& from, const R& until) const {
         if (rests) return R(0);
-        if (is_taylor) return ride_bounds.acceleration;
+        if (rides) return ride_bounds.acceleration;
         R pulled = magnitude(dot(n, acceleration));
         if (!(drag > 0)) return pulled;
         return pulled + drag * (magnitude(dot(n, at(from).velocity)) + pulled * (until - from));

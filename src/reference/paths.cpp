@@ -94,11 +94,11 @@ void Simulation<R>::find_touching(Mover& mover) {
         if (is_gate && passes(part, mover)) continue;
         const R friction(mixed(mover.ball.material, scene_->parts[part].material).friction);
         const RestingContact<R> contact =
-            resting_contact_at(shape(f), turning(part), mover.body, now_, friction, external_, snap);
-        const R negligible_speed = sqrt(2 * epsilon<R>() * mover.radius * std::max(R(0), contact.force));
+            resting_contact_at(shape(f), turning(part), mover.body, now_, friction, drive_, snap);
+        const R hop = sqrt(2 * epsilon<R>() * mover.radius * std::max(R(0), contact.force));
         const R speed = length(mover.body.velocity) + magnitude(contact.passing);
         const R turned = (16 * epsilon<R>() + given) * direction_scale(shape(f));
-        if (magnitude(contact.parting) > (4096 * epsilon<R>() + turned) * speed + negligible_speed) continue;
+        if (magnitude(contact.parting) > (4096 * epsilon<R>() + turned) * speed + hop) continue;
         if (is_gate && std::ranges::find(mover.blocked, part) == mover.blocked.end())
             mover.blocked.push_back(part);
         touching_.push_back({f, contact, friction});
@@ -118,11 +118,11 @@ template <class R>
 bool Simulation<R>::take_one(Mover& mover) {
     for (const Touching& one : touching_) {
         const RestingContact<R>& contact = one.contact;
-        const R scale = length(external_.gravity) + magnitude(contact.force) + magnitude(contact.driven);
+        const R scale = length(drive_.gravity) + magnitude(contact.force) + magnitude(contact.driven);
         const R none = no_force<R>() * scale;
         if (!(contact.force > none)) continue;
-        const ContactFriction<R> acting = friction_at(contact, mover.body);
-        const V<R> added = contact.force * contact.normal + acting.force * contact.tangent;
+        const Rubbing<R> rub = rubbing_of(contact, mover.body);
+        const V<R> added = contact.force * contact.normal + rub.force * contact.tangent;
         const R slow = rounding_speed(length(mover.body.velocity));
         const bool keeps_off = std::ranges::all_of(touching_, [&](const Touching& other) {
             if (&other == &one) return true;
@@ -131,9 +131,9 @@ bool Simulation<R>::take_one(Mover& mover) {
                    other.contact.parting - contact.parting * cosine >= -slow;
         });
         if (!keeps_off) continue;
-        ConstrainedPath<R> found;
+        Ride<R> found;
         try {
-            found = constrained_path(contact, acting, mover.body, now_, R(now_ + 1), external_);
+            found = ride(contact, rub, mover.body, now_, R(now_ + 1), drive_);
         } catch (const EndlessSearch&) {
             refuse_search("reference", mover.ball.number, Other::part(features_[one.feature].part),
                           clock(now_), *scene_);
@@ -154,7 +154,7 @@ bool Simulation<R>::take_one(Mover& mover) {
 /// forces and friction together balance its weight.
 template <class R>
 bool Simulation<R>::take_two(Mover& mover) {
-    const R scale = length(external_.gravity), none = no_force<R>() * scale;
+    const R scale = length(drive_.gravity), none = no_force<R>() * scale;
     for (const Touching& a : touching_)
         for (const Touching& b : touching_) {
             if (&a == &b || a.contact.turning != nullptr || b.contact.turning != nullptr) continue;
@@ -164,7 +164,7 @@ bool Simulation<R>::take_two(Mover& mover) {
                 const R sign(spin > 0 ? 1 : spin < 0 ? -1 : 0);
                 return one.contact.normal + sign * one.friction * perp(one.contact.normal);
             };
-            const V<R> u = push(a), v = push(b), weight = external_.gravity;
+            const V<R> u = push(a), v = push(b), weight = drive_.gravity;
             const R across = cross(u, v);
             if (magnitude(across) < no_force<R>()) continue;
             const R first = -cross(weight, v) / across, second = -cross(u, weight) / across;
@@ -182,10 +182,10 @@ bool Simulation<R>::take_two(Mover& mover) {
             const R sense(spin > 0 ? 1 : spin < 0 ? -1 : 0);
             mover.held_friction[0] = sense * a.friction * mover.held_force[0];
             mover.held_friction[1] = sense * b.friction * mover.held_force[1];
-            const R with_friction = 2 * (a.friction * first + b.friction * second) / mover.radius;
-            if (spin != 0 && with_friction > 0) {
-                mover.path.spin_rate = spin > 0 ? R(-with_friction) : with_friction;
-                mover.until = now_ + magnitude(spin) / with_friction;
+            const R rubbed = 2 * (a.friction * first + b.friction * second) / mover.radius;
+            if (spin != 0 && rubbed > 0) {
+                mover.path.spin_rate = spin > 0 ? R(-rubbed) : rubbed;
+                mover.until = now_ + magnitude(spin) / rubbed;
             }
             return true;
         }
@@ -204,17 +204,17 @@ void Simulation<R>::find_path(Mover& mover) {
     path.start = now_;
     path.position = mover.body.position;
     path.velocity = mover.body.velocity;
-    path.acceleration = external_.gravity;
-    path.drag = external_.drag;
+    path.acceleration = drive_.gravity;
+    path.drag = drive_.drag;
     path.angle = mover.body.angle;
     path.spin = mover.body.spin;
     path.spin_rate = R(0);
     path.roll = {};
-    path.is_taylor = path.rests = false;
+    path.rides = path.rests = false;
     find_touching(mover);
     mover.left = nothing;
     mover.given = false;
-    const R scale = length(external_.gravity);
+    const R scale = length(drive_.gravity);
     const auto is_pressed = [&] {
         return std::ranges::any_of(touching_, [&](const Touching& one) {
             const RestingContact<R>& contact = one.contact;

@@ -38,9 +38,9 @@ Impact<R> respond(Body<R>& ball, const R& mass, const V<R>& normal, const V<R>& 
     const R gained = impact.speed + (impact.happened ? outgoing(material, impact.speed) : R(0));
     impact.impulse = mass * gained;
     const R slip = dot(relative, tangent) - ball.radius * ball.spin;
-    const R friction = friction_impulse(material, impact.impulse, slip, mass);
-    ball.velocity += gained * normal + (friction / mass) * tangent;
-    ball.spin -= 2 * friction / (mass * ball.radius);
+    const R rub = friction_impulse(material, impact.impulse, slip, mass);
+    ball.velocity += gained * normal + (rub / mass) * tangent;
+    ball.spin -= 2 * rub / (mass * ball.radius);
     return impact;
 }
 
@@ -55,12 +55,12 @@ Impact<R> respond(Body<R>& a, const R& mass_a, Body<R>& b, const R& mass_b, cons
     impact.happened = impact.speed > rest_speed;
     impact.impulse = mass * (impact.speed + (impact.happened ? outgoing(material, impact.speed) : R(0)));
     const R slip = dot(relative, tangent) - a.radius * a.spin - b.radius * b.spin;
-    const R friction = friction_impulse(material, impact.impulse, slip, mass);
-    const V<R> push = impact.impulse * normal + friction * tangent;
+    const R rub = friction_impulse(material, impact.impulse, slip, mass);
+    const V<R> push = impact.impulse * normal + rub * tangent;
     a.velocity += push / mass_a;
     b.velocity -= push / mass_b;
-    a.spin -= 2 * friction / (mass_a * a.radius);
-    b.spin -= 2 * friction / (mass_b * b.radius);
+    a.spin -= 2 * rub / (mass_a * a.radius);
+    b.spin -= 2 * rub / (mass_b * b.radius);
     return impact;
 }
 

@@ -5,7 +5,7 @@ namespace flipside::reference {
 template <class R>
 RestingContact<R> resting_contact_at(const Feature<R>& feature, const Turning<R>* turning,
                                      const Body<R>& ball, const R& time, const R& friction,
-                                     const ExternalForces<R>& external, const R& snap) {
+                                     const Drive<R>& drive, const R& snap) {
     RestingContact<R> contact;
     contact.feature = &feature;
     contact.turning = turning;
@@ -50,7 +50,7 @@ RestingContact<R> resting_contact_at(const Feature<R>& feature, const Turning<R>
     const V<R> relative = ball.velocity - cross(w, point - contact.pivot);
     contact.parting = dot(relative, contact.normal);
     contact.slip = dot(relative, contact.tangent) - contact.side * ball.radius * ball.spin;
-    const V<R> driving = external.gravity - external.drag * ball.velocity;
+    const V<R> driving = drive.gravity - drive.drag * ball.velocity;
     contact.driven = dot(driving, contact.tangent);
     if (contact.straight) {
         contact.passing = dot(ball.velocity, contact.tangent) + w * contact.offset;
@@ -66,19 +66,17 @@ RestingContact<R> resting_contact_at(const Feature<R>& feature, const Turning<R>
 }
 
 template <class R>
-ContactFriction<R> friction_at(const RestingContact<R>& contact, const Body<R>& ball) {
+Rubbing<R> rubbing_of(const RestingContact<R>& contact, const Body<R>& ball) {
     using std::sqrt;
     if (!(contact.friction > 0)) return {};
     const R most = contact.friction * (contact.force > 0 ? contact.force : R(0));
     const R scale = magnitude(contact.passing) + ball.radius * magnitude(ball.spin) + magnitude(contact.slip);
     const R none = 4096 * epsilon<R>() * (scale + sqrt(ball.radius * (most + magnitude(contact.driven))));
-    const auto sliding = [&](int sign) {
-        return ContactFriction<R>{FrictionMode::sliding, R(-sign * most), R(sign)};
-    };
+    const auto sliding = [&](int sign) { return Rubbing<R>{Rub::slides, R(-sign * most), R(sign)}; };
     if (contact.slip > none) return sliding(1);
     if (contact.slip < -none) return sliding(-1);
     if (magnitude(contact.driven) < 3 * most * (1 - 1024 * epsilon<R>()) || contact.driven == 0)
-        return {FrictionMode::rolling, R(-contact.driven / 3), R(0)};
+        return {Rub::rolls, R(-contact.driven / 3), R(0)};
     return sliding(contact.driven > 0 ? 1 : -1);
 }
 
@@ -91,62 +89,61 @@ Smallest<R> smallest_speed(const R& speed, const Body<R>& ball) {
 }
 
 template <class R>
-ConstrainedPath<R> begin_path(const Body<R>& ball, const R& time) {
-    ConstrainedPath<R> found;
-    found.path.start = time;
-    found.path.angle = ball.angle;
-    found.path.spin = ball.spin;
-    return found;
+Ride<R> begin_ride(const Body<R>& ball, const R& time) {
+    Ride<R> ride;
+    ride.path.start = time;
+    ride.path.angle = ball.angle;
+    ride.path.spin = ball.spin;
+    return ride;
 }
 
 /// The path on a static line: a closed form.
 template <class R>
-ConstrainedPath<R> path_along_line(const RestingContact<R>& contact, const ContactFriction<R>& friction,
-                                   const Body<R>& ball, const R& time, const R& last,
-                                   const ExternalForces<R>& external) {
-    ConstrainedPath<R> found = begin_path(ball, time);
-    Path<R>& path = found.path;
+Ride<R> slide(const RestingContact<R>& contact, const Rubbing<R>& rubbing, const Body<R>& ball, const R& time,
+              const R& last, const Drive<R>& drive) {
+    Ride<R> ride = begin_ride(ball, time);
+    Path<R>& path = ride.path;
     const V<R>& tangent = contact.tangent;
-    const R driving = dot(external.gravity, tangent);
+    const R driving = dot(drive.gravity, tangent);
     path.position = contact.pivot + (contact.along * tangent + contact.offset * contact.normal);
     path.velocity = contact.passing * tangent;
-    path.drag = external.drag;
+    path.drag = drive.drag;
     path.acceleration = driving * tangent;
     const R share = R(2) / 3;
-    if (friction.mode == FrictionMode::rolling) {
+    if (rubbing.how == Rub::rolls) {
         path.acceleration = share * path.acceleration;
-        path.drag = share * external.drag;
+        path.drag = share * drive.drag;
         path.roll = R(-1 / ball.radius) * tangent;
         path.spin = -contact.passing / ball.radius;
-        if (!(external.drag > 0)) return found;
+        if (!(drive.drag > 0)) return ride;
         // It rolls while the tangential force is below three times the limit of friction.
         for (const int sign : {1, -1}) {
             const auto spare = [&](const R& t) {
                 const Motion<R> m = path.at(t);
-                const R driven = driving - external.drag * dot(m.velocity, tangent);
-                const R change = -external.drag * share * driven;
+                const R driven = driving - drive.drag * dot(m.velocity, tangent);
+                const R change = -drive.drag * share * driven;
                 return Value<R>{3 * contact.friction * contact.force - sign * driven, -sign * change};
             };
-            const R bend = share * share * external.drag * external.drag * magnitude(contact.driven);
-            found.until = std::min(found.until, first_fall(spare, time, last, bend,
-                                                           smallest_speed(magnitude(contact.force), ball)));
+            const R bend = share * share * drive.drag * drive.drag * magnitude(contact.driven);
+            ride.until = std::min(ride.until, first_fall(spare, time, last, bend,
+                                                         smallest_speed(magnitude(contact.force), ball)));
         }
-        return found;
+        return ride;
     }
-    path.acceleration += friction.force * tangent;
-    path.spin_rate = -2 * contact.side * friction.force / ball.radius;
-    if (friction.mode == FrictionMode::none || !(friction.sign * contact.slip > 0)) return found;
+    path.acceleration += rubbing.force * tangent;
+    path.spin_rate = -2 * contact.side * rubbing.force / ball.radius;
+    if (rubbing.how == Rub::none || !(rubbing.sign * contact.slip > 0)) return ride;
     const auto slip = [&](const R& t) {
         const Motion<R> m = path.at(t);
         const R spin = path.spin + (t - time) * path.spin_rate;
         const R faster = dot(path.acceleration - path.drag * m.velocity, tangent);
-        return Value<R>{friction.sign * (dot(m.velocity, tangent) - contact.side * ball.radius * spin),
-                        friction.sign * (faster + 2 * friction.force)};
+        return Value<R>{rubbing.sign * (dot(m.velocity, tangent) - contact.side * ball.radius * spin),
+                        rubbing.sign * (faster + 2 * rubbing.force)};
     };
     const R bend =
         path.drag * (magnitude(dot(path.acceleration, tangent)) + path.drag * magnitude(contact.passing));
-    found.until = first_fall(slip, time, last, bend, smallest_speed(magnitude(contact.slip), ball));
-    return found;
+    ride.until = first_fall(slip, time, last, bend, smallest_speed(magnitude(contact.slip), ball));
+    return ride;
 }
 
 template <class T, class R>
@@ -181,17 +178,16 @@ struct Expansion {
 
 /// The tangential acceleration with friction.
 template <class R>
-R with_friction(const ContactFriction<R>& friction, const RestingContact<R>& contact, const R& driven,
-                const R& force) {
-    if (friction.mode == FrictionMode::rolling) return driven * 2 / 3;
-    return driven - friction.sign * contact.friction * force;
+R rubbed(const Rubbing<R>& rubbing, const RestingContact<R>& contact, const R& driven, const R& force) {
+    if (rubbing.how == Rub::rolls) return driven * 2 / 3;
+    return driven - rubbing.sign * contact.friction * force;
 }
 
 template <class R>
-Expansion<R> expand_straight(const RestingContact<R>& contact, const ContactFriction<R>& friction,
-                             const ExternalForces<R>& external, Series<V<R>, R>& place) {
+Expansion<R> expand_straight(const RestingContact<R>& contact, const Rubbing<R>& rubbing,
+                             const Drive<R>& drive, Series<V<R>, R>& place) {
     constexpr std::size_t order = taylor_order<R>;
-    const R &w = contact.rate, &d = contact.offset, &c = external.drag;
+    const R &w = contact.rate, &d = contact.offset, &c = drive.drag;
     const auto t = turning(contact.tangent, w), n = turning(contact.normal, w);
     Series<R, R> s{};
     Expansion<R> e;
@@ -200,29 +196,29 @@ Expansion<R> expand_straight(const RestingContact<R>& contact, const ContactFric
     for (std::size_t k = 0; k < order; ++k) {
         const auto next = static_cast<int>(k) + 1;
         s[k + 1] = e.speed[k] / next;
-        e.force[k] = 2 * w * e.speed[k] - dot(n[k], external.gravity) + c * w * s[k];
-        e.driven[k] = w * w * s[k] + dot(t[k], external.gravity) - c * e.speed[k];
+        e.force[k] = 2 * w * e.speed[k] - dot(n[k], drive.gravity) + c * w * s[k];
+        e.driven[k] = w * w * s[k] + dot(t[k], drive.gravity) - c * e.speed[k];
         if (k == 0) {
             e.force[k] -= w * w * d;
             e.driven[k] += c * w * d;
         }
-        e.speed[k + 1] = with_friction(friction, contact, e.driven[k], e.force[k]) / next;
+        e.speed[k + 1] = rubbed(rubbing, contact, e.driven[k], e.force[k]) / next;
     }
     for (std::size_t k = 0; k <= order; ++k) place[k] = product(s, t, k) + d * n[k];
     return e;
 }
 
 template <class R>
-Expansion<R> expand_curved(const RestingContact<R>& contact, const ContactFriction<R>& friction,
-                           const ExternalForces<R>& external, Series<V<R>, R>& place) {
+Expansion<R> expand_curved(const RestingContact<R>& contact, const Rubbing<R>& rubbing, const Drive<R>& drive,
+                           Series<V<R>, R>& place) {
     constexpr std::size_t order = taylor_order<R>;
-    const R &w = contact.rate, &l = contact.length, &c = external.drag;
+    const R &w = contact.rate, &l = contact.length, &c = drive.drag;
     const auto center = turning(contact.arm, w);
     Series<V<R>, R> driving, out, tangent;
     Series<R, R> turn{};  // φ'
     for (std::size_t k = 0; k <= order; ++k) {
         driving[k] = w * w * center[k] - c * cross(w, center[k]);
-        if (k == 0) driving[k] += external.gravity;
+        if (k == 0) driving[k] += drive.gravity;
     }
     Expansion<R> e;
     out[0] = contact.out;
@@ -233,7 +229,7 @@ Expansion<R> expand_curved(const RestingContact<R>& contact, const ContactFricti
         const auto next = static_cast<int>(k) + 1;
         e.force[k] = -contact.side * (product(out, driving, k) + l * product(turn, turn, k));
         e.driven[k] = product(tangent, driving, k) - c * e.speed[k];
-        e.speed[k + 1] = with_friction(friction, contact, e.driven[k], e.force[k]) / next;
+        e.speed[k + 1] = rubbed(rubbing, contact, e.driven[k], e.force[k]) / next;
         turn[k + 1] = e.speed[k + 1] / l;
         out[k + 1] = product(turn, tangent, k) / R(next);
         tangent[k + 1] = -(product(turn, out, k) / R(next));
@@ -278,7 +274,7 @@ R falls_after(const Series<R, R>& f, const R& time, const R& h) {
 }
 
 template <class R>
-void bound_taylor_path(Path<R>& path, const R& h) {
+void bound_ride(Path<R>& path, const R& h) {
     path.ride_bounds = {};
     R power(1);
     for (std::size_t k = 1; k <= taylor_order<R>; ++k) {
@@ -292,68 +288,65 @@ void bound_taylor_path(Path<R>& path, const R& h) {
 
 /// When the ball begins or ceases to roll.
 template <class R>
-R switches(const RestingContact<R>& contact, const ContactFriction<R>& friction, const Expansion<R>& e,
-           const R& time, const R& h) {
-    if (friction.mode == FrictionMode::none) return infinity<R>();
+R switches(const RestingContact<R>& contact, const Rubbing<R>& rubbing, const Expansion<R>& e, const R& time,
+           const R& h) {
+    if (rubbing.how == Rub::none) return infinity<R>();
     Series<R, R> more{}, less{};
-    if (friction.mode == FrictionMode::rolling) {
+    if (rubbing.how == Rub::rolls) {
         for (std::size_t k = 0; k < more.size(); ++k) {
             more[k] = 3 * contact.friction * e.force[k] + e.driven[k];
             less[k] = 3 * contact.friction * e.force[k] - e.driven[k];
         }
         return std::min(falls_after(more, time, h), falls_after(less, time, h));
     }
-    if (!(friction.sign * contact.slip > 0)) return infinity<R>();
-    more[0] = friction.sign * contact.slip;
+    if (!(rubbing.sign * contact.slip > 0)) return infinity<R>();
+    more[0] = rubbing.sign * contact.slip;
     for (std::size_t k = 0; k + 1 < more.size(); ++k)
         more[k + 1] =
-            (friction.sign * e.driven[k] - 3 * contact.friction * e.force[k]) / (static_cast<int>(k) + 1);
+            (rubbing.sign * e.driven[k] - 3 * contact.friction * e.force[k]) / (static_cast<int>(k) + 1);
     return falls_after(more, time, h);
 }
 
 /// The path on a curved or turning surface: a Taylor polynomial.
 template <class R>
-ConstrainedPath<R> path_by_series(const RestingContact<R>& contact, const ContactFriction<R>& friction,
-                                  const Body<R>& ball, const R& time, const R& last,
-                                  const ExternalForces<R>& external) {
-    ConstrainedPath<R> found = begin_path(ball, time);
-    Path<R>& path = found.path;
-    path.is_taylor = true;
-    const Expansion<R> e = contact.straight ? expand_straight(contact, friction, external, path.displacements)
-                                            : expand_curved(contact, friction, external, path.displacements);
+Ride<R> swing(const RestingContact<R>& contact, const Rubbing<R>& rubbing, const Body<R>& ball, const R& time,
+              const R& last, const Drive<R>& drive) {
+    Ride<R> ride = begin_ride(ball, time);
+    Path<R>& path = ride.path;
+    path.rides = true;
+    const Expansion<R> e = contact.straight ? expand_straight(contact, rubbing, drive, path.displacements)
+                                            : expand_curved(contact, rubbing, drive, path.displacements);
     path.position = contact.pivot + path.displacements[0];
     path.velocity = path.displacements[1];
-    if (friction.mode != FrictionMode::none) {
+    if (rubbing.how != Rub::none) {
         for (std::size_t k = 0; k < taylor_order<R>; ++k) {
-            const R push = friction.mode == FrictionMode::rolling
-                               ? R(-e.driven[k] / 3)
-                               : R(-friction.sign * contact.friction * e.force[k]);
+            const R push = rubbing.how == Rub::rolls ? R(-e.driven[k] / 3)
+                                                     : R(-rubbing.sign * contact.friction * e.force[k]);
             path.spins[k + 1] = -2 * contact.side * push / (ball.radius * (static_cast<int>(k) + 1));
         }
     }
-    if (friction.mode == FrictionMode::rolling) path.spin += contact.slip / (contact.side * ball.radius);
+    if (rubbing.how == Rub::rolls) path.spin += contact.slip / (contact.side * ball.radius);
     const R good = good_for(path.displacements, ball.radius);
-    found.until = std::min(last, R(time + good));
-    if (contact.turning != nullptr) found.until = std::min(found.until, contact.turning->stop);
-    const R h = found.until - time;
-    if (!(h > 0)) return found;
-    bound_taylor_path(path, h);
+    ride.until = std::min(last, R(time + good));
+    if (contact.turning != nullptr) ride.until = std::min(ride.until, contact.turning->stop);
+    const R h = ride.until - time;
+    if (!(h > 0)) return ride;
+    bound_ride(path, h);
     const R falls = falls_after(e.force, time, h);
-    const R other = switches(contact, friction, e, time, h);
-    found.separates = falls <= found.until && falls <= other;
-    found.until = std::min({found.until, falls, other});
-    return found;
+    const R other = switches(contact, rubbing, e, time, h);
+    ride.separates = falls <= ride.until && falls <= other;
+    ride.until = std::min({ride.until, falls, other});
+    return ride;
 }
 
 }  // namespace
 
 template <class R>
-ConstrainedPath<R> constrained_path(const RestingContact<R>& contact, const ContactFriction<R>& friction,
-                                    const Body<R>& ball, const R& time, const R& last,
-                                    const ExternalForces<R>& external) {
+Ride<R> ride(const RestingContact<R>& contact, const Rubbing<R>& rubbing, const Body<R>& ball, const R& time,
+             const R& last, const Drive<R>& drive) {
     const bool closed = contact.straight && contact.rate == 0;
-    ConstrainedPath<R> found = closed ? path_along_line(contact, friction, ball, time, last, external)
-                                      : path_by_series(contact, friction, ball, time, last, external);
+    Ride<R> found = closed ? slide(contact, rubbing, ball, time, last, drive)
+                           : swing(contact, rubbing, ball, time, last, drive);
     const View<R> view{found.path, contact.turning};
     const R end = leaves_face(*contact.feature, view, ball.radius, time, std::min(found.until, last));
     if (end <= found.until && end <= last) {
@@ -364,16 +357,15 @@ ConstrainedPath<R> constrained_path(const RestingContact<R>& contact, const Cont
     return found;
 }
 
-#define FLIPSIDE_RESTING_CONTACT(R)                                                                        \
+#define FLIPSIDE_GRIPS(R)                                                                                  \
     template RestingContact<R> resting_contact_at(const Feature<R>&, const Turning<R>*, const Body<R>&,    \
-                                                  const R&, const R&, const ExternalForces<R>&, const R&); \
-    template ContactFriction<R> friction_at(const RestingContact<R>&, const Body<R>&);                     \
-    template ConstrainedPath<R> constrained_path(const RestingContact<R>&, const ContactFriction<R>&,      \
-                                                 const Body<R>&, const R&, const R&,                       \
-                                                 const ExternalForces<R>&);
-FLIPSIDE_RESTING_CONTACT(double)
-FLIPSIDE_RESTING_CONTACT(Real113)
-FLIPSIDE_RESTING_CONTACT(Real226)
-#undef FLIPSIDE_RESTING_CONTACT
+                                                  const R&, const R&, const Drive<R>&, const R&);          \
+    template Rubbing<R> rubbing_of(const RestingContact<R>&, const Body<R>&);                              \
+    template Ride<R> ride(const RestingContact<R>&, const Rubbing<R>&, const Body<R>&, const R&, const R&, \
+                          const Drive<R>&);
+FLIPSIDE_GRIPS(double)
+FLIPSIDE_GRIPS(Real113)
+FLIPSIDE_GRIPS(Real226)
+#undef FLIPSIDE_GRIPS
 
 }  // namespace flipside::reference

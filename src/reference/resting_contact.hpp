@@ -22,7 +22,7 @@ struct Body {
 };
 
 template <class R>
-struct ExternalForces {
+struct Drive {
     V<R> gravity;
     R drag{};
 };
@@ -49,31 +49,29 @@ struct RestingContact {
 template <class R>
 [[nodiscard]] RestingContact<R> resting_contact_at(const Feature<R>& feature, const Turning<R>* turning,
                                                    const Body<R>& ball, const R& time, const R& friction,
-                                                   const ExternalForces<R>& external, const R& snap);
+                                                   const Drive<R>& drive, const R& snap);
 
 /// How friction acts at a contact.
-enum class FrictionMode { none, sliding, rolling };
+enum class Rub { none, slides, rolls };
 template <class R>
-struct ContactFriction {
-    FrictionMode mode = FrictionMode::none;
+struct Rubbing {
+    Rub how = Rub::none;
     R force{};  ///< per mass, along the tangent
     R sign{};   ///< of the slip, while it slides
 };
 template <class R>
-[[nodiscard]] ContactFriction<R> friction_at(const RestingContact<R>& contact, const Body<R>& ball);
+[[nodiscard]] Rubbing<R> rubbing_of(const RestingContact<R>& contact, const Body<R>& ball);
 
 /// The path along one surface.
 template <class R>
-struct ConstrainedPath {
+struct Ride {
     Path<R> path;
     R until = infinity<R>();  ///< end of the path, not after `last`
     bool separates = false;   ///< whether the contact ends at `until`
 };
 /// From `time` to `last` at most.
 template <class R>
-[[nodiscard]] ConstrainedPath<R> constrained_path(const RestingContact<R>& contact,
-                                                  const ContactFriction<R>& friction, const Body<R>& ball,
-                                                  const R& time, const R& last,
-                                                  const ExternalForces<R>& external);
+[[nodiscard]] Ride<R> ride(const RestingContact<R>& contact, const Rubbing<R>& rubbing, const Body<R>& ball,
+                           const R& time, const R& last, const Drive<R>& drive);
 
 }  // namespace flipside::reference

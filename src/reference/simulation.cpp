@@ -27,7 +27,7 @@ template <class R>
 Simulation<R>::Simulation(std::shared_ptr<const Scene> scene)
     : scene_(std::move(scene)),
       primitives_(surface_of(*scene_)),
-      external_{V<R>(scene_->gravity), R(scene_->damping)},
+      drive_{V<R>(scene_->gravity), R(scene_->damping)},
       features_(features_of<R>(primitives_, *scene_)),
       posed_(features_),
       parts_(scene_->parts.size()) {

@@ -264,7 +264,7 @@ class Simulation final : public Exact {
 
     std::shared_ptr<const Scene> scene_;
     std::vector<Primitive> primitives_;
-    ExternalForces<R> external_;
+    Drive<R> drive_;
     std::vector<Feature<R>> features_;  ///< in the pose of the scene file
     std::vector<Feature<R>> posed_;     ///< of static parts, in their pose
     std::vector<PartNow> parts_;

@@ -68,7 +68,7 @@ R first_touch(const Feature<R>& feature, const View<R>& view, const R& radius, c
     const Bounds<R> bounds = view.bounds(from, until);
     if (closest_point(feature, begin.position, radius).gap > bounds.speed * (until - from))
         return infinity<R>();
-    if (still && !path.is_taylor && !(path.drag > 0))
+    if (still && !path.rides && !(path.drag > 0))
         return from + polynomial_touch(feature, begin, path.acceleration, radius, R(until - from), grazes);
 
     R first = infinity<R>();
@@ -95,7 +95,7 @@ R first_touch(const Feature<R>& feature, const View<R>& view, const R& radius, c
                 const Motion<R> m = path.at(t);
                 return side.bent(m, path.acceleration - path.drag * m.velocity);
             };
-            if (still && !path.is_taylor)
+            if (still && !path.rides)
                 begins = clear_of_start(bent, from, last, side.jerk(path, bounds, from, until), smallest);
         }
         const R t = first_fall([&](const R& at) { return side.gap(view.at(at)); }, begins, last, bound,
@@ -130,7 +130,7 @@ R straight_touch(const V<R>& x, const V<R>& u, const R& reach, std::uint64_t& gr
 
 template <class R>
 bool closed_form(const Path<R>& path) {
-    return !path.is_taylor && !path.rests;
+    return !path.rides && !path.rests;
 }
 
 }  // namespace

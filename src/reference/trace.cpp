@@ -56,7 +56,7 @@ void Simulation<R>::trace_paths() {
         const Path<R>& path = mover.path;
         TraceItem& item = stage.add("path").with("ball", mover.ball.number);
         item.with("way", path.rests                 ? "at rest"
-                         : path.is_taylor           ? "is_taylor a part that turns or bends"
+                         : path.rides               ? "rides a part that turns or bends"
                          : mover.held[0] != nothing ? "along a part"
                                                     : "free flight");
         if (mover.held[0] != nothing) item.with("part", scene_->parts[features_[mover.held[0]].part].name);

@@ -70,8 +70,7 @@ TEST(ReferenceHeaps, StayInBothPrecisionsAndTheTwinAgrees) {
 }
 
 TEST(ReferenceHeaps, ThatMoveAreRefusedAndItSaysWhichBallMovesFirst) {
-    expect_says(refusal_of(pyramid(0)),
-                "press on each other at 0.000000 s: resting contacts have no order of impacts");
+    expect_says(refusal_of(pyramid(0)), "press on each other at 0.000000 s: a pile has no order of impacts");
     expect_says(refusal_of(pyramid(0.2)), "begins to move");  // tan 15° is 0.268
     Scene aside = column(3);
     aside.balls[2].position += Vec2{1e-9, 0};

@@ -31,8 +31,7 @@ constexpr Case all[] = {
      "Equal elastic balls that fall and bounce one above the other: points again, for the hardest stack.",
      "L. Tonks, 1936, as above, with falling points", column},
     {8, "cradle", "Newton's cradle",
-     "An impact travels through a row of balls, without gaps too: one ball after another, by a declared "
-     "rule.",
+     "A blow runs through a row of balls. Without a gap it does so one ball after another: a declared rule.",
      "", cradle},
     {9, "head-on", "Head-on impact",
      "Two balls meet head-on, the one up to a million times as heavy; momentum to the last bit.", "",
