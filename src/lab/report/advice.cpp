@@ -30,7 +30,7 @@ std::string ratio_of(const Best& best) {
            (std::isnan(ratio.low) ? "" : " (" + radii(ratio.low) + " to " + radii(ratio.high) + ")");
 }
 
-/// Who is taken how often: "custom in 4 of 4 kinds of scene".
+/// How often each engine is chosen: "custom in 4 of 4 kinds of scene".
 std::string winners(std::span<const Best> all) {
     std::map<std::string, std::size_t> wins;
     for (const Best& best : all)
