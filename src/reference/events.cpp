@@ -46,11 +46,11 @@ void Simulation<R>::refuse_endless(Mover& mover) {
     }
     const bool too_many = counts_.narrow_tests > most_searches + per_ball * movers_.size();
     if (++mover.series_events <= most && !too_many) return;
-    const std::string met = mover.next == Next::feature ? scene_->parts[features_[mover.next_index].part].name
+    const std::string hit = mover.next == Next::feature ? scene_->parts[features_[mover.next_index].part].name
                             : mover.next == Next::ball
                                 ? "ball " + std::to_string(movers_[mover.next_index].ball.number)
                                 : "its own path";
-    throw Refusal("reference: ball " + std::to_string(mover.ball.number) + " meets " + met +
+    throw Refusal("reference: ball " + std::to_string(mover.ball.number) + " hits " + hit +
                   (too_many
                        ? " after too many searches in one step" + at_time(now_)
                        : " without end" + at_time(now_) + ": it is squeezed between parts or in a heap"));
