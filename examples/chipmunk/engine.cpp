@@ -93,11 +93,11 @@ constexpr flipside_setting real(const char* name, const char* unit, const char* 
 }
 
 const flipside_setting settings[] = {
-    integer("iterations", "passes of the solver per sub-step; too few leave piles soft", 10),
+    integer("iterations", "passes of the solver per sub-step; too few leave heaps soft", 10),
     integer("substeps",
             "equal parts each step is cut into; there is no continuous collision, so fast balls need them",
             4),
-    real("slop", "radii", "overlap that is left alone, of the smallest ball; too small makes piles tremble",
+    real("slop", "radii", "overlap that is left alone, of the smallest ball; too small makes heaps tremble",
          0.01, 0, 1),
     real("bias", "", "share of an overlap that is left after a second; too small throws balls apart", 0.0018,
          0, 1),

@@ -1,4 +1,4 @@
-/// Flipside's rules for contacts, in Chipmunk's callbacks: who bounces how, sensors, gates; and what is
+/// Flipside's rules for contacts, in Chipmunk's callbacks: how pairs bounce, sensors, gates; and what is
 /// reported.
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 /* A whole engine in one file of C: discs under gravity against segments, points, circles and one another.
  *
- * It is the loop that everybody writes first: move every ball, then look who overlaps, push them apart and
+ * It is the simplest loop: move every ball, find the overlapping pairs, push them apart and
  * turn their velocities round. A course starts here. What to do next, from easy to hard:
  *   1. A fast ball jumps over a thin wall: `flipside cases thin-wall --engine ./libengine-in-c.so`.
  *   2. All pairs are tested: 1000 balls cost a million tests a step. Sort them along x first.

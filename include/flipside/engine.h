@@ -4,7 +4,7 @@
  *
  * What is mandatory: make, step, balls. All else may be null.
  *
- * Who does what. Flipside keeps the clock, reads the controls, turns the flippers, launches balls, notices
+ * Division of work. Flipside keeps the clock, reads the controls, turns the flippers, launches balls, notices
  * balls that leave the bounds, drops targets, and checks every number that an engine gives. The engine moves
  * balls. What changes from outside between two steps reaches it by control(); an engine without it is made
  * anew from the balls as they are.
@@ -12,7 +12,7 @@
  * Units: SI (m, kg, s, rad), double; x to the right, y up; angles anticlockwise.
  *
  * Ownership: what Flipside passes belongs to Flipside and is valid until the call returns; copy what you
- * need. What flipside_engine_entry() returns stays valid for ever. Nobody frees what the other allocated.
+ * need. What flipside_engine_entry() returns stays valid for ever. Each side frees only what it allocated itself.
  *
  * Threads: a library is loaded in a process of its own, which holds one world at a time and makes all calls
  * from one thread, one after another. The engine may start threads; what they use up in a step is counted.

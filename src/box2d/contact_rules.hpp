@@ -1,5 +1,5 @@
 #pragma once
-/// Makes Box2D's contacts obey the scene: who meets whom, how materials mix, kick, gates and joints; and
+/// Makes Box2D's contacts obey the scene: which pairs collide, how materials mix, kick, gates and joints; and
 /// notes the impacts.
 
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-/// Who meets whom in a Box2D contact, in the terms of the World interface.
+/// The two bodies of a Box2D contact, in the terms of the World interface.
 
 #include <optional>
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Who touches whom at the end of a sub-step, found with Box2D's own narrow phase: its contacts hold the
+/// The touching pairs at the end of a sub-step, found with Box2D's own narrow phase: its contacts hold the
 /// state at the start of the step. Gives contacts, sensors and the balls in gates.
 
 #include <vector>

@@ -132,7 +132,7 @@ Answer Process::receive(Bytes& answer) {
     if (header.magic != Header{}.magic || header.size > longest_answer ||
         header.kind > static_cast<std::uint32_t>(Answer::not_followed))
         end("has written nonsense into its socket");
-    // As it comes: who claims much must send much.
+    // Grows as data arrives, so that a large claimed size alone allocates nothing.
     answer.clear();
     constexpr std::size_t portion = std::size_t{1} << 20U;
     while (answer.size() < header.size) {
@@ -186,7 +186,7 @@ void Process::wait_for(short events) {
     const int ready = poll(files, 2, static_cast<int>(std::min<std::int64_t>(left, look_every)));
     if (ready > 0 && files[1].revents != 0) {
         listen();
-        // Nobody holds the other end any more: poll would return at once for ever.
+        // The other end is closed: poll would return at once for ever.
         if ((files[1].revents & POLLIN) == 0 && files[0].revents == 0) poll(files, 1, 1);
     }
     siginfo_t gone{};

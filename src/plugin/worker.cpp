@@ -39,7 +39,7 @@ void confine() {
     static_cast<void>(std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ));
 }
 
-/// False where nobody is at the other end any more.
+/// False if the other end is closed.
 bool receive(void* to, std::size_t size) {
     char* at = static_cast<char*>(to);
     while (size > 0) {

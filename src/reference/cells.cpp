@@ -6,13 +6,13 @@
 
 namespace flipside::reference {
 
-void Cells::build(const Box& area, const std::vector<Still>& things, std::size_t balls, double radius) {
-    constexpr double cells_per_thing = 4, most_cells = 40'000;
+void Cells::build(const Box& area, const std::vector<Item>& items, std::size_t balls, double radius) {
+    constexpr double cells_per_item = 4, most_cells = 40'000;
     area_ = area;
     radius_ = radius;
     const double w = std::max(area.max.x - area.min.x, 1e-9), h = std::max(area.max.y - area.min.y, 1e-9);
     const double wanted =
-        std::min(most_cells, cells_per_thing * static_cast<double>(things.size() + balls + 1));
+        std::min(most_cells, cells_per_item * static_cast<double>(items.size() + balls + 1));
     // A little wider than the largest ball, so that rounding at a border cannot hide a neighbour.
     width_ = std::max({2.001 * radius, std::sqrt(w * h / wanted), w / 1000, h / 1000});
     columns_ = static_cast<Index>(std::max(1.0, std::floor(w / width_)));
@@ -23,14 +23,14 @@ void Cells::build(const Box& area, const std::vector<Still>& things, std::size_t
     next_.assign(balls, none);
     previous_.assign(balls, none);
     const double reach = radius * 1.001 + 1e-9;
-    for (std::uint32_t i = 0; i < things.size(); ++i) {
-        const Still& thing = things[i];
-        const Index left = column(thing.box.min.x - reach), right = column(thing.box.max.x + reach);
-        const Index low = row(thing.box.min.y - reach), high = row(thing.box.max.y + reach);
+    for (std::uint32_t i = 0; i < items.size(); ++i) {
+        const Item& item = items[i];
+        const Index left = column(item.box.min.x - reach), right = column(item.box.max.x + reach);
+        const Index low = row(item.box.min.y - reach), high = row(item.box.max.y + reach);
         for (Index y = low; y <= high; ++y)
             for (Index x = left; x <= right; ++x) {
-                if (thing.senses)
-                    sensors_[y * columns_ + x].push_back(thing.part);
+                if (item.is_sensor)
+                    sensors_[y * columns_ + x].push_back(item.part);
                 else
                     features_[y * columns_ + x].push_back(i);
             }
@@ -47,8 +47,8 @@ Cells::Index Cells::row(double y) const {
     return static_cast<Index>(std::clamp(at, 0.0, static_cast<double>(rows_) - 1));
 }
 
-Cells::Index Cells::at(Vec2 place) const {
-    return row(place.y) * columns_ + column(place.x);
+Cells::Index Cells::at(Vec2 position) const {
+    return row(position.y) * columns_ + column(position.x);
 }
 
 Box Cells::box(Index cell) const {

@@ -18,16 +18,17 @@ class Cells {
     static constexpr std::int32_t none = -1;
 
     /// A feature, sensor or gate with the box of all its poses.
-    struct Still {
+    struct Item {
         Box box;
         PartIndex part = 0;
-        bool senses = false;  ///< a sensor or gate, listed by its part; else a feature, listed by its index
+        bool is_sensor =
+            false;  ///< a sensor or gate, listed by its part; else a feature, listed by its index
     };
-    /// For balls of up to `radius`. `things` holds the features first, in order.
-    void build(const Box& area, const std::vector<Still>& things, std::size_t balls, double radius);
+    /// For balls of up to `radius`. `items` holds the features first, in order.
+    void build(const Box& area, const std::vector<Item>& items, std::size_t balls, double radius);
 
     [[nodiscard]] double largest() const { return radius_; }
-    [[nodiscard]] Index at(Vec2 place) const;
+    [[nodiscard]] Index at(Vec2 position) const;
     [[nodiscard]] Box box(Index cell) const;
     /// The cell beyond a side: 0 left, 1 right, 2 down, 3 up.
     [[nodiscard]] Index beyond(Index cell, int side) const;

@@ -14,10 +14,10 @@ namespace flipside::reference {
 
 /// Why a path begins.
 struct Beginning {
-    enum class Why { given, goes_on, meets_part, meets_ball };
+    enum class Why { given, goes_on, hits_part, hits_ball };
     Why why = Why::goes_on;        ///< given: from outside (the start, a launch, a nudge)
-    std::uint32_t met = 0;         ///< index of a primitive of the scene's surface, or the number of a ball
-    std::size_t met_leg = 0;       ///< of that ball: which of its legs begins by the same contact
+    std::uint32_t other = 0;       ///< index of a primitive of the scene's surface, or the number of a ball
+    std::size_t other_leg = 0;     ///< of that ball: which of its legs begins by the same contact
     std::optional<double> within;  ///< s: half the width of the interval that isolates the contact
     Vec2 velocity_before;
     double spin_before = 0;

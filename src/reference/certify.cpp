@@ -27,13 +27,13 @@ template <class R>
 R Simulation<R>::isolated_within(const Mover& mover, const R& digit, const R& margin) const {
     const R half = digit * std::max(R(1), magnitude(now_));
     if (mover.next == Next::feature) {
-        const View<R> seen{mover.path, turning(features_[mover.met].part)};
+        const View<R> seen{mover.path, turning(features_[mover.next_index].part)};
         return isolate(now_, half, margin, [&](const R& t) {
-            return closest_point(shape(mover.met), seen.at(t).position, mover.radius).gap;
+            return closest_point(shape(mover.next_index), seen.at(t).position, mover.radius).gap;
         });
     }
     if (mover.next != Next::ball) return infinity<R>();
-    const Mover& other = movers_[mover.met];
+    const Mover& other = movers_[mover.next_index];
     return isolate(now_, half, margin, [&](const R& t) {
         return length(mover.path.at(t).position - other.path.at(t).position) - mover.radius - other.radius;
     });
@@ -41,17 +41,17 @@ R Simulation<R>::isolated_within(const Mover& mover, const R& digit, const R& ma
 
 /// Notes an impact before the ball is moved there.
 template <class R>
-void Simulation<R>::note_meeting(Place i) {
+void Simulation<R>::note_impact(BallIndex i) {
     constexpr double longest = 1e-6;  // s; over a longer time the ball may have reversed
     // Wide enough for numbers rounded to double.
     const R size = length(movers_[i].path.at(now_).position) + movers_[i].radius;
     const R half = isolated_within(movers_[i], R(0x1p-48), R(0x1p-48 * size));
-    const auto note = [&](Mover& mover, Beginning::Why why, std::uint32_t met, std::size_t met_leg,
+    const auto note = [&](Mover& mover, Beginning::Why why, std::uint32_t index, std::size_t other_leg,
                           const V<R>& normal) {
         Beginning& begins = mover.begins;
         begins = {why,
-                  met,
-                  met_leg,
+                  index,
+                  other_leg,
                   {},
                   narrow(mover.path.at(now_).velocity),
                   static_cast<double>(mover.path.spinning_at(now_).spin),
@@ -61,13 +61,13 @@ void Simulation<R>::note_meeting(Place i) {
     Mover& mover = movers_[i];
     const V<R> place = mover.path.at(now_).position;
     if (mover.next == Next::feature)
-        return note(mover, Beginning::Why::meets_part, mover.met, 0,
-                    closest(mover.met, place, mover.radius).normal);
-    Mover& other = movers_[mover.met];
+        return note(mover, Beginning::Why::hits_part, mover.next_index, 0,
+                    closest(mover.next_index, place, mover.radius).normal);
+    Mover& other = movers_[mover.next_index];
     const V<R> normal = unit(V<R>(place - other.path.at(now_).position));
     const auto next_leg = [&](const Mover& one) { return certificate_->balls[one.ball.number].legs.size(); };
-    note(mover, Beginning::Why::meets_ball, other.ball.number, next_leg(other), normal);
-    note(other, Beginning::Why::meets_ball, mover.ball.number, next_leg(mover), -normal);
+    note(mover, Beginning::Why::hits_ball, other.ball.number, next_leg(other), normal);
+    note(other, Beginning::Why::hits_ball, mover.ball.number, next_leg(mover), -normal);
 }
 
 template <class R>
@@ -84,8 +84,8 @@ void Simulation<R>::note_leg(Mover& mover, bool given) {
     leg.velocity = narrow(path.velocity);
     leg.spin = static_cast<double>(path.spin);
     note_pair_of_parts(mover, leg.start);
-    if (path.rides) {
-        leg.held = mover.held[0];
+    if (path.is_series) {
+        leg.held = mover.support[0];
         for (std::size_t k = 1; k <= taylor_order<R>; ++k) {
             if (k > 1) leg.displacements.push_back(narrow(path.displacements[k]));
             leg.spins.push_back(static_cast<double>(path.spins[k]));
@@ -94,7 +94,7 @@ void Simulation<R>::note_leg(Mover& mover, bool given) {
     }
     if (path.spin_rate != 0) leg.spins.push_back(static_cast<double>(path.spin_rate));
     if (path.rests) return;
-    if (mover.held[0] != nothing) leg.held = mover.held[0];
+    if (mover.support[0] != nothing) leg.held = mover.support[0];
     leg.acceleration = narrow(path.acceleration);
     leg.drag = static_cast<double>(path.drag);
     leg.roll = narrow(path.roll);
@@ -133,16 +133,16 @@ template <class R>
 void Simulation<R>::note_pair_of_parts(Mover& mover, double start) {
     if (mover.noted_rest) certificate_->rests[*mover.noted_rest].until = start;
     mover.noted_rest.reset();
-    if (mover.held[1] == nothing) return;
+    if (mover.support[1] == nothing) return;
     mover.noted_rest = certificate_->rests.size();
     Rest& rest = certificate_->rests.emplace_back();
     rest.from = start;
     for (int k = 0; k < 2; ++k)
         rest.forces.push_back({mover.ball.number,
                                {},
-                               mover.held[k],
-                               static_cast<double>(mover.held_force[k]),
-                               static_cast<double>(mover.held_friction[k])});
+                               mover.support[k],
+                               static_cast<double>(mover.support_force[k]),
+                               static_cast<double>(mover.support_friction[k])});
 }
 
 template <class R>
@@ -155,7 +155,7 @@ void Simulation<R>::note_rest(Heap& heap) {
         const Support& support = heap.supports[k];
         RestingForce& force = rest.forces.emplace_back();
         force.ball = number(support.disc);
-        if (support.other != Support::still) force.other = number(support.other);
+        if (support.other != Support::fixed) force.other = number(support.other);
         if (heap.features[k] != nothing) force.feature = heap.features[k];
         force.normal = support.normal_force;
         force.friction = support.friction_force;
@@ -188,7 +188,7 @@ void Simulation<R>::certify(Certificate* certificate) {
 
 #define FLIPSIDE_CERTIFY(R)                                                            \
     template R Simulation<R>::isolated_within(const Mover&, const R&, const R&) const; \
-    template void Simulation<R>::note_meeting(Place);                                  \
+    template void Simulation<R>::note_impact(BallIndex);                               \
     template void Simulation<R>::note_leg(Mover&, bool);                               \
     template void Simulation<R>::note_input(std::optional<BallNumber>, Vec2);          \
     template void Simulation<R>::note_target(PartIndex);                               \

@@ -100,25 +100,25 @@ class Factors {
 class LeastSquares {
   public:
     LeastSquares(std::span<const Vec2> weights, std::span<Support> supports)
-        : supports_(supports), needed_(3 * weights.size()), factors_(needed_.size(), needed_.size()) {
+        : supports_(supports), target_(3 * weights.size()), factors_(target_.size(), target_.size()) {
         for (std::size_t i = 0; i < weights.size(); ++i) {
-            needed_[3 * i] = -weights[i].x;
-            needed_[3 * i + 1] = -weights[i].y;
+            target_[3 * i] = -weights[i].x;
+            target_[3 * i + 1] = -weights[i].y;
         }
         for (std::size_t k = 0; k < supports.size(); ++k)
             for (const double side : {1.0, -1.0})
                 if (side > 0 || supports[k].friction > 0) edges_.push_back(edge_of(k, side));
         forces_.resize(edges_.size());
-        shunned_.resize(edges_.size());
-        missing_ = needed_;
+        excluded_.resize(edges_.size());
+        residual_ = target_;
     }
 
     Imbalance run() {
         const std::size_t most = 3 * edges_.size();
         for (std::size_t tried = 0; tried < most && imbalance().share > balance_tolerance; ++tried) {
-            const std::size_t best = most_wanted();
+            const std::size_t best = largest_residual();
             if (best == edges_.size()) break;
-            shunned_[best] = 1;
+            excluded_[best] = 1;
             if (!factors_.append(edges_[best])) continue;
             in_use_.push_back(best);
             if (!(solution().back() > 0)) {  // chosen by rounding only
@@ -126,9 +126,9 @@ class LeastSquares {
                 factors_.remove(in_use_.size());
                 continue;
             }
-            drop_what_would_pull();
-            measure_missing();
-            shunned_.assign(edges_.size(), 0);
+            remove_negative_forces();
+            update_residual();
+            excluded_.assign(edges_.size(), 0);
         }
         for (Support& support : supports_) support.normal_force = support.friction_force = 0;
         for (std::size_t k = 0; k < edges_.size(); ++k) {
@@ -147,7 +147,7 @@ class LeastSquares {
         Edge edge{k, support.friction > 0 ? side : 0, {}};
         const std::size_t a = 3 * std::size_t{support.disc}, b = 3 * std::size_t{support.other};
         edge.entries = {{{a, force.x}, {a + 1, force.y}, {a + 2, rub}, {a, 0}, {a, 0}, {a, 0}}};
-        if (support.other != Support::still) {
+        if (support.other != Support::fixed) {
             edge.entries[3] = {b, -force.x};
             edge.entries[4] = {b + 1, -force.y};
             edge.entries[5] = {b + 2, rub};
@@ -155,18 +155,18 @@ class LeastSquares {
         return edge;
     }
     /// The unused force with the largest residual along it; none if all are rounding.
-    [[nodiscard]] std::size_t most_wanted() const {
-        Numbers scale = needed_;
+    [[nodiscard]] std::size_t largest_residual() const {
+        Numbers scale = target_;
         for (double& one : scale) one = std::abs(one);
         for (std::size_t k = 0; k < edges_.size(); ++k)
             for (const auto& [row, value] : edges_[k].entries) scale[row] += std::abs(value) * forces_[k];
         std::size_t best = edges_.size();
         double most = 0;
         for (std::size_t k = 0; k < edges_.size(); ++k) {
-            if (shunned_[k] != 0 || forces_[k] > 0) continue;
+            if (excluded_[k] != 0 || forces_[k] > 0) continue;
             double rounding = 0;
             for (const auto& [row, value] : edges_[k].entries) rounding += std::abs(value) * scale[row];
-            const double wanted = times(edges_[k], missing_);
+            const double wanted = times(edges_[k], residual_);
             if (wanted <= most || wanted <= 64 * std::numeric_limits<double>::epsilon() * rounding) continue;
             most = wanted;
             best = k;
@@ -174,7 +174,7 @@ class LeastSquares {
         return best;
     }
     [[nodiscard]] Numbers solution() const {
-        Numbers x = factors_.solve(needed_), left = needed_;
+        Numbers x = factors_.solve(target_), left = target_;
         for (std::size_t i = 0; i < x.size(); ++i)
             for (const auto& [row, value] : edges_[in_use_[i]].entries) left[row] -= value * x[i];
         const Numbers more = factors_.solve(left);  // iterative refinement
@@ -183,7 +183,7 @@ class LeastSquares {
     }
     /// Moves towards the least-squares solution of the forces in use until one becomes zero, removes that
     /// one, and repeats until it reaches the solution.
-    void drop_what_would_pull() {
+    void remove_negative_forces() {
         for (;;) {
             const Numbers x = solution();
             double share = 1;
@@ -206,17 +206,17 @@ class LeastSquares {
             }
         }
     }
-    void measure_missing() {
-        missing_ = needed_;
+    void update_residual() {
+        residual_ = target_;
         for (std::size_t k = 0; k < edges_.size(); ++k)
-            for (const auto& [row, value] : edges_[k].entries) missing_[row] -= value * forces_[k];
+            for (const auto& [row, value] : edges_[k].entries) residual_[row] -= value * forces_[k];
     }
     [[nodiscard]] Imbalance imbalance() const {
         Imbalance worst;
-        for (std::size_t i = 0; i < needed_.size(); i += 3) {
-            const double weight = length(Vec2{needed_[i], needed_[i + 1]});
+        for (std::size_t i = 0; i < target_.size(); i += 3) {
+            const double weight = length(Vec2{target_[i], target_[i + 1]});
             for (std::size_t k = i; k < i + 3; ++k) {
-                const double share = std::abs(missing_[k]) / weight;
+                const double share = std::abs(residual_[k]) / weight;
                 if (share > worst.share) worst = {share, static_cast<std::uint32_t>(i / 3)};
             }
         }
@@ -224,11 +224,11 @@ class LeastSquares {
     }
 
     std::span<Support> supports_;
-    Numbers needed_, missing_;  ///< of each disc: forces along x and y, and a torque over its radius, N
+    Numbers target_, residual_;  ///< of each disc: forces along x and y, and a torque over its radius, N
     std::vector<Edge> edges_;
     Numbers forces_;                   ///< along the edges, N
     std::vector<std::size_t> in_use_;  ///< the edges that are factored, in order
-    std::vector<char> shunned_;        ///< tried without effect since the forces changed last
+    std::vector<char> excluded_;       ///< tried without effect since the forces changed last
     Factors factors_;
 };
 

@@ -25,8 +25,8 @@ constexpr double balance_tolerance = 1e-10;
 
 /// A contact of a disc with another disc or with a static part.
 struct Support {
-    static constexpr std::uint32_t still = ~0U;
-    std::uint32_t disc = 0, other = still;  ///< indices of discs
+    static constexpr std::uint32_t fixed = ~0U;
+    std::uint32_t disc = 0, other = fixed;  ///< indices of discs
     Vec2 normal;                            ///< unit, to the disc
     double friction = 0;                    ///< µ
     double normal_force = 0;                ///< N, ≥ 0

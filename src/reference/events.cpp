@@ -20,7 +20,7 @@ void Simulation<R>::advance(Mover& mover) {
     path.start = now_;
     path.spin_rate = R(0);
     path.roll = {};
-    path.rides = path.rests = false;
+    path.is_series = path.rests = false;
 }
 
 template <class R>
@@ -34,55 +34,57 @@ void Simulation<R>::report(EventKind kind, const Mover& mover, Other other, cons
 
 /// Refuses series of events in which no time passes, and steps that take too long.
 template <class R>
-void Simulation<R>::keep_order(Mover& mover) {
+void Simulation<R>::refuse_endless(Mover& mover) {
     constexpr double instant = 1e-9;  // s; bounces that die away at e = 0.99 are 1,600 in the last of it
     constexpr int most = 2000;
     // A billiard that spells out pi has 314,159 collisions in a moment, each with about four searches. Of the
     // wider numbers a search with drag takes up to 60 µs.
     constexpr std::uint64_t most_searches = std::is_same_v<R, double> ? 2'000'000 : 50'000, per_ball = 2'000;
-    if (now_ - mover.busy_since > instant) {
-        mover.busy_since = now_;
-        mover.busy = 0;
+    if (now_ - mover.series_since > instant) {
+        mover.series_since = now_;
+        mover.series_events = 0;
     }
     const bool too_many = counts_.narrow_tests > most_searches + per_ball * movers_.size();
-    if (++mover.busy <= most && !too_many) return;
-    const std::string met = mover.next == Next::feature ? scene_->parts[features_[mover.met].part].name
+    if (++mover.series_events <= most && !too_many) return;
+    const std::string hit = mover.next == Next::feature ? scene_->parts[features_[mover.next_index].part].name
                             : mover.next == Next::ball
-                                ? "ball " + std::to_string(movers_[mover.met].ball.number)
+                                ? "ball " + std::to_string(movers_[mover.next_index].ball.number)
                                 : "its own path";
-    throw Refusal("reference: ball " + std::to_string(mover.ball.number) + " meets " + met +
-                  (too_many ? " after too many searches in one step" + at_time(now_)
-                            : " without end" + at_time(now_) + ": it is squeezed or in a pile"));
+    throw Refusal("reference: ball " + std::to_string(mover.ball.number) + " hits " + hit +
+                  (too_many
+                       ? " after too many searches in one step" + at_time(now_)
+                       : " without end" + at_time(now_) + ": it is squeezed between parts or in a heap"));
 }
 
-/// Notes an impact.
+/// Refuses a speed above the limit after an impact.
 template <class R>
-void Simulation<R>::require_speed(const Mover& mover, Other met) const {
+void Simulation<R>::require_speed(const Mover& mover, Other other) const {
     Ball ball = mover.ball;
     ball.velocity = narrow(mover.body.velocity);
     ball.spin = static_cast<double>(mover.body.spin);
     if (within_top_speed(ball)) return;
-    refuse_speed("reference", ball, met, clock(now_), *scene_);
+    refuse_speed("reference", ball, other, clock(now_), *scene_);
 }
 
 /// Handles the next event of a ball.
 template <class R>
-void Simulation<R>::handle(Place i) {
+void Simulation<R>::handle(BallIndex i) {
     Mover& mover = movers_[i];
-    keep_order(mover);
+    refuse_endless(mover);
     switch (mover.next) {
         case Next::feature:
-            if (ignores(features_[mover.met].part, mover)) return predict(i);
+            if (ignores(features_[mover.next_index].part, mover)) return predict(i);
             return hit_feature(i);
         case Next::ball:
-            if (movers_[mover.met].gone || movers_[mover.met].changes != mover.met_changes) return predict(i);
+            if (movers_[mover.next_index].gone || movers_[mover.next_index].changes != mover.other_version)
+                return predict(i);
             return hit_ball(i);
-        case Next::look_again:
+        case Next::predict_again:
             // Only the horizon of the prediction was reached, or the ball rests in a heap by now.
-            if (mover.met != 0 || mover.heap != 0) return predict(i);
+            if (mover.next_index != 0 || mover.heap != 0) return predict(i);
             advance(mover);
-            if (mover.separates) mover.left = mover.held[0];
-            if (mover.held[1] != nothing) mover.body.spin = R(0);
+            if (mover.separates) mover.left = mover.support[0];
+            if (mover.support[1] != nothing) mover.body.spin = R(0);
             start_path(i);
             return predict(i);
         case Next::cell:
@@ -97,28 +99,28 @@ void Simulation<R>::handle(Place i) {
 }
 
 template <class R>
-void Simulation<R>::cross_cell(Place i) {
+void Simulation<R>::cross_cell(BallIndex i) {
     Mover& mover = movers_[i];
     cells_.unlink(i, mover.cell);
-    mover.cell = cells_.beyond(mover.cell, static_cast<int>(mover.met));
+    mover.cell = cells_.beyond(mover.cell, static_cast<int>(mover.next_index));
     cells_.link(i, mover.cell);
     predict(i);
 }
 
 template <class R>
-void Simulation<R>::hit_feature(Place i) {
+void Simulation<R>::hit_feature(BallIndex i) {
     Mover& mover = movers_[i];
-    const FeatureIndex f = mover.met;
+    const FeatureIndex f = mover.next_index;
     const PartIndex index = features_[f].part;
     const Part& part = scene_->parts[index];
-    if (mover.heap != 0) refuse_hit(mover, part.name);
-    if (certificate_) note_meeting(i);
+    if (mover.heap != 0) refuse_impact_on_heap(mover, part.name);
+    if (certificate_) note_impact(i);
     advance(mover);
     Body<R>& body = mover.body;
     const Closest<R> seen = closest(f, body.position, mover.radius);
     const Turning<R>* turns = turning(index);
     const V<R>& normal = seen.normal;
-    if (gate_of(part) != nullptr && meet_gate(i, index)) return;
+    if (gate_of(part) != nullptr && reach_gate(i, index)) return;
     const V<R> point = body.position - (seen.gap + mover.radius) * normal;
     const V<R> surface = turns == nullptr ? V<R>{} : cross(turns->rate, point - turns->pivot);
     const V<R> relative = body.velocity - surface;
@@ -142,19 +144,19 @@ void Simulation<R>::hit_feature(Place i) {
 }
 
 template <class R>
-void Simulation<R>::hit_ball(Place i) {
-    const Place j = movers_[i].met;
+void Simulation<R>::hit_ball(BallIndex i) {
+    const BallIndex j = movers_[i].next_index;
     Mover &a = movers_[std::min(i, j)], &b = movers_[std::max(i, j)];
-    if (a.heap != 0) refuse_hit(a, "ball " + std::to_string(b.ball.number));
-    if (b.heap != 0) refuse_hit(b, "ball " + std::to_string(a.ball.number));
-    if (certificate_) note_meeting(i);
+    if (a.heap != 0) refuse_impact_on_heap(a, "ball " + std::to_string(b.ball.number));
+    if (b.heap != 0) refuse_impact_on_heap(b, "ball " + std::to_string(a.ball.number));
+    if (certificate_) note_impact(i);
     advance(a);
     advance(b);
     const V<R> between = a.body.position - b.body.position, normal = unit(between);
     const V<R> relative = a.body.velocity - b.body.velocity;
     const R closing = -dot(relative, normal);
     using std::sqrt;
-    const R hop = sqrt(2 * epsilon<R>() * std::min(a.radius, b.radius) * length(drive_.gravity));
+    const R lowest_bounce = sqrt(2 * epsilon<R>() * std::min(a.radius, b.radius) * length(external_.gravity));
     bool slow = true;
     if (closing > 4096 * epsilon<R>() * (length(a.body.velocity) + length(b.body.velocity))) {
         const Mixed& material = mixed(a.ball.material, b.ball.material);
@@ -162,14 +164,14 @@ void Simulation<R>::hit_ball(Place i) {
             respond(a.body, a.mass, b.body, b.mass, normal, material, scene_->rest_speed);
         require_speed(a, Other::ball(b.ball.number));
         require_speed(b, Other::ball(a.ball.number));
-        slow = !impact.happened || impact.speed <= hop;
+        slow = !impact.happened || impact.speed <= lowest_bounce;
         if (impact.happened)
             report(EventKind::impact, a, Other::ball(b.ball.number), impact,
                    b.body.position + b.radius * normal, normal);
     }
     start_path(i);
     start_path(j);
-    if (slow && a.heap == 0) refuse_piles(a, b);
+    if (slow && a.heap == 0) refuse_resting_contact(a, b);
     predict(i);
     predict(j);
 }
@@ -177,36 +179,37 @@ void Simulation<R>::hit_ball(Place i) {
 /// Whether two balls are in resting contact: they touch, do not separate, and accelerate towards each other;
 /// or a third ball drives them together, with slow contacts that alternate without end.
 template <class R>
-void Simulation<R>::refuse_piles(Mover& a, Mover& b) const {
+void Simulation<R>::refuse_resting_contact(Mover& a, Mover& b) const {
     constexpr double moment = 1e-4;  // s
     constexpr int most = 60;
     const auto refuse = [&] {
         throw Refusal("reference: balls " + std::to_string(a.ball.number) + " and " +
-                      std::to_string(b.ball.number) + " press on each other" + at_time(now_) +
-                      ": a pile has no order of impacts" + (now_ - a.unheld_since <= moment ? a.unheld : ""));
+                      std::to_string(b.ball.number) + " are in resting contact" + at_time(now_) +
+                      ": resting contact between balls has no order of impacts" +
+                      (now_ - a.no_equilibrium_since <= moment ? a.no_equilibrium : ""));
     };
-    if (now_ - a.pressed_since > moment) {
-        a.pressed_since = now_;
-        a.pressed = 0;
+    if (now_ - a.slow_contacts_since > moment) {
+        a.slow_contacts_since = now_;
+        a.slow_contacts = 0;
     }
-    if (++a.pressed > most) refuse();
+    if (++a.slow_contacts > most) refuse();
     const V<R> between = a.body.position - b.body.position, normal = unit(between);
     const V<R> relative = a.path.velocity - b.path.velocity;
     const R apart = dot(relative, normal), across = dot(relative, perp(normal));
     const R speed = length(a.path.velocity) + length(b.path.velocity);
     if (magnitude(apart) > 4096 * epsilon<R>() * speed) return;
-    const R pulled =
+    const R toward =
         dot(a.path.begins_with() - b.path.begins_with(), normal) + across * across / (a.radius + b.radius);
-    const R scale = length(drive_.gravity) + length(a.path.begins_with()) + length(b.path.begins_with());
-    if (pulled >= -4096 * epsilon<R>() * scale) return;
+    const R scale = length(external_.gravity) + length(a.path.begins_with()) + length(b.path.begins_with());
+    if (toward >= -4096 * epsilon<R>() * scale) return;
     refuse();
 }
 
 /// Handles a ball that enters or leaves a sensor, or leaves a gate.
 template <class R>
-void Simulation<R>::sense(Place i) {
+void Simulation<R>::sense(BallIndex i) {
     Mover& mover = movers_[i];
-    const PartIndex part = mover.met;
+    const PartIndex part = mover.next_index;
     if (scene_->parts[part].sensor) {
         const auto at = std::ranges::find(mover.inside, part);
         const bool enters = at == mover.inside.end();
@@ -223,15 +226,15 @@ void Simulation<R>::sense(Place i) {
 }
 
 template <class R>
-void Simulation<R>::lose(Place i) {
+void Simulation<R>::lose(BallIndex i) {
     Mover& mover = movers_[i];
     // The border is still inside: take the first point outside.
     Vec2 point = narrow(mover.path.at(now_).position);
     const Box& bounds = scene_->bounds;
-    if (mover.met == 0) point.x = std::nextafter(bounds.min.x, -INFINITY);
-    if (mover.met == 1) point.x = std::nextafter(bounds.max.x, INFINITY);
-    if (mover.met == 2) point.y = std::nextafter(bounds.min.y, -INFINITY);
-    if (mover.met == 3) point.y = std::nextafter(bounds.max.y, INFINITY);
+    if (mover.next_index == 0) point.x = std::nextafter(bounds.min.x, -INFINITY);
+    if (mover.next_index == 1) point.x = std::nextafter(bounds.max.x, INFINITY);
+    if (mover.next_index == 2) point.y = std::nextafter(bounds.min.y, -INFINITY);
+    if (mover.next_index == 3) point.y = std::nextafter(bounds.max.y, INFINITY);
     report(EventKind::lost, mover, {}, {}, V<R>(point), {});
     if (scene_->keep_lost) {
         mover.reported_lost = true;
@@ -245,7 +248,7 @@ void Simulation<R>::lose(Place i) {
 
 #define FLIPSIDE_EVENTS(R)                        \
     template void Simulation<R>::advance(Mover&); \
-    template void Simulation<R>::handle(Place);
+    template void Simulation<R>::handle(BallIndex);
 FLIPSIDE_EVENTS(double)
 FLIPSIDE_EVENTS(Real113)
 FLIPSIDE_EVENTS(Real226)

@@ -44,7 +44,7 @@ class Exact {
     virtual void begin(double seconds) = 0;
     /// Handles events until the run has ended (returns true), or until the deadline has passed, but at least
     /// one. May throw Refusal; then only load() may follow.
-    [[nodiscard]] virtual bool go_on(std::chrono::steady_clock::time_point deadline) = 0;
+    [[nodiscard]] virtual bool run_until(std::chrono::steady_clock::time_point deadline) = 0;
 
     /// Each following run writes its paths and events to the trace; null stops that.
     virtual void write_to(Trace* trace) = 0;
@@ -64,7 +64,7 @@ class Exact {
     /// Of the last run.
     [[nodiscard]] virtual const Counts& counts() const = 0;
     /// Distance of a ball from a position, m; infinite if there is no such ball.
-    [[nodiscard]] virtual double distance(BallNumber number, Vec2 place) const = 0;
+    [[nodiscard]] virtual double distance(BallNumber number, Vec2 position) const = 0;
     /// Touching pairs now, by ball, then other.
     virtual void contacts(std::vector<Contact>& contacts) const = 0;
     virtual void forecast(std::vector<Forecast>& forecasts) const = 0;

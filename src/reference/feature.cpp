@@ -15,9 +15,9 @@ struct End {
 
 /// Splits primitives into features.
 template <class R>
-class Taker {
+class FeatureBuilder {
   public:
-    Taker(const std::vector<Primitive>& primitives, const Scene& scene) : scene_(scene) {
+    FeatureBuilder(const std::vector<Primitive>& primitives, const Scene& scene) : scene_(scene) {
         for (const Primitive& primitive : primitives) {
             if (const auto* p = std::get_if<primitive::Point>(&primitive.is))
                 points_.push_back({p->at, primitive.part});
@@ -157,7 +157,7 @@ class Taker {
 
 template <class R>
 std::vector<Feature<R>> features_of(const std::vector<Primitive>& primitives, const Scene& scene) {
-    return Taker<R>(primitives, scene).take(primitives);
+    return FeatureBuilder<R>(primitives, scene).take(primitives);
 }
 
 template <class R>

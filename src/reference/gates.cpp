@@ -70,7 +70,7 @@ bool Simulation<R>::settle_gates() {
 /// Handles a ball that reaches a gate. Returns whether the gate lets it through; it is then open for all
 /// balls.
 template <class R>
-bool Simulation<R>::meet_gate(Place i, PartIndex part) {
+bool Simulation<R>::reach_gate(BallIndex i, PartIndex part) {
     Mover& mover = movers_[i];
     if (!passes(part, mover)) {
         set(mover.blocked, part, true);
@@ -83,7 +83,7 @@ bool Simulation<R>::meet_gate(Place i, PartIndex part) {
     start_path(i);
     predict(i);
     // Balls that rested on it start new paths.
-    for (Place j = 0; j < movers_.size(); ++j) {
+    for (BallIndex j = 0; j < movers_.size(); ++j) {
         Mover& other = movers_[j];
         if (other.gone || !set(other.blocked, part, false)) continue;
         set(other.inside, part, true);
@@ -117,7 +117,7 @@ void Simulation<R>::blocked(std::vector<Blocked>& blocked) const {
 #define FLIPSIDE_GATES(R)                                               \
     template bool Simulation<R>::passes(PartIndex, const Mover&) const; \
     template bool Simulation<R>::settle_gates();                        \
-    template bool Simulation<R>::meet_gate(Place, PartIndex);           \
+    template bool Simulation<R>::reach_gate(BallIndex, PartIndex);      \
     template void Simulation<R>::leave_gate(Mover&, PartIndex);         \
     template R Simulation<R>::gate_reach(const Mover&) const;           \
     template void Simulation<R>::blocked(std::vector<Blocked>&) const;

@@ -25,17 +25,17 @@ Body<R> Simulation<R>::body_now(const Mover& mover) const {
 template <class R>
 bool Simulation<R>::is_at_rest(const Mover& mover) const {
     using std::sqrt;
-    const R hop = sqrt(2 * epsilon<R>() * mover.radius * length(drive_.gravity));
+    const R lowest_bounce = sqrt(2 * epsilon<R>() * mover.radius * length(external_.gravity));
     const Body<R> body = body_now(mover);
-    return length(body.velocity) <= hop && magnitude(body.spin) * mover.radius <= hop;
+    return length(body.velocity) <= lowest_bounce && magnitude(body.spin) * mover.radius <= lowest_bounce;
 }
 
 /// The balls at rest that touch this one, which is at rest itself.
 template <class R>
-auto Simulation<R>::touched_at_rest(Place i) const -> std::vector<Place> {
+auto Simulation<R>::touched_at_rest(BallIndex i) const -> std::vector<BallIndex> {
     const Mover& mover = movers_[i];
-    std::vector<Place> found;
-    cells_.each_near(mover.cell, [&](Place j) {
+    std::vector<BallIndex> found;
+    cells_.each_near(mover.cell, [&](BallIndex j) {
         const Mover& other = movers_[j];
         if (j == i || !layers_meet(mover.ball, other.ball)) return;
         const R gap =
@@ -48,24 +48,24 @@ auto Simulation<R>::touched_at_rest(Place i) const -> std::vector<Place> {
 
 /// Whether a ball at rest touches another that its weight can load.
 template <class R>
-bool Simulation<R>::leans(Place i) const {
-    return length(drive_.gravity) > 0 && is_at_rest(movers_[i]) && !touched_at_rest(i).empty();
+bool Simulation<R>::rests_on_ball(BallIndex i) const {
+    return length(external_.gravity) > 0 && is_at_rest(movers_[i]) && !touched_at_rest(i).empty();
 }
 
 /// All balls at rest in contact with this one, directly or through others, with their supports.
 template <class R>
-auto Simulation<R>::balls_leaning_on(Place i) const -> Heap {
+auto Simulation<R>::connected_balls_at_rest(BallIndex i) const -> Heap {
     Heap heap;
     heap.balls = {i};
     std::vector<char> seen(movers_.size());
     seen[i] = 1;
     for (std::size_t k = 0; k < heap.balls.size(); ++k)
-        for (const Place j : touched_at_rest(heap.balls[k]))
+        for (const BallIndex j : touched_at_rest(heap.balls[k]))
             if (std::exchange(seen[j], 1) == 0) heap.balls.push_back(j);
     std::ranges::sort(heap.balls);
     for (std::uint32_t k = 0; k < heap.balls.size(); ++k) {
         part_supports(heap, k);
-        for (const Place j : touched_at_rest(heap.balls[k])) {
+        for (const BallIndex j : touched_at_rest(heap.balls[k])) {
             if (j > heap.balls[k]) continue;
             const Mover &mover = movers_[heap.balls[k]], &other = movers_[j];
             const auto at = std::ranges::lower_bound(heap.balls, j) - heap.balls.begin();
@@ -88,7 +88,7 @@ void Simulation<R>::part_supports(Heap& heap, std::uint32_t k) const {
         const Closest<R> seen = closest(f, body_now(mover).position, mover.radius);
         if (!seen.facing || !in_touch(seen.gap, mover.radius)) continue;
         if (gate_of(scene_->parts[part]) != nullptr && passes(part, mover)) continue;
-        heap.supports.push_back({k, Support::still, narrow(seen.normal),
+        heap.supports.push_back({k, Support::fixed, narrow(seen.normal),
                                  mixed(mover.ball.material, scene_->parts[part].material).friction});
         heap.features.push_back(f);
     }
@@ -96,14 +96,14 @@ void Simulation<R>::part_supports(Heap& heap, std::uint32_t k) const {
 
 /// Finds the heap of a ball that rests on others, and puts its balls to rest if they can be in equilibrium.
 template <class R>
-bool Simulation<R>::find_heap(Place i) {
+bool Simulation<R>::find_heap(BallIndex i) {
     constexpr std::size_t most = 400;  // balls; so many take seconds
-    if (movers_[i].looked_for_heap == now_ || !leans(i)) return false;
-    Heap heap = balls_leaning_on(i);
+    if (movers_[i].heap_searched_at == now_ || !rests_on_ball(i)) return false;
+    Heap heap = connected_balls_at_rest(i);
     std::vector<Vec2> weights;
-    for (const Place j : heap.balls) weights.push_back(movers_[j].ball.mass * scene_->gravity);
+    for (const BallIndex j : heap.balls) weights.push_back(movers_[j].ball.mass * scene_->gravity);
     std::vector<Support> parts_alone = heap.supports;
-    std::erase_if(parts_alone, [](const Support& one) { return one.other != Support::still; });
+    std::erase_if(parts_alone, [](const Support& one) { return one.other != Support::fixed; });
     const bool too_many = heap.balls.size() > most;
     const bool stand = !too_many && find_equilibrium(weights, parts_alone).share <= balance_tolerance;
     const Imbalance left = stand || too_many ? Imbalance{} : find_equilibrium(weights, heap.supports);
@@ -116,11 +116,11 @@ bool Simulation<R>::find_heap(Place i) {
     if (left.share > 0)
         why = ", and in this one ball " + std::to_string(movers_[heap.balls[left.disc]].ball.number) +
               " begins to move: " + std::to_string(left.share) + " of its weight is not held";
-    for (const Place j : heap.balls) {
-        movers_[j].looked_for_heap = now_;
+    for (const BallIndex j : heap.balls) {
+        movers_[j].heap_searched_at = now_;
         if (stand) continue;
-        movers_[j].unheld_since = now_;
-        movers_[j].unheld = why;
+        movers_[j].no_equilibrium_since = now_;
+        movers_[j].no_equilibrium = why;
     }
     return false;
 }
@@ -128,15 +128,15 @@ bool Simulation<R>::find_heap(Place i) {
 template <class R>
 void Simulation<R>::settle(Heap heap) {
     const std::uint32_t id = ++last_heap_;
-    for (const Place j : heap.balls) {
+    for (const BallIndex j : heap.balls) {
         Mover& mover = movers_[j];
         if (mover.heap != 0) end_heap(mover.heap);
         const Body<R> body = body_now(mover);
         mover.body = {body.position, {}, body.angle, R(0), mover.radius};
         ++mover.changes;
         mover.heap = id;
-        mover.held[0] = mover.held[1] = mover.left = nothing;
-        mover.glide_count = 0;
+        mover.support[0] = mover.support[1] = mover.left = nothing;
+        mover.tangent_count = 0;
         mover.until = infinity<R>();
         mover.separates = false;
         mover.path = {};
@@ -153,29 +153,29 @@ void Simulation<R>::settle(Heap heap) {
 
 /// Dissolves a heap; its balls are still at rest.
 template <class R>
-auto Simulation<R>::end_heap(std::uint32_t id) -> std::vector<Place> {
+auto Simulation<R>::end_heap(std::uint32_t id) -> std::vector<BallIndex> {
     const auto at = heaps_.find(id);
-    std::vector<Place> balls = std::move(at->second.balls);
+    std::vector<BallIndex> balls = std::move(at->second.balls);
     if (certificate_) note_rest_ends(at->second);
     heaps_.erase(at);
-    std::erase_if(balls, [&](Place j) { return movers_[j].gone; });
-    for (const Place j : balls) movers_[j].heap = 0;
+    std::erase_if(balls, [&](BallIndex j) { return movers_[j].gone; });
+    for (const BallIndex j : balls) movers_[j].heap = 0;
     return balls;
 }
 
 /// Refuses an impact on a ball of a heap.
 template <class R>
-void Simulation<R>::refuse_hit(const Mover& hit, const std::string& by) const {
+void Simulation<R>::refuse_impact_on_heap(const Mover& hit, const std::string& by) const {
     throw Refusal("reference: " + by + " hits ball " + std::to_string(hit.ball.number) + " in a heap of " +
-                  std::to_string(heaps_.at(hit.heap).balls.size()) + " balls that press on each other" +
-                  at_time(now_) + ": a pile has no order of impacts");
+                  std::to_string(heaps_.at(hit.heap).balls.size()) + " balls in resting contact" +
+                  at_time(now_) + ": resting contact between balls has no order of impacts");
 }
 
-#define FLIPSIDE_HEAPS(R)                                                     \
-    template bool Simulation<R>::leans(Place) const;                          \
-    template bool Simulation<R>::find_heap(Place);                            \
-    template auto Simulation<R>::end_heap(std::uint32_t)->std::vector<Place>; \
-    template void Simulation<R>::refuse_hit(const Mover&, const std::string&) const;
+#define FLIPSIDE_HEAPS(R)                                                         \
+    template bool Simulation<R>::rests_on_ball(BallIndex) const;                  \
+    template bool Simulation<R>::find_heap(BallIndex);                            \
+    template auto Simulation<R>::end_heap(std::uint32_t)->std::vector<BallIndex>; \
+    template void Simulation<R>::refuse_impact_on_heap(const Mover&, const std::string&) const;
 FLIPSIDE_HEAPS(double)
 FLIPSIDE_HEAPS(Real113)
 FLIPSIDE_HEAPS(Real226)

@@ -57,16 +57,16 @@ struct Path {
     R angle{}, spin{};                ///< at the start
     R spin_rate{};                    ///< rad/s²; of closed forms
     V<R> roll;                        ///< for a ball that rolls on a static line: its spin is roll·velocity
-    bool rides = false;               ///< follows the series below instead of the closed form
+    bool is_series = false;           ///< follows the series below instead of the closed form
     bool rests = false;               ///< the centre does not move; the ball may spin
     Series<V<R>, R> displacements{};  ///< of the position
     Series<R, R> spins{};             ///< of the spin
-    Bounds<R> ride_bounds{};          ///< as long as the series is used
+    Bounds<R> series_bounds{};        ///< as long as the series is used
 
     [[nodiscard]] Motion<R> at(const R& time) const {
         const R t = time - start;
         if (rests) return {position, {}};
-        if (rides) return ridden(t);
+        if (is_series) return series_at(t);
         if (!(drag > 0))
             return {position + t * (velocity + (t / 2) * acceleration), velocity + t * acceleration};
         const R x = drag * t, phi = drag_phi(x), e = 1 - x * phi;
@@ -75,7 +75,7 @@ struct Path {
     }
     [[nodiscard]] Spinning<R> spinning_at(const R& time) const {
         const R t = time - start;
-        if (rides) {
+        if (is_series) {
             R turned{}, gained{};
             for (std::size_t k = taylor_order<R>; k >= 1; --k) {
                 const auto power = static_cast<int>(k);
@@ -93,26 +93,26 @@ struct Path {
     /// Acceleration at the start.
     [[nodiscard]] V<R> begins_with() const {
         if (rests) return {};
-        return rides ? R(2) * displacements[2] : acceleration - drag * velocity;
+        return is_series ? R(2) * displacements[2] : acceleration - drag * velocity;
     }
     [[nodiscard]] Bounds<R> bounds(const R& from, const R& until) const {
         if (rests) return {};
-        if (rides) return ride_bounds;
+        if (is_series) return series_bounds;
         const R speed = length(at(from).velocity) + length(acceleration) * (until - from);
         return {speed, length(acceleration) + drag * speed};
     }
 
     /// Bound on the acceleration along a unit vector.
-    [[nodiscard]] R bend_along(const V<R>& n, const R& from, const R& until) const {
+    [[nodiscard]] R acceleration_bound_along(const V<R>& n, const R& from, const R& until) const {
         if (rests) return R(0);
-        if (rides) return ride_bounds.acceleration;
+        if (is_series) return series_bounds.acceleration;
         R pulled = magnitude(dot(n, acceleration));
         if (!(drag > 0)) return pulled;
         return pulled + drag * (magnitude(dot(n, at(from).velocity)) + pulled * (until - from));
     }
 
   private:
-    [[nodiscard]] Motion<R> ridden(const R& t) const {
+    [[nodiscard]] Motion<R> series_at(const R& t) const {
         V<R> sum, slope;
         for (std::size_t k = taylor_order<R>; k >= 1; --k) {
             slope = t * slope + sum;

@@ -54,10 +54,10 @@ void Simulation<R>::refuse_inside(const Mover& mover) const {
 
 /// Moves a ball that starts inside a part, or across a line, out of it; corrects the deepest overlap first.
 template <class R>
-void Simulation<R>::come_out(Place i) {
+void Simulation<R>::correct_overlap(BallIndex i) {
     Mover& mover = movers_[i];
     // Radii; smaller overlaps remain.
-    const double deep = leans(i) ? heap_overlap : 1e-3;
+    const double deep = rests_on_ball(i) ? heap_overlap : 1e-3;
     constexpr int most_rounds = 8;
     for (int round = 0; round < most_rounds; ++round) {
         Closest<R> deepest;
@@ -94,11 +94,12 @@ void Simulation<R>::find_touching(Mover& mover) {
         if (is_gate && passes(part, mover)) continue;
         const R friction(mixed(mover.ball.material, scene_->parts[part].material).friction);
         const RestingContact<R> contact =
-            resting_contact_at(shape(f), turning(part), mover.body, now_, friction, drive_, snap);
-        const R hop = sqrt(2 * epsilon<R>() * mover.radius * std::max(R(0), contact.force));
-        const R speed = length(mover.body.velocity) + magnitude(contact.passing);
+            resting_contact_at(shape(f), turning(part), mover.body, now_, friction, external_, snap);
+        const R lowest_bounce = sqrt(2 * epsilon<R>() * mover.radius * std::max(R(0), contact.force));
+        const R speed = length(mover.body.velocity) + magnitude(contact.tangential_speed);
         const R turned = (16 * epsilon<R>() + given) * direction_scale(shape(f));
-        if (magnitude(contact.parting) > (4096 * epsilon<R>() + turned) * speed + hop) continue;
+        if (magnitude(contact.separating_speed) > (4096 * epsilon<R>() + turned) * speed + lowest_bounce)
+            continue;
         if (is_gate && std::ranges::find(mover.blocked, part) == mover.blocked.end())
             mover.blocked.push_back(part);
         touching_.push_back({f, contact, friction});
@@ -107,33 +108,34 @@ void Simulation<R>::find_touching(Mover& mover) {
 
 /// Notes the straight static faces that the ball touches without a contact force.
 template <class R>
-void Simulation<R>::note_glides(Mover& mover) {
+void Simulation<R>::note_tangent_faces(Mover& mover) {
     for (const auto& [face, contact, friction] : touching_)
-        if (contact.straight && contact.turning == nullptr && mover.glide_count < mover.tangent_faces.size())
-            mover.tangent_faces[mover.glide_count++] = {contact.pivot, contact.normal};
+        if (contact.straight && contact.turning == nullptr &&
+            mover.tangent_count < mover.tangent_faces.size())
+            mover.tangent_faces[mover.tangent_count++] = {contact.pivot, contact.normal};
 }
 
 /// Chooses the path along one of the touching surfaces, if that surface keeps the ball off all others.
 template <class R>
-bool Simulation<R>::take_one(Mover& mover) {
+bool Simulation<R>::rest_on_one(Mover& mover) {
     for (const Touching& one : touching_) {
         const RestingContact<R>& contact = one.contact;
-        const R scale = length(drive_.gravity) + magnitude(contact.force) + magnitude(contact.driven);
+        const R scale = length(external_.gravity) + magnitude(contact.force) + magnitude(contact.tangential);
         const R none = no_force<R>() * scale;
         if (!(contact.force > none)) continue;
-        const Rubbing<R> rub = rubbing_of(contact, mover.body);
+        const ContactFriction<R> rub = friction_of(contact, mover.body);
         const V<R> added = contact.force * contact.normal + rub.force * contact.tangent;
         const R slow = rounding_speed(length(mover.body.velocity));
         const bool keeps_off = std::ranges::all_of(touching_, [&](const Touching& other) {
             if (&other == &one) return true;
             const R cosine = dot(contact.normal, other.contact.normal);
             return dot(added, other.contact.normal) - other.contact.force >= -none &&
-                   other.contact.parting - contact.parting * cosine >= -slow;
+                   other.contact.separating_speed - contact.separating_speed * cosine >= -slow;
         });
         if (!keeps_off) continue;
-        Ride<R> found;
+        ConstrainedPath<R> found;
         try {
-            found = ride(contact, rub, mover.body, now_, R(now_ + 1), drive_);
+            found = constrain(contact, rub, mover.body, now_, R(now_ + 1), external_);
         } catch (const EndlessSearch&) {
             refuse_search("reference", mover.ball.number, Other::part(features_[one.feature].part),
                           clock(now_), *scene_);
@@ -141,10 +143,10 @@ bool Simulation<R>::take_one(Mover& mover) {
         mover.path = found.path;
         mover.until = found.until;
         mover.separates = found.separates;
-        mover.held[0] = one.feature;
-        mover.held_normal = contact.normal;
+        mover.support[0] = one.feature;
+        mover.support_normal = contact.normal;
         if (contact.turning != nullptr)
-            mover.held_normal = unrotated(contact.normal, from_angle(contact.turning->angle_at(now_)));
+            mover.support_normal = unrotated(contact.normal, from_angle(contact.turning->angle_at(now_)));
         return true;
     }
     return false;
@@ -153,8 +155,8 @@ bool Simulation<R>::take_one(Mover& mover) {
 /// Holds a ball still between two static surfaces. If it spins, the friction of both slows it, and normal
 /// forces and friction together balance its weight.
 template <class R>
-bool Simulation<R>::take_two(Mover& mover) {
-    const R scale = length(drive_.gravity), none = no_force<R>() * scale;
+bool Simulation<R>::rest_on_two(Mover& mover) {
+    const R scale = length(external_.gravity), none = no_force<R>() * scale;
     for (const Touching& a : touching_)
         for (const Touching& b : touching_) {
             if (&a == &b || a.contact.turning != nullptr || b.contact.turning != nullptr) continue;
@@ -164,7 +166,7 @@ bool Simulation<R>::take_two(Mover& mover) {
                 const R sign(spin > 0 ? 1 : spin < 0 ? -1 : 0);
                 return one.contact.normal + sign * one.friction * perp(one.contact.normal);
             };
-            const V<R> u = push(a), v = push(b), weight = drive_.gravity;
+            const V<R> u = push(a), v = push(b), weight = external_.gravity;
             const R across = cross(u, v);
             if (magnitude(across) < no_force<R>()) continue;
             const R first = -cross(weight, v) / across, second = -cross(u, weight) / across;
@@ -175,13 +177,13 @@ bool Simulation<R>::take_two(Mover& mover) {
             mover.path.position = mover.body.position;
             mover.path.angle = mover.body.angle;
             mover.path.spin = spin;
-            mover.held[0] = a.feature;
-            mover.held[1] = b.feature;
-            mover.held_force[0] = mover.mass * std::max(R(0), first);
-            mover.held_force[1] = mover.mass * std::max(R(0), second);
+            mover.support[0] = a.feature;
+            mover.support[1] = b.feature;
+            mover.support_force[0] = mover.mass * std::max(R(0), first);
+            mover.support_force[1] = mover.mass * std::max(R(0), second);
             const R sense(spin > 0 ? 1 : spin < 0 ? -1 : 0);
-            mover.held_friction[0] = sense * a.friction * mover.held_force[0];
-            mover.held_friction[1] = sense * b.friction * mover.held_force[1];
+            mover.support_friction[0] = sense * a.friction * mover.support_force[0];
+            mover.support_friction[1] = sense * b.friction * mover.support_force[1];
             const R rubbed = 2 * (a.friction * first + b.friction * second) / mover.radius;
             if (spin != 0 && rubbed > 0) {
                 mover.path.spin_rate = spin > 0 ? R(-rubbed) : rubbed;
@@ -196,46 +198,48 @@ bool Simulation<R>::take_two(Mover& mover) {
 template <class R>
 void Simulation<R>::find_path(Mover& mover) {
     ++mover.changes;
-    mover.held[0] = mover.held[1] = nothing;
-    mover.glide_count = 0;
+    mover.support[0] = mover.support[1] = nothing;
+    mover.tangent_count = 0;
     mover.until = infinity<R>();
     mover.separates = false;
     Path<R>& path = mover.path;
     path.start = now_;
     path.position = mover.body.position;
     path.velocity = mover.body.velocity;
-    path.acceleration = drive_.gravity;
-    path.drag = drive_.drag;
+    path.acceleration = external_.gravity;
+    path.drag = external_.drag;
     path.angle = mover.body.angle;
     path.spin = mover.body.spin;
     path.spin_rate = R(0);
     path.roll = {};
-    path.rides = path.rests = false;
+    path.is_series = path.rests = false;
     find_touching(mover);
     mover.left = nothing;
     mover.given = false;
-    const R scale = length(drive_.gravity);
+    const R scale = length(external_.gravity);
     const auto is_pressed = [&] {
         return std::ranges::any_of(touching_, [&](const Touching& one) {
             const RestingContact<R>& contact = one.contact;
             return contact.force >
-                   no_force<R>() * (scale + magnitude(contact.force) + magnitude(contact.driven));
+                   no_force<R>() * (scale + magnitude(contact.force) + magnitude(contact.tangential));
         });
     };
-    if (!is_pressed()) return note_glides(mover);
-    if (take_one(mover)) return;
+    if (!is_pressed()) return note_tangent_faces(mover);
+    if (rest_on_one(mover)) return;
     using std::sqrt;
     const R speed = length(mover.body.velocity);
     // Between two surfaces, bounces lower than the rounding of its position (see find_touching) are rest.
-    if (speed <= 4 * sqrt(2 * epsilon<R>() * mover.radius * scale) && take_two(mover)) return;
+    if (speed <= 4 * sqrt(2 * epsilon<R>() * mover.radius * scale) && rest_on_two(mover)) return;
     // A surface from which the ball separates does not support it.
-    const auto recedes = [&](const Touching& one) { return one.contact.parting > rounding_speed(speed); };
+    const auto recedes = [&](const Touching& one) {
+        return one.contact.separating_speed > rounding_speed(speed);
+    };
     if (std::erase_if(touching_, recedes) > 0) {
-        if (!is_pressed()) return note_glides(mover);
-        if (take_one(mover)) return;
+        if (!is_pressed()) return note_tangent_faces(mover);
+        if (rest_on_one(mover)) return;
     }
     const R slow = 65536 * sqrt(epsilon<R>() * mover.radius * scale);
-    if (speed <= slow && take_two(mover)) return;
+    if (speed <= slow && rest_on_two(mover)) return;
     std::string names;
     for (const Touching& one : touching_)
         names += (names.empty() ? "" : " and ") + scene_->parts[features_[one.feature].part].name;
@@ -245,21 +249,21 @@ void Simulation<R>::find_path(Mover& mover) {
 
 /// Starts a path from the present position, or puts the ball to rest in a heap.
 template <class R>
-void Simulation<R>::start_path(Place i) {
+void Simulation<R>::start_path(BallIndex i) {
     if (movers_[i].heap != 0 || find_heap(i)) return;
     const bool given = movers_[i].given;
     find_path(movers_[i]);
     if (certificate_) note_leg(movers_[i], given);
 }
 
-#define FLIPSIDE_SET_OUT(R)                                         \
-    template void Simulation<R>::start_path(Place);                 \
-    template void Simulation<R>::come_out(Place);                   \
+#define FLIPSIDE_PATHS(R)                                           \
+    template void Simulation<R>::start_path(BallIndex);             \
+    template void Simulation<R>::correct_overlap(BallIndex);        \
     template void Simulation<R>::refuse_inside(const Mover&) const; \
     template Closest<R> Simulation<R>::closest(FeatureIndex, const V<R>&, const R&) const;
-FLIPSIDE_SET_OUT(double)
-FLIPSIDE_SET_OUT(Real113)
-FLIPSIDE_SET_OUT(Real226)
-#undef FLIPSIDE_SET_OUT
+FLIPSIDE_PATHS(double)
+FLIPSIDE_PATHS(Real113)
+FLIPSIDE_PATHS(Real226)
+#undef FLIPSIDE_PATHS
 
 }  // namespace flipside::reference

@@ -75,8 +75,8 @@ R turns_down(const Polynomial<R>& derivative, const R& a, const R& b, const R& s
 }  // namespace
 
 template <class R>
-Falls<R> falls(const Polynomial<R>& f, const R& until, const R& slope) {
-    Falls<R> found;
+FallingRoots<R> falling_roots(const Polynomial<R>& f, const R& until, const R& slope) {
+    FallingRoots<R> found;
     const Polynomial<R> derivative = f.derivative();
     const Roots<R> turns = roots(derivative, R(0), until);
     const auto add = [&](const R& t) { found.at[static_cast<std::size_t>(found.count++)] = t; };
@@ -101,7 +101,7 @@ Falls<R> falls(const Polynomial<R>& f, const R& until, const R& slope) {
 #define FLIPSIDE_POLYNOMIALS(R)                                        \
     template struct Polynomial<R>;                                     \
     template Roots<R> roots(const Polynomial<R>&, const R&, const R&); \
-    template Falls<R> falls(const Polynomial<R>&, const R&, const R&);
+    template FallingRoots<R> falling_roots(const Polynomial<R>&, const R&, const R&);
 FLIPSIDE_POLYNOMIALS(double)
 FLIPSIDE_POLYNOMIALS(Real113)
 FLIPSIDE_POLYNOMIALS(Real226)

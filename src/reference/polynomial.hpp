@@ -32,7 +32,7 @@ template <class R>
 [[nodiscard]] Roots<R> roots(const Polynomial<R>& f, const R& from, const R& until);
 
 template <class R>
-struct Falls {
+struct FallingRoots {
     std::array<R, 6> at{};
     int count = 0;
     bool grazes = false;  ///< a least value was within rounding of zero
@@ -41,6 +41,6 @@ struct Falls {
 /// Every time in [0, until] at which f falls through zero or, being below it, begins to fall faster than
 /// `slope` > 0; in order.
 template <class R>
-[[nodiscard]] Falls<R> falls(const Polynomial<R>& f, const R& until, const R& slope);
+[[nodiscard]] FallingRoots<R> falling_roots(const Polynomial<R>& f, const R& until, const R& slope);
 
 }  // namespace flipside::reference

@@ -5,24 +5,25 @@
 namespace flipside::reference {
 
 template <class R>
-void Simulation<R>::offer(Mover& mover, const R& time, Next next, std::uint32_t met, std::uint32_t changes) {
+void Simulation<R>::offer(Mover& mover, const R& time, Next next, std::uint32_t index,
+                          std::uint32_t changes) {
     if (!(time < mover.next_time)) return;
     mover.next_time = time;
     mover.next = next;
-    mover.met = met;
-    mover.met_changes = changes;
+    mover.next_index = index;
+    mover.other_version = changes;
 }
 
 /// Predicts the next event of a ball on its path, up to the border of its cell and for at most a second, for
 /// which the bounds on speeds hold.
 template <class R>
-void Simulation<R>::predict(Place i) {
+void Simulation<R>::predict(BallIndex i) {
     Mover& mover = movers_[i];
     ++mover.predictions;
     mover.next = Next::nothing;
     mover.next_time = infinity<R>();
-    offer(mover, R(now_ + 1), Next::look_again, 1);
-    offer(mover, mover.until, Next::look_again, 0);
+    offer(mover, R(now_ + 1), Next::predict_again, 1);
+    offer(mover, mover.until, Next::predict_again, 0);
     int side = 0;
     const R crosses = leaves(mover.path, cells_.box(mover.cell), now_, mover.next_time, side);
     offer(mover, crosses, Next::cell, static_cast<std::uint32_t>(side));
@@ -43,21 +44,21 @@ void Simulation<R>::predict(Place i) {
 /// off it. That is no impact, but rounding could make it look like one.
 template <class R>
 bool Simulation<R>::slides_to(const Mover& mover, FeatureIndex f) const {
-    const FeatureIndex on = mover.held[0];
-    if (on == nothing || mover.held[1] != nothing) return false;
+    const FeatureIndex on = mover.support[0];
+    if (on == nothing || mover.support[1] != nothing) return false;
     const PartIndex part = features_[f].part, own = features_[on].part;
     if (part != own && (turning(part) != nullptr || turning(own) != nullptr)) return false;
     if (turning(part) == nullptr && turning(own) == nullptr &&
         comes_off(shape(f), mover.path.at(now_), mover.radius))
         return true;
-    return ends_in(shape(on), shape(f), mover.held_normal, mover.radius);
+    return ends_in(shape(on), shape(f), mover.support_normal, mover.radius);
 }
 
 /// Whether the ball flies along a face and this static feature lies below that face.
 template <class R>
-bool Simulation<R>::glides_over(const Mover& mover, FeatureIndex f) const {
-    if (mover.glide_count == 0 || turning(features_[f].part) != nullptr) return false;
-    const auto tangent_faces = std::span(mover.tangent_faces).first(mover.glide_count);
+bool Simulation<R>::is_below_tangent_face(const Mover& mover, FeatureIndex f) const {
+    if (mover.tangent_count == 0 || turning(features_[f].part) != nullptr) return false;
+    const auto tangent_faces = std::span(mover.tangent_faces).first(mover.tangent_count);
     return std::ranges::any_of(tangent_faces, [&](const TangentFace& glide) {
         return lies_below(shape(f), glide.at, glide.normal);
     });
@@ -68,14 +69,14 @@ void Simulation<R>::predict_features(Mover& mover) {
     for (const FeatureIndex f : cells_.features(mover.cell)) {
         ++counts_.pair_tests;
         const PartIndex part = features_[f].part;
-        if (f == mover.held[0] || f == mover.held[1] || ignores(part, mover)) continue;
+        if (f == mover.support[0] || f == mover.support[1] || ignores(part, mover)) continue;
         if (mover.heap != 0 && turning(part) == nullptr) continue;  // neither moves
-        if (slides_to(mover, f) || glides_over(mover, f)) continue;
+        if (slides_to(mover, f) || is_below_tangent_face(mover, f)) continue;
         ++counts_.narrow_tests;
         const R last = std::min(mover.next_time, parts_[part].turning.stop);
         const View<R> seen{mover.path, turning(part)};
         const R time = search(mover, Other::part(part), [&] {
-            return first_touch(shape(f), seen, mover.radius, now_, last, counts_.grazing);
+            return time_of_impact(shape(f), seen, mover.radius, now_, last, counts_.grazing);
         });
         offer(mover, time, Next::feature, f);
     }
@@ -114,9 +115,9 @@ void Simulation<R>::predict_sensors(Mover& mover) {
 }
 
 template <class R>
-void Simulation<R>::predict_balls(Place i) {
+void Simulation<R>::predict_balls(BallIndex i) {
     Mover& mover = movers_[i];
-    cells_.each_near(mover.cell, [&](Place j) {
+    cells_.each_near(mover.cell, [&](BallIndex j) {
         const Mover& other = movers_[j];
         if (j == i) return;
         ++counts_.pair_tests;
@@ -124,8 +125,8 @@ void Simulation<R>::predict_balls(Place i) {
         ++counts_.narrow_tests;
         const R last = std::min(mover.next_time, other.until);
         const R time = search(mover, Other::ball(other.ball.number), [&] {
-            return first_touch(mover.path, other.path, R(mover.radius + other.radius), now_, last,
-                               counts_.grazing);
+            return time_of_impact(mover.path, other.path, R(mover.radius + other.radius), now_, last,
+                                  counts_.grazing);
         });
         offer(mover, time, Next::ball, j, other.changes);
     });
@@ -133,7 +134,7 @@ void Simulation<R>::predict_balls(Place i) {
 
 #define FLIPSIDE_PREDICT(R)                                                                   \
     template void Simulation<R>::offer(Mover&, const R&, Next, std::uint32_t, std::uint32_t); \
-    template void Simulation<R>::predict(Place);
+    template void Simulation<R>::predict(BallIndex);
 FLIPSIDE_PREDICT(double)
 FLIPSIDE_PREDICT(Real113)
 FLIPSIDE_PREDICT(Real226)

@@ -29,9 +29,9 @@ void Simulation<R>::read(std::vector<Ball>& balls) const {
 }
 
 template <class R>
-double Simulation<R>::distance(BallNumber number, Vec2 place) const {
+double Simulation<R>::distance(BallNumber number, Vec2 position) const {
     const auto i = find(number);
-    return i ? static_cast<double>(length(movers_[*i].path.at(now_).position - V<R>(place)))
+    return i ? static_cast<double>(length(movers_[*i].path.at(now_).position - V<R>(position)))
              : std::numeric_limits<double>::infinity();
 }
 
@@ -81,12 +81,12 @@ void Simulation<R>::part_contacts(const Mover& mover, std::vector<Contact>& cont
 template <class R>
 void Simulation<R>::contacts(std::vector<Contact>& contacts) const {
     contacts.clear();
-    for (Place i = 0; i < movers_.size(); ++i) {
+    for (BallIndex i = 0; i < movers_.size(); ++i) {
         const Mover& mover = movers_[i];
         if (mover.gone) continue;
         part_contacts(mover, contacts);
         const V<R> position = mover.path.at(now_).position;
-        cells_.each_near(mover.cell, [&](Place j) {
+        cells_.each_near(mover.cell, [&](BallIndex j) {
             const Mover& other = movers_[j];
             if (j <= i || !layers_meet(mover.ball, other.ball)) return;
             const V<R> between = position - other.path.at(now_).position;

@@ -10,7 +10,7 @@ template <class R>
 using Regions = std::vector<Region<R>>;
 
 template <class R>
-struct RegionTaker {
+struct RegionBuilder {
     Regions<R>& regions;
     using Plane = typename Region<R>::Plane;
     using Polygon = typename Region<R>::Polygon;
@@ -85,7 +85,7 @@ void each_condition(const Region<R>& region, const R& radius, const Bounds<R>& b
         for (const auto& plane : polygon->planes)
             visit(
                 [&plane, &radius](const Motion<R>& m) {
-                    return Value<R>{plane.room + plane.share * radius - dot(plane.n, m.position - plane.at),
+                    return Value<R>{plane.offset + plane.share * radius - dot(plane.n, m.position - plane.at),
                                     -dot(plane.n, m.velocity)};
                 },
                 a);
@@ -131,7 +131,7 @@ struct Search {
         far = length(v.at(from).position) + bounds.speed * (last - from);
         gap = 16 * epsilon<R>() * (far + r);
     }
-    [[nodiscard]] Smallest<R> smallest() const { return {rounding_speed(bounds.speed), gap}; }
+    [[nodiscard]] Tolerance<R> tolerance() const { return {rounding_speed(bounds.speed), gap}; }
 
     [[nodiscard]] bool holds(const Region<R>& region, const R& time) const {
         const Motion<R> now = view.at(time);
@@ -153,7 +153,7 @@ struct Search {
                     const Value<R> v = condition(view.at(t));
                     return Value<R>{-v.value, -v.slope};
                 };
-                next = std::max(next, first_fall(lacks, time, until, bound, smallest()));
+                next = std::max(next, first_falling_root(lacks, time, until, bound, tolerance()));
             });
             if (waits && next <= time) return time;
             time = next;
@@ -168,7 +168,7 @@ struct Search {
                 const Value<R> v = condition(view.at(t));
                 return Value<R>{v.value + 2 * gap, v.slope};
             };
-            first = std::min(first, first_fall(left, time, until, bound, smallest()));
+            first = std::min(first, first_falling_root(left, time, until, bound, tolerance()));
         });
         return first;
     }
@@ -180,7 +180,7 @@ template <class R>
 std::vector<Region<R>> regions_of(const std::vector<Primitive>& primitives, PartIndex part) {
     Regions<R> regions;
     for (const Primitive& primitive : primitives)
-        if (primitive.part == part) std::visit(RegionTaker<R>{regions}, primitive.is);
+        if (primitive.part == part) std::visit(RegionBuilder<R>{regions}, primitive.is);
     return regions;
 }
 

@@ -4,16 +4,16 @@
 /// a few smooth conditions c(q) ≥ 0. A ball enters at the first time at which all conditions of some region
 /// hold, and leaves at the first time at which none of its regions does.
 
-#include "reference/touch.hpp"
+#include "reference/time_of_impact.hpp"
 
 namespace flipside::reference {
 
 template <class R>
 struct Region {
-    /// n·(q − at) ≤ room + share·radius
+    /// n·(q − at) ≤ offset + share·radius
     struct Plane {
         V<R> n, at;
-        R room{};
+        R offset{};
         int share = 0;
     };
     struct Disc {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "reference/fall.hpp"
 #include "reference/feature.hpp"
 #include "reference/polynomial.hpp"
+#include "reference/root_search.hpp"
 #include "reference/view.hpp"
 
 namespace flipside::reference {
@@ -73,7 +73,8 @@ struct LineSide {
         return sign * cross(line.along, m.position - line.start);
     }
     [[nodiscard]] R bound(const View<R>& view, const Bounds<R>& bounds, const R& from, const R& until) const {
-        return view.turning ? bounds.acceleration : view.path.bend_along(perp(line.along), from, until);
+        return view.turning ? bounds.acceleration
+                            : view.path.acceleration_bound_along(perp(line.along), from, until);
     }
     [[nodiscard]] Value<R> face(const Motion<R>& m) const { return within(line, m, radius); }
     [[nodiscard]] R stays_off(const Motion<R>& m, const R& acceleration) const {
@@ -116,7 +117,7 @@ struct CurveSide {
         return (sign > 0 ? pulled : R(bounds.speed * bounds.speed + pulled)) / reach();
     }
     /// As ±(|q|² − D²)/2D whatever the curve, on a flight with acceleration `a`.
-    [[nodiscard]] Bent<R> bent(const Motion<R>& m, const V<R>& a) const {
+    [[nodiscard]] SecondOrder<R> second_order(const Motion<R>& m, const V<R>& a) const {
         const V<R> out = m.position - curve.center;
         const R d = reach();
         return {sign * (dot(out, out) - d * d) / (2 * d), sign * dot(out, m.velocity) / d,

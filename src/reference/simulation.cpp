@@ -27,7 +27,7 @@ template <class R>
 Simulation<R>::Simulation(std::shared_ptr<const Scene> scene)
     : scene_(std::move(scene)),
       primitives_(surface_of(*scene_)),
-      drive_{V<R>(scene_->gravity), R(scene_->damping)},
+      external_{V<R>(scene_->gravity), R(scene_->damping)},
       features_(features_of<R>(primitives_, *scene_)),
       posed_(features_),
       parts_(scene_->parts.size()) {
@@ -73,9 +73,9 @@ void Simulation<R>::load(const State& state) {
     for (const Blocked& blocked : state.blocked)
         if (const auto i = find(blocked.ball)) movers_[*i].blocked.push_back(blocked.gate);
     rebuild_cells();
-    for (Place i = 0; i < movers_.size(); ++i) {
+    for (BallIndex i = 0; i < movers_.size(); ++i) {
         refuse_inside(movers_[i]);
-        come_out(i);
+        correct_overlap(i);
         begin_inside(movers_[i]);
     }
     settle_gates();
@@ -101,9 +101,9 @@ void Simulation<R>::join(const Ball& ball) {
 
 template <class R>
 void Simulation<R>::rebuild_cells() {
-    std::vector<Cells::Still> things;
+    std::vector<Cells::Item> items;
     for (const Feature<R>& feature : features_)
-        things.push_back(
+        items.push_back(
             {range_of(feature, scene_->parts[feature.part], narrow(parts_[feature.part].turning.pivot)),
              feature.part, false});
     for (const Primitive& primitive : primitives_)
@@ -111,14 +111,14 @@ void Simulation<R>::rebuild_cells() {
             Scene plain;  // the primitive as if it could be touched
             plain.parts.resize(scene_->parts.size());
             for (const Feature<R>& feature : features_of<R>({primitive}, plain))
-                things.push_back({range_of(feature, scene_->parts[primitive.part],
-                                           narrow(parts_[primitive.part].turning.pivot)),
-                                  primitive.part, true});
+                items.push_back({range_of(feature, scene_->parts[primitive.part],
+                                          narrow(parts_[primitive.part].turning.pivot)),
+                                 primitive.part, true});
         }
     double radius = scene_->launcher ? scene_->launcher->ball.radius : 0;
     for (const Mover& mover : movers_) radius = std::max(radius, mover.ball.radius);
-    cells_.build(scene_->bounds, things, movers_.size(), radius);
-    for (Place i = 0; i < movers_.size(); ++i) {
+    cells_.build(scene_->bounds, items, movers_.size(), radius);
+    for (BallIndex i = 0; i < movers_.size(); ++i) {
         Mover& mover = movers_[i];
         if (mover.gone) continue;
         mover.cell = cells_.at(narrow(mover.path.at(now_).position));
@@ -207,9 +207,9 @@ void Simulation<R>::apply(const Control& control) {
             mover.given = true;
             mover.path.velocity = mover.body.velocity;
         }
-        for (Place i = 0; i < movers_.size(); ++i)
+        for (BallIndex i = 0; i < movers_.size(); ++i)
             if (!movers_[i].gone) start_path(i);
-        for (Place i = 0; i < movers_.size(); ++i)
+        for (BallIndex i = 0; i < movers_.size(); ++i)
             if (!movers_[i].gone) predict(i);
     } else if (const auto* raise = std::get_if<control::RaiseTargets>(&control)) {
         for (PartIndex part = 0; part < parts_.size(); ++part)
@@ -217,10 +217,10 @@ void Simulation<R>::apply(const Control& control) {
                 const bool was_down = std::exchange(parts_[part].down, false);
                 if (certificate_ && was_down) note_target(part);
             }
-        for (Place i = 0; i < movers_.size(); ++i)
+        for (BallIndex i = 0; i < movers_.size(); ++i)
             if (!movers_[i].gone) {
                 advance(movers_[i]);
-                come_out(i);
+                correct_overlap(i);
             }
         refresh_all();
     }
@@ -230,7 +230,7 @@ template <class R>
 void Simulation<R>::add(const Ball& ball) {
     join(ball);
     if (certificate_) note_input(ball.number, ball.velocity);
-    const auto i = static_cast<Place>(movers_.size() - 1);
+    const auto i = static_cast<BallIndex>(movers_.size() - 1);
     if (ball.radius > cells_.largest()) {
         rebuild_cells();
         settle_gates();
@@ -245,11 +245,11 @@ void Simulation<R>::add(const Ball& ball) {
 }
 
 template <class R>
-auto Simulation<R>::find(BallNumber number) const -> std::optional<Place> {
+auto Simulation<R>::find(BallNumber number) const -> std::optional<BallIndex> {
     const auto number_of = [](const Mover& mover) { return mover.ball.number; };
     const auto at = std::ranges::lower_bound(movers_, number, {}, number_of);
     if (at == movers_.end() || at->ball.number != number || at->gone) return {};
-    return static_cast<Place>(at - movers_.begin());
+    return static_cast<BallIndex>(at - movers_.begin());
 }
 
 template <class R>
@@ -263,7 +263,7 @@ void Simulation<R>::remove(BallNumber number) {
     ++mover.changes;
     ++mover.predictions;
     std::erase(reported_lost_, number);
-    if (mover.heap != 0) look_at_heap_again(mover.heap);
+    if (mover.heap != 0) test_heap_again(mover.heap);
     for (const PartIndex part : mover.inside)
         if (!scene_->parts[part].sensor && std::ranges::none_of(movers_, [&](const Mover& other) {
                 return !other.gone && std::ranges::find(other.inside, part) != other.inside.end();
@@ -277,15 +277,15 @@ void Simulation<R>::set_velocity(BallNumber number, Vec2 velocity) {
     if (!i) return;
     Mover& mover = movers_[*i];
     if (certificate_) note_input(number, velocity);
-    std::vector<Place> left;  // by a removed ball
+    std::vector<BallIndex> left;  // by a removed ball
     if (mover.heap != 0) left = end_heap(mover.heap);
     advance(mover);
     mover.body.velocity = V<R>(velocity);
     mover.given = true;
     start_path(*i);
-    for (const Place j : left)
-        if (j != *i) begin_anew(j);
-    for (const Place j : left) predict(j);
+    for (const BallIndex j : left)
+        if (j != *i) restart_path(j);
+    for (const BallIndex j : left) predict(j);
     predict(*i);
 }
 
@@ -300,7 +300,7 @@ void Simulation<R>::begin(double seconds) {
 }
 
 template <class R>
-bool Simulation<R>::go_on(std::chrono::steady_clock::time_point deadline) {
+bool Simulation<R>::run_until(std::chrono::steady_clock::time_point deadline) {
     if (length_ == 0) return true;
     for (;;) {
         while (!queue_.empty() && queue_.front().prediction != movers_[queue_.front().mover].predictions) {
@@ -314,7 +314,7 @@ bool Simulation<R>::go_on(std::chrono::steady_clock::time_point deadline) {
             handle_stops();
         } else {
             now_ = std::max(now_, event);
-            const Place mover = queue_.front().mover;
+            const BallIndex mover = queue_.front().mover;
             std::pop_heap(queue_.begin(), queue_.end());
             queue_.pop_back();
             ++counts_.events;
@@ -325,21 +325,21 @@ bool Simulation<R>::go_on(std::chrono::steady_clock::time_point deadline) {
     now_ = run_end_;
     time_ += length_;
     length_ = 0;
-    if (now_ >= 1) set_clock_back();
+    if (now_ >= 1) reset_time_origin();
     return true;
 }
 
 /// Resets the origin of times once a second, so that times keep their digits.
 template <class R>
-void Simulation<R>::set_clock_back() {
+void Simulation<R>::reset_time_origin() {
     for (Mover& mover : movers_) {
         mover.path.start -= now_;
         mover.until -= now_;
         mover.next_time -= now_;
-        mover.busy_since -= now_;
-        mover.pressed_since -= now_;
-        mover.looked_for_heap -= now_;
-        mover.unheld_since -= now_;
+        mover.series_since -= now_;
+        mover.slow_contacts_since -= now_;
+        mover.heap_searched_at -= now_;
+        mover.no_equilibrium_since -= now_;
     }
     for (PartNow& part : parts_) {
         part.turning.since -= now_;

@@ -45,7 +45,7 @@ class Simulation final : public Exact {
     void remove(BallNumber number) override;
     void set_velocity(BallNumber number, Vec2 velocity) override;
     void begin(double seconds) override;
-    [[nodiscard]] bool go_on(std::chrono::steady_clock::time_point deadline) override;
+    [[nodiscard]] bool run_until(std::chrono::steady_clock::time_point deadline) override;
 
     void write_to(Trace* trace) override { trace_ = trace; }
     void certify(Certificate* certificate) override;
@@ -63,8 +63,8 @@ class Simulation final : public Exact {
     void occupied(std::vector<std::pair<Box, int>>& cells) const override;
 
   private:
-    enum class Next : std::uint8_t { nothing, feature, ball, cell, look_again, sensor, lost };
-    using Place = std::uint32_t;  ///< index of a ball in movers_; it never changes
+    enum class Next : std::uint8_t { nothing, feature, ball, cell, predict_again, sensor, lost };
+    using BallIndex = std::uint32_t;  ///< index of a ball in movers_; it never changes
     using FeatureIndex = std::uint32_t;
     static constexpr FeatureIndex nothing = ~0U;
     static constexpr std::uint32_t outside_already =
@@ -81,14 +81,14 @@ class Simulation final : public Exact {
         Path<R> path;
         R until = infinity<R>();  ///< end of the path
         bool separates = false;   ///< whether the contact ends there
-        FeatureIndex held[2] = {nothing, nothing};
-        V<R> held_normal;  ///< of held[0], in the pose in which its part sees it
-        R held_force[2]{},
-            held_friction[2]{};  ///< N, where two parts hold it: normal, and along perp of that
+        FeatureIndex support[2] = {nothing, nothing};
+        V<R> support_normal;  ///< of support[0], in the pose in which its part sees it
+        R support_force[2]{},
+            support_friction[2]{};  ///< N, where two parts support it: normal, and along perp of that
         std::optional<std::size_t> noted_rest;  ///< its index in the certificate
         std::array<TangentFace, 4>
             tangent_faces{};  ///< faces that it touches without a contact force; more are ignored
-        std::size_t glide_count = 0;
+        std::size_t tangent_count = 0;
         bool given = true;  ///< whether its position or velocity came from outside, rounded to double
         FeatureIndex left = nothing;  ///< the contact that has just ended
         Cells::Index cell = 0;
@@ -100,22 +100,22 @@ class Simulation final : public Exact {
         std::uint32_t predictions = 0;
         Next next = Next::nothing;
         R next_time = infinity<R>();
-        std::uint32_t met = 0;          ///< feature, ball, side of the cell or part, by `next`
-        std::uint32_t met_changes = 0;  ///< the other ball's when this was predicted
-        R busy_since{};                 ///< start of the present series of events in a short time
-        int busy = 0;
-        Beginning begins;   ///< of its next path; kept for certificates only
-        R pressed_since{};  ///< start of the present series of slow contacts with balls
-        int pressed = 0;
+        std::uint32_t next_index = 0;     ///< feature, ball, side of the cell or part, by `next`
+        std::uint32_t other_version = 0;  ///< the other ball's when this was predicted
+        R series_since{};                 ///< start of the present series of events in a short time
+        int series_events = 0;
+        Beginning begins;         ///< of its next path; kept for certificates only
+        R slow_contacts_since{};  ///< start of the present series of slow contacts with balls
+        int slow_contacts = 0;
 
-        std::uint32_t heap = 0;  ///< number of its heap; 0 for none
-        R looked_for_heap{-1};   ///< time of the last search without a result
-        R unheld_since{-1};      ///< time since which no equilibrium was found
-        std::string unheld;
+        std::uint32_t heap = 0;      ///< number of its heap; 0 for none
+        R heap_searched_at{-1};      ///< time of the last search without a result
+        R no_equilibrium_since{-1};  ///< time since which no equilibrium was found
+        std::string no_equilibrium;
     };
     /// Balls at rest in contact with each other.
     struct Heap {
-        std::vector<Place> balls;  ///< sorted; supports refer to indices here
+        std::vector<BallIndex> balls;  ///< sorted; supports refer to indices here
         std::vector<Support> supports;
         std::vector<FeatureIndex> features;  ///< of each support; nothing between two balls
         std::size_t noted = 0;               ///< its index in the certificate
@@ -128,7 +128,7 @@ class Simulation final : public Exact {
     };
     struct Entry {
         R time;
-        Place mover;
+        BallIndex mover;
         std::uint32_t prediction;
         friend bool operator<(const Entry& a, const Entry& b) {  // the earliest on top of the heap
             return a.time != b.time ? a.time > b.time : a.mover > b.mover;
@@ -148,8 +148,8 @@ class Simulation final : public Exact {
     void change_motions();
     [[nodiscard]] R next_stop() const;
     void handle_stops();
-    void set_clock_back();
-    [[nodiscard]] std::optional<Place> find(BallNumber number) const;
+    void reset_time_origin();
+    [[nodiscard]] std::optional<BallIndex> find(BallNumber number) const;
     [[nodiscard]] const Feature<R>& shape(FeatureIndex f) const {
         return parts_[features_[f].part].turning.rate != 0 ? features_[f] : posed_[f];
     }
@@ -169,79 +169,79 @@ class Simulation final : public Exact {
     }
 
     // After changes (refresh.cpp).
-    void begin_anew(Place i);
-    void refresh(Place i);
+    void restart_path(BallIndex i);
+    void refresh(BallIndex i);
     void refresh_all();
     void refresh_beside(PartIndex part);
-    void look_at_heap_again(std::uint32_t id);
-    void look_again_on(PartIndex part);
+    void test_heap_again(std::uint32_t id);
+    void test_heaps_on(PartIndex part);
     void release(PartIndex part);
 
     // Gates (gates.cpp).
     bool settle_gates();
     [[nodiscard]] bool passes(PartIndex part, const Mover& mover) const;
-    [[nodiscard]] bool meet_gate(Place i, PartIndex part);
+    [[nodiscard]] bool reach_gate(BallIndex i, PartIndex part);
     void leave_gate(Mover& mover, PartIndex part);
     [[nodiscard]] R gate_reach(const Mover& mover) const;
 
     // Predictions (predict.cpp).
-    void predict(Place i);
+    void predict(BallIndex i);
     void predict_features(Mover& mover);
     [[nodiscard]] bool slides_to(const Mover& mover, FeatureIndex f) const;
-    [[nodiscard]] bool glides_over(const Mover& mover, FeatureIndex f) const;
+    [[nodiscard]] bool is_below_tangent_face(const Mover& mover, FeatureIndex f) const;
     void predict_sensors(Mover& mover);
-    void predict_balls(Place i);
+    void predict_balls(BallIndex i);
     /// Result of the search `find` for a ball. Throws Refusal if the search does not end.
-    R search(const Mover& mover, Other met, auto&& find) const {
+    R search(const Mover& mover, Other other, auto&& find) const {
         try {
             return find();
         } catch (const EndlessSearch&) {
-            refuse_search("reference", mover.ball.number, met, clock(now_), *scene_);
+            refuse_search("reference", mover.ball.number, other, clock(now_), *scene_);
         }
     }
-    void offer(Mover& mover, const R& time, Next next, std::uint32_t met = 0, std::uint32_t changes = 0);
+    void offer(Mover& mover, const R& time, Next next, std::uint32_t index = 0, std::uint32_t changes = 0);
 
     // Paths (paths.cpp).
-    void start_path(Place i);
+    void start_path(BallIndex i);
     [[nodiscard]] static bool in_touch(const R& gap, const R& radius) {
         return gap <= heap_gap * radius && gap >= -heap_overlap * radius;
     }
     void find_path(Mover& mover);
-    void come_out(Place i);
+    void correct_overlap(BallIndex i);
     void find_touching(Mover& mover);
-    void note_glides(Mover& mover);
-    bool take_one(Mover& mover);
-    bool take_two(Mover& mover);
+    void note_tangent_faces(Mover& mover);
+    bool rest_on_one(Mover& mover);
+    bool rest_on_two(Mover& mover);
     [[nodiscard]] Closest<R> closest(FeatureIndex f, const V<R>& position, const R& radius) const;
 
     // Static heaps (heaps.cpp).
     [[nodiscard]] Body<R> body_now(const Mover& mover) const;
     [[nodiscard]] bool is_at_rest(const Mover& mover) const;
-    [[nodiscard]] std::vector<Place> touched_at_rest(Place i) const;
-    [[nodiscard]] bool leans(Place i) const;
-    [[nodiscard]] Heap balls_leaning_on(Place i) const;
+    [[nodiscard]] std::vector<BallIndex> touched_at_rest(BallIndex i) const;
+    [[nodiscard]] bool rests_on_ball(BallIndex i) const;
+    [[nodiscard]] Heap connected_balls_at_rest(BallIndex i) const;
     void part_supports(Heap& heap, std::uint32_t k) const;
-    bool find_heap(Place i);
+    bool find_heap(BallIndex i);
     void settle(Heap heap);
-    std::vector<Place> end_heap(std::uint32_t id);
-    [[noreturn]] void refuse_hit(const Mover& hit, const std::string& by) const;
+    std::vector<BallIndex> end_heap(std::uint32_t id);
+    [[noreturn]] void refuse_impact_on_heap(const Mover& hit, const std::string& by) const;
 
     // Events (events.cpp).
-    void handle(Place i);
+    void handle(BallIndex i);
     void advance(Mover& mover);
-    void keep_order(Mover& mover);
-    void require_speed(const Mover& mover, Other met) const;
-    void hit_feature(Place i);
-    void hit_ball(Place i);
-    void refuse_piles(Mover& a, Mover& b) const;
+    void refuse_endless(Mover& mover);
+    void require_speed(const Mover& mover, Other other) const;
+    void hit_feature(BallIndex i);
+    void hit_ball(BallIndex i);
+    void refuse_resting_contact(Mover& a, Mover& b) const;
     void refuse_inside(const Mover& mover) const;
-    void cross_cell(Place i);
-    void sense(Place i);
-    void lose(Place i);
+    void cross_cell(BallIndex i);
+    void sense(BallIndex i);
+    void lose(BallIndex i);
 
     // Certificates (certify.cpp).
     [[nodiscard]] R isolated_within(const Mover& mover, const R& digit, const R& margin) const;
-    void note_meeting(Place i);
+    void note_impact(BallIndex i);
     void note_leg(Mover& mover, bool given);
     void note_motion(PartIndex part);
     void note_target(PartIndex part);
@@ -255,7 +255,7 @@ class Simulation final : public Exact {
     [[nodiscard]] static std::string_view name_of_next(const Mover& mover);
     void trace_next(TraceItem& item, const Mover& mover) const;
     void trace_paths();
-    void trace_event(Place i);
+    void trace_event(BallIndex i);
 
     // Results for callers (read_out.cpp).
     void part_contacts(const Mover& mover, std::vector<Contact>& contacts) const;
@@ -264,7 +264,7 @@ class Simulation final : public Exact {
 
     std::shared_ptr<const Scene> scene_;
     std::vector<Primitive> primitives_;
-    Drive<R> drive_;
+    ExternalForces<R> external_;
     std::vector<Feature<R>> features_;  ///< in the pose of the scene file
     std::vector<Feature<R>> posed_;     ///< of static parts, in their pose
     std::vector<PartNow> parts_;

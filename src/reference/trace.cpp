@@ -21,13 +21,13 @@ template <class R>
 std::string_view Simulation<R>::name_of_next(const Mover& mover) {
     switch (mover.next) {
         case Next::feature:
-            return "meets a part";
+            return "hits a part";
         case Next::ball:
-            return "meets a ball";
+            return "hits a ball";
         case Next::cell:
             return "leaves its cell";
-        case Next::look_again:
-            return mover.met != 0 ? "looks ahead again" : "its path ends";
+        case Next::predict_again:
+            return mover.next_index != 0 ? "reaches the horizon of its prediction" : "its path ends";
         case Next::sensor:
             return "enters or leaves a sensor or gate";
         case Next::lost:
@@ -42,24 +42,26 @@ template <class R>
 void Simulation<R>::trace_next(TraceItem& item, const Mover& mover) const {
     item.with("next", name_of_next(mover));
     if (mover.next_time < infinity<R>()) item.with("next_time", clock(mover.next_time));
-    if (mover.next == Next::feature) item.with("next_part", scene_->parts[features_[mover.met].part].name);
-    if (mover.next == Next::ball) item.with("next_ball", movers_[mover.met].ball.number);
+    if (mover.next == Next::feature)
+        item.with("next_part", scene_->parts[features_[mover.next_index].part].name);
+    if (mover.next == Next::ball) item.with("next_ball", movers_[mover.next_index].ball.number);
 }
 
 /// Writes the path of every ball at the start of the step.
 template <class R>
 void Simulation<R>::trace_paths() {
-    TraceStage& stage = trace_->stage("paths and predictions so far", "src/reference/predict.cpp: predict");
+    TraceStage& stage = trace_->stage("paths and predictions", "src/reference/predict.cpp: predict");
     std::size_t held = 0;
     for (const Mover& mover : movers_) {
         if (mover.gone) continue;
         const Path<R>& path = mover.path;
         TraceItem& item = stage.add("path").with("ball", mover.ball.number);
-        item.with("way", path.rests                 ? "at rest"
-                         : path.rides               ? "rides a part that turns or bends"
-                         : mover.held[0] != nothing ? "along a part"
-                                                    : "free flight");
-        if (mover.held[0] != nothing) item.with("part", scene_->parts[features_[mover.held[0]].part].name);
+        item.with("way", path.rests                    ? "at rest"
+                         : path.is_series              ? "along a part that turns or is curved"
+                         : mover.support[0] != nothing ? "along a part"
+                                                       : "free flight");
+        if (mover.support[0] != nothing)
+            item.with("part", scene_->parts[features_[mover.support[0]].part].name);
         item.with("since", clock(path.start))
             .with("position", narrow(path.position))
             .with("velocity", narrow(path.velocity))
@@ -68,32 +70,32 @@ void Simulation<R>::trace_paths() {
         trace_next(item, mover);
         const R end = std::min(mover.next_time, run_end_);
         if (end > now_) item.with("swept", way_of(path, now_, end));
-        held += mover.held[0] != nothing;
+        held += mover.support[0] != nothing;
     }
     stage.says = counted(stage.items.size(), "ball") + ", " + std::to_string(held) +
-                 " held by a part; each has a path and one next event, and nothing is done until the first.";
+                 " in resting contact with a part; each has a path and one next event.";
 }
 
 /// Handles an event, and writes it with its result.
 template <class R>
-void Simulation<R>::trace_event(Place i) {
+void Simulation<R>::trace_event(BallIndex i) {
     constexpr std::string_view events = "events";
     if (trace_->stages.empty() || trace_->stages.back().name != events)
         trace_->stage(events, "src/reference/events.cpp: handle");
     TraceStage& stage = trace_->stages.back();
     const Mover mover = movers_[i];
-    const bool meets_part = mover.next == Next::feature, meets_ball = mover.next == Next::ball;
+    const bool hits_part = mover.next == Next::feature, hits_ball = mover.next == Next::ball;
     TraceItem& item = stage.add("event").with("time", clock(now_)).with("ball", mover.ball.number);
     item.with("event", name_of_next(mover));
     const R half = isolated_within(mover, epsilon<R>(), R(0));
-    if (meets_part) {
-        const PartIndex part = features_[mover.met].part;
+    if (hits_part) {
+        const PartIndex part = features_[mover.next_index].part;
         item.with("part", scene_->parts[part].name);
     }
-    if (meets_ball) {
-        const Mover other = movers_[mover.met];
+    if (hits_ball) {
+        const Mover other = movers_[mover.next_index];
         item.with("other_ball", other.ball.number);
-        if (other.gone || other.changes != mover.met_changes)
+        if (other.gone || other.changes != mover.other_version)
             item.with("answer", "the other has changed its path meanwhile: predicted again");
     }
     if (half < infinity<R>()) item.with("isolated_within", static_cast<double>(half));
@@ -103,7 +105,7 @@ void Simulation<R>::trace_event(Place i) {
         return way_of(path, std::max(path.start, run_start_), now_);
     };
     item.with("swept", way_here(mover.path));
-    if (meets_ball) item.with("other_swept", way_here(movers_[mover.met].path));
+    if (hits_ball) item.with("other_swept", way_here(movers_[mover.next_index].path));
     const std::size_t reported = events_.size();
     handle(i);
     item.with("velocity", narrow(movers_[i].path.at(now_).velocity));
@@ -122,7 +124,7 @@ void Simulation<R>::trace_event(Place i) {
 
 #define FLIPSIDE_TRACE(R)                       \
     template void Simulation<R>::trace_paths(); \
-    template void Simulation<R>::trace_event(Place);
+    template void Simulation<R>::trace_event(BallIndex);
 FLIPSIDE_TRACE(double)
 FLIPSIDE_TRACE(Real113)
 FLIPSIDE_TRACE(Real226)

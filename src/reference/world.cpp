@@ -14,7 +14,7 @@ namespace flipside::reference {
 
 namespace {
 
-constexpr double unclaimed = std::numeric_limits<double>::infinity();
+constexpr double unknown = std::numeric_limits<double>::infinity();
 constexpr std::string_view precisions[] = {"53", "113"};
 
 constexpr SettingSpec specs[] = {
@@ -77,7 +77,7 @@ void ReferenceWorld::on_both(auto&& act) {
 
 void ReferenceWorld::drop_twin() {
     twin_.reset();
-    std::ranges::fill(uncertainty_, unclaimed);
+    std::ranges::fill(uncertainty_, unknown);
 }
 
 /// Simulations anew from the table and the balls as they are.
@@ -85,7 +85,7 @@ void ReferenceWorld::load() {
     loaded_ = true;
     refusal_.reset();
     under_way_ = false;
-    unclaimed_.clear();
+    unknown_.clear();
     const State state = table_.save(balls_);
     try {
         exact_ = make_exact(bits_, scene_);
@@ -95,7 +95,7 @@ void ReferenceWorld::load() {
         refusal_ = refusal.what();
     }
     twin_.reset();
-    uncertainty_.assign(with_twin_ ? balls_.size() : 0, unclaimed);
+    uncertainty_.assign(with_twin_ ? balls_.size() : 0, unknown);
     if (!with_twin_ || refusal_) return;
     try {
         twin_ = make_exact(2 * bits_, scene_);
@@ -141,7 +141,7 @@ BallNumber ReferenceWorld::add(const Ball& ball) {
     added.number = table_.new_number();
     added.asleep = false;
     balls_.push_back(added);
-    if (with_twin_) uncertainty_.push_back(twin_ ? 0 : unclaimed);
+    if (with_twin_) uncertainty_.push_back(twin_ ? 0 : unknown);
     on_both([&](Exact& exact) { exact.add(added); });
     if (!refusal_) exact_->contacts(contacts_);
     return added.number;
@@ -169,7 +169,7 @@ void ReferenceWorld::launch() {
             Ball ball = launched->ball;
             ball.number = table_.new_number();
             balls_.push_back(ball);
-            if (with_twin_) uncertainty_.push_back(twin_ ? 0 : unclaimed);
+            if (with_twin_) uncertainty_.push_back(twin_ ? 0 : unknown);
             on_both([&](Exact& exact) { exact.add(ball); });
         }
     }
@@ -199,7 +199,7 @@ bool ReferenceWorld::step_within(double dt, double seconds) {
     const auto deadline = start + std::chrono::duration_cast<Clock::duration>(
                                       std::chrono::duration<double>(std::min(seconds, long_enough)));
     bool done = true;
-    on_both([&](Exact& exact) { done &= exact.go_on(deadline); });
+    on_both([&](Exact& exact) { done &= exact.run_until(deadline); });
     if (done && !refusal_) read_within_limits(dt);
     worked_ += std::chrono::duration<double>(Clock::now() - start).count();
     if (!done && !refusal_) return false;
@@ -227,7 +227,7 @@ void ReferenceWorld::trace_step() {
         }
         stage.says = "A twin with twice the digits made the same step: " +
                      (std::isfinite(most) ? "no ball is farther from it than " + brief(most) + " m."
-                                          : "of some balls nothing is claimed any more.");
+                                          : "the positions of some balls are not known any more.");
     }
     trace_read_out(*trace_, "src/reference/world.cpp: read_out", *this, *scene_);
 }
@@ -289,17 +289,17 @@ void ReferenceWorld::report_touches() {
 /// Distance of the reported position from that of the twin, so it includes rounding to 53 bits. Once it has
 /// reached a radius, the path of the ball is unknown from then on.
 void ReferenceWorld::measure_uncertainty() {
-    uncertainty_.assign(balls_.size(), unclaimed);
+    uncertainty_.assign(balls_.size(), unknown);
     if (!twin_) return;
     constexpr double share_of_twin = 1 + 0x1p-10;
     for (std::size_t i = 0; i < balls_.size(); ++i) {
         const Ball& ball = balls_[i];
-        if (std::ranges::find(unclaimed_, ball.number) != unclaimed_.end()) continue;
+        if (std::ranges::find(unknown_, ball.number) != unknown_.end()) continue;
         const double apart = share_of_twin * twin_->distance(ball.number, ball.position);
         if (apart < ball.radius)
             uncertainty_[i] = apart;
         else
-            unclaimed_.push_back(ball.number);
+            unknown_.push_back(ball.number);
     }
 }
 

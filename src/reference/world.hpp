@@ -64,7 +64,7 @@ class ReferenceWorld final : public World {
     std::vector<Event> events_;
     std::vector<Contact> contacts_, contacts_before_;
     std::vector<double> uncertainty_;
-    std::vector<BallNumber> unclaimed_;  ///< balls that once were further apart than a radius
+    std::vector<BallNumber> unknown_;  ///< balls that once were further apart than a radius
     Statistics statistics_;
     Trace* trace_ = nullptr;
     std::optional<std::string> refusal_;

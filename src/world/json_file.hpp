@@ -1,5 +1,5 @@
 #pragma once
-/// JSON files as input that nobody has checked yet: reading them, and naming places in them.
+/// JSON files as unchecked input: reads them, and names positions in them.
 
 #include <filesystem>
 #include <string>

@@ -5,16 +5,11 @@
 #include <cmath>
 
 #include "world/input_error.hpp"
+#include "world/number_text.hpp"
 
 namespace flipside {
 
 namespace {
-
-std::string number_text(double value) {
-    char buffer[32];
-    const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
-    return {buffer, end};
-}
 
 std::string list(auto&& names, const char* between = ", ") {
     std::string text;

@@ -174,7 +174,7 @@ TEST_F(ReferenceWindow, WhereItRefusesTheOthersGoOnAndItSaysWhy) {
     const auto halted = [](const Json& s) { return !pane_of(s, "reference")["halted"].is_null(); };
     const Json stopped = window->wait("the refusal", halted);
     const Json why = pane_of(stopped, "reference")["halted"];
-    EXPECT_NE(why["reason"].get<std::string>().find("press on each other"), std::string::npos) << why;
+    EXPECT_NE(why["reason"].get<std::string>().find("in resting contact"), std::string::npos) << why;
     EXPECT_EQ(why["time"], pane_of(stopped, "reference")["time"]);
     const double time = stopped["time"];
     const Json later = window->wait("the others", [&](const Json& s) { return s["time"] > time + 0.3; });

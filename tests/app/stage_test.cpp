@@ -345,7 +345,7 @@ TEST_F(RefusedStage, TheOthersGoOnAndTheReferenceIsTakenUpWhereTheyAre) {
     for (int i = 0; i < 60; ++i) stage.step();
     const auto& exact = stage.runs()[2];
     ASSERT_TRUE(exact.halt());
-    EXPECT_NE(exact.halt()->reason.find("press on each other"), std::string::npos) << exact.halt()->reason;
+    EXPECT_NE(exact.halt()->reason.find("in resting contact"), std::string::npos) << exact.halt()->reason;
     EXPECT_LT(exact.halt()->time, 0.5);
     EXPECT_NEAR(stage.time(), 1, 1e-9);
     EXPECT_LE(between(stage, "custom", "reference").history().back().time, exact.halt()->time + 1e-9);

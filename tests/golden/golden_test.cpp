@@ -36,7 +36,8 @@ struct Golden {
     std::uint32_t checksum;
 };
 
-/// Rain has 320 balls. On the reference they press on each other after 76 steps, and it refuses to go on.
+/// Rain has 320 balls. After 76 steps some are in resting contact with each other, which the reference
+/// refuses.
 constexpr Golden golden[] = {
     {"bowl", "continuous", 600, 0x60b67480},    {"bowl", "reference", 600, 0xe08160d3},
     {"box", "continuous", 600, 0xd0e52d1a},     {"box", "reference", 600, 0x02ec3582},

@@ -14,7 +14,7 @@ namespace {
 constexpr double weight = 9.81;
 
 Support on_floor(std::uint32_t disc, double friction = 0) {
-    return {disc, Support::still, {0, 1}, friction};
+    return {disc, Support::fixed, {0, 1}, friction};
 }
 /// `disc` lies on `other`, to its right by this angle from above.
 Support leans_on(std::uint32_t disc, std::uint32_t other, double angle, double friction) {
@@ -71,7 +71,7 @@ TEST(Equilibrium, OfAnIndeterminateHeapAnyForcesDo) {
     const std::vector<Vec2> weights(2, {0, -weight});
     std::vector<Support> supports{on_floor(0, 1), leans_on(1, 0, 0, 1)};
     for (std::uint32_t i = 0; i < 2; ++i)
-        for (const double side : {1.0, -1.0}) supports.push_back({i, Support::still, {side, 0}, 1});
+        for (const double side : {1.0, -1.0}) supports.push_back({i, Support::fixed, {side, 0}, 1});
     EXPECT_LE(find_equilibrium(weights, supports).share, balance_tolerance);
 }
 
@@ -83,7 +83,7 @@ double left_over(const std::vector<Vec2>& weights, const std::vector<Support>& s
         const Vec2 push = one.normal_force * one.normal + one.friction_force * perp(one.normal);
         force[one.disc] += push;
         torque[one.disc] += one.friction_force;
-        if (one.other == Support::still) continue;
+        if (one.other == Support::fixed) continue;
         force[one.other] -= push;
         torque[one.other] += one.friction_force;
     }
@@ -103,7 +103,7 @@ RC_GTEST_PROP(Equilibrium, IsFoundWhereThereIsOne, ()) {
         for (int k = 0; k < 3; ++k) {
             const double angle = *rc::gen::inRange(0, 6283) / 1e3, friction = *rc::gen::inRange(0, 3) / 2.0;
             const auto other = *rc::gen::inRange<std::uint32_t>(0, i + 1);
-            supports.push_back({i, other == i ? Support::still : other, from_angle(angle), friction});
+            supports.push_back({i, other == i ? Support::fixed : other, from_angle(angle), friction});
             const double pushed = *rc::gen::inRange(1, 4);
             const Vec2 push = pushed * from_angle(angle);
             weights[i] -= push;

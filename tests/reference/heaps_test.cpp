@@ -1,4 +1,4 @@
-// Balls at rest that press on each other: where they are in equilibrium they stay, else they are refused.
+// Balls at rest in contact with each other: where they are in equilibrium they stay, else they are refused.
 
 #include <cmath>
 
@@ -70,7 +70,9 @@ TEST(ReferenceHeaps, StayInBothPrecisionsAndTheTwinAgrees) {
 }
 
 TEST(ReferenceHeaps, ThatMoveAreRefusedAndItSaysWhichBallMovesFirst) {
-    expect_says(refusal_of(pyramid(0)), "press on each other at 0.000000 s: a pile has no order of impacts");
+    expect_says(
+        refusal_of(pyramid(0)),
+        "are in resting contact at 0.000000 s: resting contact between balls has no order of impacts");
     expect_says(refusal_of(pyramid(0.2)), "begins to move");  // tan 15° is 0.268
     Scene aside = column(3);
     aside.balls[2].position += Vec2{1e-9, 0};
@@ -81,7 +83,7 @@ TEST(ReferenceHeaps, TouchWithinTheirTolerances) {
     // Gaps to 2e-3 radii and overlaps to 1e-2 are touch; with more of a gap it falls.
     EXPECT_EQ(refusal_of(column(3, 1.9e-4)), "");
     EXPECT_EQ(refusal_of(column(3, -0.9e-3)), "");
-    expect_says(refusal_of(column(3, -1.1e-3)), "press on each other");
+    expect_says(refusal_of(column(3, -1.1e-3)), "in resting contact");
     const auto apart = make_world(column(2, 2.1e-4));
     run(*apart, 1.0 / 240, 1.0 / 240);
     EXPECT_LT(apart->balls()[1].position.y, 0.3 + 2.1e-4);
@@ -90,7 +92,7 @@ TEST(ReferenceHeaps, TouchWithinTheirTolerances) {
     for (Ball& ball : sunk.balls) ball.position.y -= 0.9e-3;
     EXPECT_EQ(refusal_of(sunk), "");
     for (Ball& ball : sunk.balls) ball.position.y -= 0.2e-3;
-    expect_says(refusal_of(sunk), "press on each other");
+    expect_says(refusal_of(sunk), "in resting contact");
 }
 
 TEST(ReferenceHeaps, GoOnFromAState) {
@@ -120,7 +122,7 @@ TEST(ReferenceHeaps, AreLookedAtAgainWhenABallGoes) {
     const auto alone = make_world(pyramid(0.3));
     run(*alone, 0.1);
     alone->remove(0);
-    expect_says(refusal_of(*alone), "press on each other");
+    expect_says(refusal_of(*alone), "in resting contact");
 }
 
 TEST(ReferenceHeaps, AreJoinedByABallThatIsLaidOnThem) {
@@ -145,14 +147,14 @@ TEST(ReferenceHeaps, AreLookedAtAgainWhenWhatTheyLieOnMoves) {
     const auto world = make_world(scene);
     EXPECT_EQ(refusal_of(*world), "");
     world->apply(control::Rotate{true});
-    expect_says(refusal_of(*world), "press on each other");
+    expect_says(refusal_of(*world), "in resting contact");
 }
 
 TEST(ReferenceHeaps, NudgesAndLaunchesSetThemInMotion) {
     const auto nudged = make_world(column(2));
     run(*nudged, 0.1);
     nudged->apply(control::Nudge{{0.1, 0}});
-    expect_says(refusal_of(*nudged), "press on each other");
+    expect_says(refusal_of(*nudged), "in resting contact");
 }
 
 TEST(ReferenceHeaps, BallsThatTouchWithoutPressingAreNone) {

@@ -43,7 +43,7 @@ RC_GTEST_PROP(Polynomial, EveryRootIsFoundOnce, ()) {
 RC_GTEST_PROP(Polynomial, FallsAreTheRootsWhereItGoesDown, ()) {
     std::vector<double> wanted;
     for (int i = 0; i < 4; ++i) wanted.push_back(0.1 + 2 * i + *rc::gen::inRange(0, 1000) / 600.0);
-    const Falls<double> found = falls(from_roots<double>(wanted, 1), 10.0, 1e-12);
+    const FallingRoots<double> found = falling_roots(from_roots<double>(wanted, 1), 10.0, 1e-12);
     // Positive before the first root: it falls through the first and the third.
     RC_ASSERT(found.count == 2);
     RC_ASSERT(std::abs(found.at[0] - wanted[0]) < 1e-9);
@@ -67,18 +67,18 @@ TEST(Polynomial, ClustersAreToldApartAsFarAsThePrecisionGoes) {
 
 TEST(Polynomial, ADoubleRootGrazes) {
     // (t − 1)²: exactly touching, in numbers that hold it exactly.
-    EXPECT_TRUE(falls(Polynomial<double>{{1, -2, 1, 0, 0}}, 10.0, 1e-12).grazes);
-    EXPECT_FALSE(falls(Polynomial<double>{{1 + 1e-9, -2, 1, 0, 0}}, 10.0, 1e-12).grazes);
-    EXPECT_EQ(falls(Polynomial<double>{{1 - 1e-9, -2, 1, 0, 0}}, 10.0, 1e-12).count, 1);
+    EXPECT_TRUE(falling_roots(Polynomial<double>{{1, -2, 1, 0, 0}}, 10.0, 1e-12).grazes);
+    EXPECT_FALSE(falling_roots(Polynomial<double>{{1 + 1e-9, -2, 1, 0, 0}}, 10.0, 1e-12).grazes);
+    EXPECT_EQ(falling_roots(Polynomial<double>{{1 - 1e-9, -2, 1, 0, 0}}, 10.0, 1e-12).count, 1);
 }
 
 TEST(Polynomial, OverlapsFollowTheirRules) {
     // Overlapping and approaching: now. Receding: not until it turns.
-    const Falls<double> now = falls(Polynomial<double>{{-1e-3, -1, 0, 0, 0}}, 10.0, 1e-12);
+    const FallingRoots<double> now = falling_roots(Polynomial<double>{{-1e-3, -1, 0, 0, 0}}, 10.0, 1e-12);
     ASSERT_EQ(now.count, 1);
     EXPECT_EQ(now.at[0], 0);
-    EXPECT_EQ(falls(Polynomial<double>{{-1e-3, 1, 0, 0, 0}}, 10.0, 1e-12).count, 0);
-    const Falls<double> turns = falls(Polynomial<double>{{-1, 1, -0.5, 0, 0}}, 10.0, 1e-12);
+    EXPECT_EQ(falling_roots(Polynomial<double>{{-1e-3, 1, 0, 0, 0}}, 10.0, 1e-12).count, 0);
+    const FallingRoots<double> turns = falling_roots(Polynomial<double>{{-1, 1, -0.5, 0, 0}}, 10.0, 1e-12);
     ASSERT_EQ(turns.count, 1);
     EXPECT_NEAR(turns.at[0], 1, 1e-9);
 }

@@ -116,7 +116,7 @@ std::string rattled_in(double room, const char* precision) {
 TEST(ReferenceWorld, AStepWithTooManySearchesIsRefused) {
     EXPECT_EQ(rattled_in(1e-5, "53"), "");   // 16,666 impacts
     EXPECT_EQ(rattled_in(1e-4, "113"), "");  // 1,666
-    const std::string why = "reference: ball 0 meets part 0 after too many searches in one step";
+    const std::string why = "reference: ball 0 hits part 0 after too many searches in one step";
     EXPECT_EQ(rattled_in(1e-8, "53"), why);
     EXPECT_EQ(rattled_in(1e-6, "113"), why);
 }

@@ -247,11 +247,11 @@ class Checker {
         if (leg().held >= 0)
             contacts_.push_back({on(static_cast<std::size_t>(leg().held)), nullptr, bound_, bound_});
         for (const Contact& one : contacts_)
-            for (const Other& piece : others_)
-                if (piece.part != nullptr && piece.feature == one.on.feature && piece.from < end &&
-                    start < piece.until &&
-                    (piece.turn.rate != one.on.turn.rate || is_absent(piece, ball_->number)))
-                    reject("nothing changes about what it rests on", piece.from);
+            for (const Other& span : others_)
+                if (span.part != nullptr && span.feature == one.on.feature && span.from < end &&
+                    start < span.until &&
+                    (span.turn.rate != one.on.turn.rate || is_absent(span, ball_->number)))
+                    reject("nothing changes about what it rests on", span.from);
     }
     /// What is neither gravity nor drag are the forces of contacts, which only push: friction is against the
     /// slip, or within Coulomb's cone where there is none. A heap may be in equilibrium in more than one way.

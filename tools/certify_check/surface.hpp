@@ -37,7 +37,7 @@ struct Other {
     const Leg* leg = nullptr;
 };
 
-/// All that may be touched, in pieces of time over which nothing changes about it.
+/// All that may be touched, in time intervals over which it does not change.
 inline std::vector<Other> others_of(const Run& run) {
     std::vector<Other> others;
     for (const Feature& feature : run.features) {

@@ -39,7 +39,7 @@ class Csv {
         file_.emplace(path);
         file_->out() << header;
     }
-    /// Null when nobody wants it.
+    /// Null if it is not asked for.
     [[nodiscard]] std::ostream* out() { return file_ ? &file_->out() : nullptr; }
     void finish() {
         if (file_) file_->finish();

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "app/sound/hearing.hpp"
+#include "lab/cases/text.hpp"
 #include "lab/process/failure.hpp"
 #include "world/input_error.hpp"
 
@@ -18,9 +17,8 @@ namespace {
 constexpr double same_time = 1e-9;  ///< s
 
 std::string text_of(double number) {
-    std::ostringstream text;
-    text << std::setprecision(10) << number;
-    return text.str();
+    constexpr int digits = 10;
+    return lab::text_of(number, digits);
 }
 
 /// Hears a stage, and hands on each sample in its time: what the mixer's latency delays is cut off before.

@@ -10,7 +10,7 @@
 
 namespace flipside::app::film {
 
-/// Who takes what comes, in order of time; each may be empty.
+/// The receivers of frames and samples, in order of time; each may be empty.
 struct Audience {
     /// The stage at the time of the next frame: as of its first step that ends then or later.
     std::function<void(const Stage&)> frame;
@@ -39,7 +39,7 @@ class Film {
     [[nodiscard]] std::uint64_t frames() const { return end_ - first_; }
     /// Of sound, on each side: as long as all frames together.
     [[nodiscard]] std::uint64_t samples() const { return sample_at(end_) - sample_at(first_); }
-    /// Nobody has made a step on the stage.
+    /// The stage must not have made a step.
     void play(ReplayStage& stage, const Audience& audience) const;
 
   private:

@@ -87,7 +87,7 @@ const TraceItem* search_of(const TraceStage& stage, const TraceItem& test) {
     return at == stage.items.end() ? nullptr : &*at;
 }
 
-std::string name_of_seeker(const TraceItem& search) {
+std::string name_of_searcher(const TraceItem& search) {
     const TraceValue* ball = search.find("ball");
     return ball != nullptr ? "ball " + in_brief(*ball) : printable(search.get<std::string>("part"));
 }
@@ -110,7 +110,7 @@ void draw_cells(const Construction& drawn) {
     if (const TraceItem* cell = tree.find(*found)) {
         drawn.frame(cell->get<Box>("box"), 3, colour::lit);
         tree.note(*cell,
-                  TreeView::level_and_index(*cell) + ": met in the search of " + name_of_seeker(*search),
+                  TreeView::level_and_index(*cell) + ": found in the search of " + name_of_searcher(*search),
                   colour::lit);
     }
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Who takes part: the engine and the step of each contender, one more, one less.
+/// The choice of contenders: the engine and the step of each contender, one more, one less.
 
 #include <optional>
 #include <span>

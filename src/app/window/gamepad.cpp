@@ -77,7 +77,7 @@ void Gamepad::nudge(const PadState& now) {
     if (way < stick_out) return;
     if (std::abs(across) >= std::abs(along))
         set(across < 0 ? Action::nudge_left : Action::nudge_right, true);
-    else if (along < 0)  // nobody pulls a table
+    else if (along < 0)  // a player pushes a table, but does not pull it
         set(Action::nudge_forward, true);
 }
 

@@ -21,7 +21,7 @@ class Hand {
     /// What becomes of an event of the mouse.
     enum class Took {
         nothing,  ///< whatever else the mouse does may follow
-        it,       ///< nobody else is to have it
+        it,       ///< no other part of the window may handle it
         no_room   ///< the same; no ball could be added there
     };
     Took process(const sf::Event& event, bool adds, const Layout& layout, const Camera& camera, Stage& stage);

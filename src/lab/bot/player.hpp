@@ -16,8 +16,8 @@
 
 namespace flipside::lab::bot {
 
-/// Visual reaction times of adults are 0.18…0.25 s; who waits for a ball is at the lower end (Woodworth and
-/// Schlosberg 1954, "Experimental Psychology", ch. 2).
+/// Visual reaction times of adults are 0.18…0.25 s; a player who waits for a ball is at the lower end
+/// (Woodworth and Schlosberg 1954, "Experimental Psychology", ch. 2).
 inline constexpr double reaction = 0.18;  ///< s
 /// Spread of the moment at which people meet what they see coming, s: 20…40 ms in such tasks.
 inline constexpr double misjudged = 0.03;

@@ -58,8 +58,8 @@ CertificateJson to_json(const Leg& leg) {
     const Beginning& begins = leg.begins;
     return {{"start", leg.start},
             {"why", reasons[static_cast<int>(begins.why)]},
-            {"met", begins.met},
-            {"met_leg", begins.met_leg},
+            {"met", begins.other},
+            {"met_leg", begins.other_leg},
             {"within", begins.within.value_or(-1)},
             {"normal", pair_of(begins.normal)},
             {"velocity_before", pair_of(begins.velocity_before)},

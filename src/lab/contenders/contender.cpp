@@ -1,13 +1,13 @@
 #include "lab/contenders/contender.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <sstream>
 
 #include "lab/contenders/engines.hpp"
 #include "lab/files/plain_name.hpp"
 #include "world/input_error.hpp"
+#include "world/number_text.hpp"
 
 namespace flipside::lab {
 
@@ -76,10 +76,8 @@ Contender contender_for(const ContenderRequest& request, const Scene& scene, dou
 }
 
 std::string text_of(const Contender& contender, const Scene& scene) {
-    char step[32];
-    const auto end = std::to_chars(step, step + sizeof step, contender.dt).ptr;
     std::string text =
-        contender.name + '=' + std::string(contender.engine->name) + ",dt=" + std::string(step, end);
+        contender.name + '=' + std::string(contender.engine->name) + ",dt=" + number_text(contender.dt);
     const Settings recommended = settings_for(*contender.engine, scene);
     for (const SettingSpec& spec : contender.settings.specs())
         if (contender.settings.text(spec.name) != recommended.text(spec.name))

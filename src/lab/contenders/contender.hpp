@@ -1,5 +1,5 @@
 #pragma once
-/// Who takes part where several run together: an engine with its settings and its step. The same engine may
+/// A contender: an engine with its settings and its step. The same engine may
 /// take part more than once.
 
 #include <optional>

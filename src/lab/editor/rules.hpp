@@ -6,7 +6,7 @@
 namespace flipside::lab {
 
 /// The rules with another name for a part. Where that is "", what was said of the part is left out, and so
-/// are groups in which nobody is left.
+/// are groups without members.
 [[nodiscard]] OrderedJson with_name(const OrderedJson& rules, const std::string& before,
                                     const std::string& after);
 

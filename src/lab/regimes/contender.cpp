@@ -17,7 +17,8 @@ std::vector<Kind> kinds() {
         {"box2d-no-bullets", "box2d", {"bullets=off"}},
         {"box2d-not-continuous", "box2d", {"bullets=off", "continuous=off"}, true, false},
     };
-    // The reference refuses what most regimes are made of: balls that press on each other and move.
+    // The reference refuses moving balls in resting contact with each other, and most regimes have such
+    // balls.
     constexpr std::string_view listed[] = {"custom", "box2d", "reference"};
     for (const Engine* engine : engines_beside(listed))
         all.push_back({std::string(engine->name), std::string(engine->name), {}});

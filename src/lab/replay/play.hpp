@@ -47,7 +47,7 @@ class ReplaySteps {
     [[nodiscard]] Session begin() const;
     /// The next step with what was done before it; false, and only that, after the last one. Throws Refusal
     /// where the engine refuses a step that it did not refuse in the game. The session is that of begin(),
-    /// and is changed by nobody else.
+    /// and nothing else changes it.
     bool step(Session& session);
     /// The length of the steps at present, s.
     [[nodiscard]] double dt() const { return dt_; }

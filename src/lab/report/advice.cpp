@@ -25,7 +25,7 @@ std::string ratio_of(const Best& best) {
                                   : " (" + rounded_text(ratio.low) + " to " + rounded_text(ratio.high) + ")");
 }
 
-/// Who is taken how often: "custom in 4 of 4 kinds of scene".
+/// How often each engine is chosen: "custom in 4 of 4 kinds of scene".
 std::string winners(std::span<const Best> all) {
     std::map<std::string, std::size_t> wins;
     for (const Best& best : all)

@@ -1,5 +1,5 @@
 #pragma once
-/// Who is shown in the report's own measurements: engines and solvers, each with its look in every figure.
+/// The contenders in the report's own measurements: engines and solvers, each with its look in every figure.
 
 #include <span>
 #include <string>

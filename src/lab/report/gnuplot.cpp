@@ -1,7 +1,6 @@
 #include "lab/report/gnuplot.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 
@@ -14,6 +13,7 @@
 #include "lab/report/svg.hpp"
 #include "world/input_error.hpp"
 #include "world/json_file.hpp"
+#include "world/number_text.hpp"
 #include "world/printable.hpp"
 
 namespace flipside::lab::report {
@@ -46,11 +46,6 @@ void require_plain_id(const Figure& figure) {
     if (!is_plain_name(figure.id))
         throw Failure("figure '" + figure.id + "' cannot have files of its name; allowed are " +
                       std::string(plain_name_rule));
-}
-
-std::string number(double value) {
-    char text[32];
-    return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
 Range just_inside(const Range& range, const Axis& axis) {
@@ -96,17 +91,17 @@ void write_axis(std::ostream& out, char name, const Axis& axis, const Range& ran
     if (axis.logarithmic || !axis.things.empty())
         out << "set " << name << "tics " << (axis.things.empty() ? decades(range) : names_of(axis.things))
             << '\n';
-    out << "set " << name << "range [" << number(range.from) << ':' << number(range.to)
+    out << "set " << name << "range [" << number_text(range.from) << ':' << number_text(range.to)
         << "]\n"
         // An infinite value, of a failed run, comes to the upper edge; what is below the range to the lower.
         // Just inside: what rounds to beyond the border is not drawn.
-        << "at_" << name << "(v) = v < " << number(inside.from) << " ? " << number(inside.from) << " : v > "
-        << number(inside.to) << " ? " << number(inside.to) << " : v\n";
+        << "at_" << name << "(v) = v < " << number_text(inside.from) << " ? " << number_text(inside.from)
+        << " : v > " << number_text(inside.to) << " ? " << number_text(inside.to) << " : v\n";
 }
 
 void write_layout(std::ostream& out, const Figure& figure, const Layout& layout) {
-    const auto across = [&](double px) { return number(px / layout.width); };
-    const auto up = [&](double px) { return number(1 - px / layout.height); };
+    const auto across = [&](double px) { return number_text(px / layout.width); };
+    const auto up = [&](double px) { return number_text(1 - px / layout.height); };
     out << "set lmargin at screen " << across(layout.left) << "\nset rmargin at screen "
         << across(layout.right) << "\nset tmargin at screen " << up(layout.top) << "\nset bmargin at screen "
         << up(layout.bottom) << '\n';
@@ -130,12 +125,13 @@ void write_frame(std::ostream& out, const Figure& figure) {
     write_axis(out, 'y', figure.y, frame.y);
     for (const Mark& mark : figure.marks)
         if (mark.shaded)
-            out << "set object rectangle from " << number(mark.x) << ", graph 0 to graph 1, graph 1 behind "
+            out << "set object rectangle from " << number_text(mark.x)
+                << ", graph 0 to graph 1, graph 1 behind "
                 << "fillcolor rgb " << string_literal(mark.colour) << " fillstyle solid 0.15 noborder\n";
     for (const Mark& mark : figure.marks)
-        out << "set arrow from " << number(mark.x) << ", graph 0 to " << number(mark.x)
+        out << "set arrow from " << number_text(mark.x) << ", graph 0 to " << number_text(mark.x)
             << ", graph 1 nohead dashtype 3 linewidth 2 linecolor rgb " << string_literal(mark.colour)
-            << "\nset label " << string_literal(mark.says) << " at " << number(mark.x)
+            << "\nset label " << string_literal(mark.says) << " at " << number_text(mark.x)
             << ", graph 0.61 rotate by -90 offset 1.2,0 center noenhanced font ',11' textcolor rgb "
             << string_literal(mark.colour) << '\n';
 }
@@ -153,11 +149,11 @@ std::vector<std::string> elements_of(const Series& series, std::size_t row) {
     const auto labels = [&](std::size_t from, std::size_t count, int marker, double size) {
         return rows(from, count) + ":(sprintf('%d', $0 + " + std::to_string(from) +
                ")) with labels hypertext point pointtype " + std::to_string(marker) + " pointsize " +
-               number(size) + look + " notitle";
+               number_text(size) + look + " notitle";
     };
     const std::string line = " dashtype " + std::to_string(series.dash) + " linewidth 2";
     const std::string marker =
-        " pointtype " + std::to_string(series.marker) + " pointsize " + number(series.size);
+        " pointtype " + std::to_string(series.marker) + " pointsize " + number_text(series.size);
     std::vector<std::string> elements;
     if (good > 0 && series.joined)
         elements.push_back(rows(row, good) + " with lines" + line + look + " notitle");
@@ -240,7 +236,7 @@ std::string script_of(const Figure& figure, const std::string& csv) {
     }
     const Layout file = file_layout(figure), page = page_layout(figure);
     const auto size = [](const Layout& layout, double scale) {
-        return number(scale * layout.width) + "," + number(scale * layout.height);
+        return number_text(scale * layout.width) + "," + number_text(scale * layout.height);
     };
     const auto svg = [&](const Layout& layout, const char* font) {
         return "set terminal svg size " + size(layout, 1) + " font 'sans-serif," + font + "' name " +

@@ -33,7 +33,7 @@ std::string scrolling_table(const Table& table) {
     return html + "</tbody></table></div>\n";
 }
 
-/// For those who cannot see the figure, or want its numbers.
+/// The numbers of the figure, also for readers who cannot see it.
 std::string points_html(const Figure& figure) {
     Table table{
         figure.id + "-points", figure.title, {"Series", "Point", figure.x.label, figure.y.label}, {}, ""};

@@ -1,5 +1,5 @@
 #pragma once
-/// Pieces of the page: elements, tables, figures.
+/// Components of the page: elements, tables, figures.
 
 #include <string>
 #include <string_view>

@@ -134,7 +134,7 @@ bool is_good(const Result& result) {
     return result.deepest <= good_enough && result.error.value_or(0) <= good_enough;
 }
 
-/// Null where nobody is allowed.
+/// Null where no engine is allowed.
 template <class Allowed>
 const Result* cheapest(const Row& row, Allowed allowed) {
     const Result* best = nullptr;
@@ -210,7 +210,7 @@ std::string exceptions(const std::vector<Row>& rows, const std::string& usual, A
     return text;
 }
 
-/// Who is cheapest in most of the regimes, and each regime in which another engine is.
+/// The cheapest engine in most of the regimes, and each regime in which another engine is.
 std::vector<std::string> findings_of(const std::vector<Row>& rows) {
     std::map<std::string, std::size_t> wins;
     for (const Row& row : rows)
@@ -245,7 +245,8 @@ Figure cost_figure(const std::vector<Row>& rows) {
         {"regime", "regime"},
         {},
         {},
-        "A line for each regime and number of balls, the cheapest at the left: who is cheaper depends on "
+        "A line for each regime and number of balls, the cheapest at the left: which engine is cheaper "
+        "depends on "
         "what the balls do. Pointing at a mark tells its interval, its error and the deepest overlap: a "
         "ball that is let sink into another is cheap.",
         true};

@@ -29,9 +29,9 @@ class Drawing {
     }
     void operator()(const primitive::Arc& arc) const {
         out_ << "<path d=\"";
-        constexpr int pieces = 32;
-        for (int i = 0; i <= pieces; ++i) {
-            const double angle = arc.from + (arc.to - arc.from) * i / pieces;
+        constexpr int chords = 32;
+        for (int i = 0; i <= chords; ++i) {
+            const double angle = arc.from + (arc.to - arc.from) * i / chords;
             out_ << (i == 0 ? 'M' : 'L') << arc.center.x + arc.radius * math::cos(angle) << ' '
                  << -(arc.center.y + arc.radius * math::sin(angle));
         }

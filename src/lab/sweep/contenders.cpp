@@ -32,7 +32,7 @@ constexpr Contender all[] = {
      "flies the parabola: what is left of its error is that of contacts"},
     {"box2d-fine-arcs", "box2d", "chord_error=1e-6", coarse, middle, "twenty times smaller error of arcs"},
     {"reference-53", "reference", "precision=53", 60, 60,
-     "the exact engine in double precision: its error is what rounding leaves to nobody"},
+     "the exact engine in double precision: its error is that of rounding alone"},
     // Its slop is a length: ten times the units make it ten times smaller. Its limit of 2 units a step then
     // is one of 11 radii, which a pinball needs 480 steps a second to keep.
     {"box2d-tuned", "box2d",

@@ -1,5 +1,5 @@
 #pragma once
-/// Who takes part in a sweep: engines and solvers, at their defaults and tuned, libraries, and contenders
+/// The contenders of a sweep: engines and solvers, at their defaults and tuned, libraries, and contenders
 /// that a user defines. The list of those built in is data; a name stays with its meaning for ever, for it is
 /// what files of different sweeps are merged by.
 

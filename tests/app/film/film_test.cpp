@@ -147,7 +147,7 @@ TEST(Film, TheSoundOfALaunchIsAtItsTimeAtEveryRateAndTheSameTwice) {
 }
 
 TEST(Film, ARunThatHaltedInTheGameHaltsInTheFilmAndTheOthersGoOn) {
-    // Balls that press on each other and move are what the reference cannot go on with.
+    // The reference refuses moving balls in resting contact with each other.
     const std::string file = testing::TempDir() + "flipside-film-pile-" + std::to_string(getpid()) + ".json";
     std::ofstream(file) << R"({"format": "flipside-scene/1", "name": "pile",
         "bounds": {"min": [-1, -1], "max": [1, 1]}, "gravity": [0, -9.81],

@@ -56,7 +56,7 @@ TEST_P(EveryCase, passesAtAnotherStep) {
     expect_pass(run_case(*GetParam(), input));
 }
 
-// A pile that falls has no order of impacts, so it is not among what the reference is asked for here.
+// A falling heap has resting contacts between balls, so it is not among what the reference is asked for here.
 class EveryCaseWithAnOrder : public ::testing::TestWithParam<const Case*> {};
 
 INSTANTIATE_TEST_SUITE_P(HardCases, EveryCaseWithAnOrder, ::testing::ValuesIn([] {

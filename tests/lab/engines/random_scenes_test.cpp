@@ -1,7 +1,7 @@
 // The continuous solver against the reference on random scenes: all shapes, motions and materials, one to six
 // balls, at three steps each. Nothing may be further off than 1e-9 radii that is not explained: the reference
-// claims no more there, a shift of the start by 1e-13 m leads as far apart, or balls press on each other, so
-// that they were in an island, which is inexact by design. The explained are counted and printed.
+// claims no more there, a shift of the start by 1e-13 m leads as far apart, or balls are in resting contact,
+// so that they were in an island, which is inexact by design. The explained are counted and printed.
 
 #include <cstdio>
 

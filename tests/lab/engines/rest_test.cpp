@@ -126,7 +126,7 @@ TEST_P(ComingToRest, AHeapLiesLowAndStill) {
     }
     const auto world = engine().make(std::make_shared<const Scene>(scene), settings());
     if (engine().name == "reference") {
-        // It knows no exact outcome of balls that press on each other, and says so.
+        // It knows no exact outcome of moving balls in resting contact, and says so.
         EXPECT_THROW(std::ranges::for_each(std::array<int, 600>{}, [&](int) { world->step(frame); }),
                      Refusal);
         return;

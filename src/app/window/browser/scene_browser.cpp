@@ -35,7 +35,7 @@ std::vector<fs::path> scenes_in(const fs::path& folder) {
             if (read_file(entry.path(), largest_file).find("\"flipside-scene/1\"") != std::string::npos)
                 files.push_back(entry.path());
         } catch (const InputError&) {
-            continue;  // it cannot be read, so nobody knows that it is one
+            continue;  // it cannot be read, so it is not known to be a scene
         }
     }
     std::ranges::sort(files);

@@ -54,7 +54,7 @@ class Editor {
     void leave() { on_ = false; }
     [[nodiscard]] bool on() const { return on_; }
 
-    /// True where nobody else is to have the event.
+    /// True if no other part of the window may handle the event.
     bool process(const sf::Event& event, const Pointing& pointing);
 
     [[nodiscard]] const lab::Draft& draft() const { return *draft_; }

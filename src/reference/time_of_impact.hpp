@@ -1,10 +1,10 @@
 #pragma once
 /// Time of impact, exact to rounding. Undamped flights and static features lead to polynomials
 /// (polynomial.hpp); the relative path of two balls with equal forces is straight; all other cases use
-/// certified steps (fall.hpp).
+/// certified steps (root_search.hpp).
 
-#include "reference/fall.hpp"
 #include "reference/feature.hpp"
+#include "reference/root_search.hpp"
 #include "reference/view.hpp"
 
 namespace flipside::reference {
@@ -28,13 +28,13 @@ template <class R>
 /// First time in [from, until] at which the ball touches the feature and moves into it; never otherwise. The
 /// feature is in the pose that the view sees it in. Counts in `grazes` what was decided in a wider type.
 template <class R>
-[[nodiscard]] R first_touch(const Feature<R>& feature, const View<R>& view, const R& radius, const R& from,
-                            const R& until, std::uint64_t& grazes);
+[[nodiscard]] R time_of_impact(const Feature<R>& feature, const View<R>& view, const R& radius, const R& from,
+                               const R& until, std::uint64_t& grazes);
 
 /// The same for two balls whose radii add up to `reach`.
 template <class R>
-[[nodiscard]] R first_touch(const Path<R>& a, const Path<R>& b, const R& reach, const R& from, const R& until,
-                            std::uint64_t& grazes);
+[[nodiscard]] R time_of_impact(const Path<R>& a, const Path<R>& b, const R& reach, const R& from,
+                               const R& until, std::uint64_t& grazes);
 
 /// First time in [from, until] at which the path leaves the box; `side` is which way (0 left, 1 right,
 /// 2 down, 3 up). Sides at infinity are never reached.

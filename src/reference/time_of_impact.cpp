@@ -1,4 +1,4 @@
-#include "reference/touch.hpp"
+#include "reference/time_of_impact.hpp"
 
 #include <algorithm>
 
@@ -11,13 +11,13 @@ namespace {
 
 /// An undamped flight from `m` on.
 template <class R>
-R polynomial_touch(const Feature<R>& feature, const Motion<R>& m, const V<R>& a, const R& radius,
-                   const R& until, std::uint64_t& grazes) {
+R polynomial_time_of_impact(const Feature<R>& feature, const Motion<R>& m, const V<R>& a, const R& radius,
+                            const R& until, std::uint64_t& grazes) {
     R first = infinity<R>();
     bool close = false;
     const R slowest = rounding_speed(R(length(m.velocity) + length(a) * until));
     each_side(feature, radius, [&](const auto& side) {
-        const Falls<R> found = falls(side.polynomial(m, a), until, slowest);
+        const FallingRoots<R> found = falling_roots(side.polynomial(m, a), until, slowest);
         close = close || found.grazes;
         for (int i = 0; i < found.count; ++i) {
             const R& t = found.at[static_cast<std::size_t>(i)];
@@ -31,9 +31,9 @@ R polynomial_touch(const Feature<R>& feature, const Motion<R>& m, const V<R>& a,
     if constexpr (!std::is_same_v<Wide, R>) {
         if (close) {
             ++grazes;
-            return static_cast<R>(polynomial_touch<Wide>(widened<Wide>(feature),
-                                                         {V<Wide>(m.position), V<Wide>(m.velocity)},
-                                                         V<Wide>(a), Wide(radius), Wide(until), grazes));
+            return static_cast<R>(polynomial_time_of_impact<Wide>(
+                widened<Wide>(feature), {V<Wide>(m.position), V<Wide>(m.velocity)}, V<Wide>(a), Wide(radius),
+                Wide(until), grazes));
         }
     }
     return first;
@@ -58,8 +58,8 @@ Closest<R> closest_point(const Feature<R>& feature, const V<R>& point, const R& 
 }
 
 template <class R>
-R first_touch(const Feature<R>& feature, const View<R>& view, const R& radius, const R& from, const R& until,
-              std::uint64_t& grazes) {
+R time_of_impact(const Feature<R>& feature, const View<R>& view, const R& radius, const R& from,
+                 const R& until, std::uint64_t& grazes) {
     if (!(until >= from)) return infinity<R>();
     const Path<R>& path = view.path;
     const bool still = view.turning == nullptr;
@@ -68,16 +68,17 @@ R first_touch(const Feature<R>& feature, const View<R>& view, const R& radius, c
     const Bounds<R> bounds = view.bounds(from, until);
     if (closest_point(feature, begin.position, radius).gap > bounds.speed * (until - from))
         return infinity<R>();
-    if (still && !path.rides && !(path.drag > 0))
-        return from + polynomial_touch(feature, begin, path.acceleration, radius, R(until - from), grazes);
+    if (still && !path.is_series && !(path.drag > 0))
+        return from +
+               polynomial_time_of_impact(feature, begin, path.acceleration, radius, R(until - from), grazes);
 
     R first = infinity<R>();
     each_side(feature, radius, [&](const auto& side) {
         const R bound = side.bound(view, bounds, from, until);
         const R last = first < until ? first : until;
-        const Smallest<R> smallest{rounding_speed(bounds.speed),
-                                   16 * epsilon<R>() * (length(begin.position) + radius)};
-        const auto meets = [&](const R& t) {
+        const Tolerance<R> tolerance{rounding_speed(bounds.speed),
+                                     16 * epsilon<R>() * (length(begin.position) + radius)};
+        const auto accepts = [&](const R& t) {
             const Motion<R> m = view.at(t);
             return side.off(m) >= 0 && side.face(m).value >= 0;
         };
@@ -90,16 +91,17 @@ R first_touch(const Feature<R>& feature, const View<R>& view, const R& radius, c
         };
         bool grazing = false;
         R begins = from;
-        if constexpr (requires { side.bent(begin, path.acceleration); }) {
-            const auto bent = [&](const R& t) {
+        if constexpr (requires { side.second_order(begin, path.acceleration); }) {
+            const auto second_order = [&](const R& t) {
                 const Motion<R> m = path.at(t);
-                return side.bent(m, path.acceleration - path.drag * m.velocity);
+                return side.second_order(m, path.acceleration - path.drag * m.velocity);
             };
-            if (still && !path.rides)
-                begins = clear_of_start(bent, from, last, side.jerk(path, bounds, from, until), smallest);
+            if (still && !path.is_series)
+                begins = skip_flat_start(second_order, from, last, side.jerk(path, bounds, from, until),
+                                         tolerance);
         }
-        const R t = first_fall([&](const R& at) { return side.gap(view.at(at)); }, begins, last, bound,
-                               smallest, meets, again, grazing);
+        const R t = first_falling_root([&](const R& at) { return side.gap(view.at(at)); }, begins, last,
+                                       bound, tolerance, accepts, again, grazing);
         grazes += grazing;
         if (t < first) first = t;
     });
@@ -110,7 +112,7 @@ namespace {
 
 /// Two points that move straight, x + u·e: the first e ≥ 0 at which they are `reach` apart and approach.
 template <class R>
-R straight_touch(const V<R>& x, const V<R>& u, const R& reach, std::uint64_t& grazes) {
+R straight_time_of_impact(const V<R>& x, const V<R>& u, const R& reach, std::uint64_t& grazes) {
     using std::sqrt;
     const R approach = dot(x, u), far = length(x), squared = dot(u, u);
     const R apart = (far - reach) * (far + reach);
@@ -121,7 +123,7 @@ R straight_touch(const V<R>& x, const V<R>& u, const R& reach, std::uint64_t& gr
         using Wide = typename Wider<R>::type;
         if constexpr (!std::is_same_v<Wide, R>) {
             ++grazes;
-            return static_cast<R>(straight_touch(V<Wide>(x), V<Wide>(u), Wide(reach), grazes));
+            return static_cast<R>(straight_time_of_impact(V<Wide>(x), V<Wide>(u), Wide(reach), grazes));
         }
     }
     if (inside < 0) return infinity<R>();
@@ -130,21 +132,21 @@ R straight_touch(const V<R>& x, const V<R>& u, const R& reach, std::uint64_t& gr
 
 template <class R>
 bool closed_form(const Path<R>& path) {
-    return !path.rides && !path.rests;
+    return !path.is_series && !path.rests;
 }
 
 }  // namespace
 
 template <class R>
-R first_touch(const Path<R>& a, const Path<R>& b, const R& reach, const R& from, const R& until,
-              std::uint64_t& grazes) {
+R time_of_impact(const Path<R>& a, const Path<R>& b, const R& reach, const R& from, const R& until,
+                 std::uint64_t& grazes) {
     using math::log1p;
     if (!(until >= from) || (a.rests && b.rests)) return infinity<R>();
     const Motion<R> one = a.at(from), other = b.at(from);
     const V<R> x = one.position - other.position, u = one.velocity - other.velocity;
     if (closed_form(a) && closed_form(b) && a.drag == b.drag && a.acceleration.x == b.acceleration.x &&
         a.acceleration.y == b.acceleration.y) {
-        const R e = straight_touch(x, u, reach, grazes);
+        const R e = straight_time_of_impact(x, u, reach, grazes);
         if (!(a.drag > 0)) return from + e;
         return a.drag * e < 1 ? R(from - log1p(R(-a.drag * e)) / a.drag) : infinity<R>();
     }
@@ -158,9 +160,9 @@ R first_touch(const Path<R>& a, const Path<R>& b, const R& reach, const R& from,
         return Value<R>{far - reach, dot(between, p.velocity - q.velocity) / far};
     };
     bool grazing = false;
-    R t = first_fall(
+    R t = first_falling_root(
         gap, from, until, R(of_a.acceleration + of_b.acceleration),
-        Smallest<R>{rounding_speed(speed), 16 * epsilon<R>() * (length(one.position) + reach)},
+        Tolerance<R>{rounding_speed(speed), 16 * epsilon<R>() * (length(one.position) + reach)},
         [](const R&) { return true; }, [](const R& now) { return now; }, grazing);
     grazes += grazing;
     return t;
@@ -180,13 +182,13 @@ R leaves(const Path<R>& path, const Box& box, const R& from, const R& until, int
         axis.*coordinate = 1;
         const R at(border);
         const R last = first < until ? first : until;
-        const R t = first_fall(
+        const R t = first_falling_root(
             [&](const R& time) {
                 const Motion<R> m = path.at(time);
                 return Value<R>{sign * (m.position.*coordinate - at), sign * (m.velocity.*coordinate)};
             },
-            from, last, path.bend_along(axis, from, until),
-            Smallest<R>{rounding_speed(bounds.speed), 16 * epsilon<R>() * magnitude(at) + tiny});
+            from, last, path.acceleration_bound_along(axis, from, until),
+            Tolerance<R>{rounding_speed(bounds.speed), 16 * epsilon<R>() * magnitude(at) + tiny});
         if (t < first) first = t, side = which;
     };
     if (begin.x - box.min.x <= way) offer(box.min.x, 1, &V<R>::x, 0);
@@ -245,36 +247,37 @@ R leaves_face(const Feature<R>& feature, const View<R>& view, const R& radius, c
               const R& until) {
     if (!(until >= from)) return infinity<R>();
     const R bound = view.bounds(from, until).acceleration;
-    const Smallest<R> smallest{rounding_speed(view.bounds(from, until).speed), 16 * epsilon<R>() * radius};
+    const Tolerance<R> tolerance{rounding_speed(view.bounds(from, until).speed), 16 * epsilon<R>() * radius};
     return std::visit(
         [&](const auto& shape) {
             if constexpr (requires { shape.wide; }) {
                 if (shape.full) return infinity<R>();
                 if (shape.wide)
-                    return first_fall([&](const R& t) { return within(shape, view.at(t), radius); }, from,
-                                      until, bound, smallest);
+                    return first_falling_root([&](const R& t) { return within(shape, view.at(t), radius); },
+                                              from, until, bound, tolerance);
             }
             // Each end separately, since the distance from the closer one is not smooth.
             const auto first = [&](const R& t) { return within_ends(shape, view.at(t), radius).first; };
             const auto last = [&](const R& t) { return within_ends(shape, view.at(t), radius).last; };
-            return std::min(first_fall(first, from, until, bound, smallest),
-                            first_fall(last, from, until, bound, smallest));
+            return std::min(first_falling_root(first, from, until, bound, tolerance),
+                            first_falling_root(last, from, until, bound, tolerance));
         },
         feature.is);
 }
 
-#define FLIPSIDE_TOUCHES(R)                                                                                  \
+#define FLIPSIDE_TIME_OF_IMPACT(R)                                                                           \
     template Closest<R> closest_point(const Feature<R>&, const V<R>&, const R&);                             \
-    template R first_touch(const Feature<R>&, const View<R>&, const R&, const R&, const R&, std::uint64_t&); \
-    template R first_touch(const Path<R>&, const Path<R>&, const R&, const R&, const R&, std::uint64_t&);    \
+    template R time_of_impact(const Feature<R>&, const View<R>&, const R&, const R&, const R&,               \
+                              std::uint64_t&);                                                               \
+    template R time_of_impact(const Path<R>&, const Path<R>&, const R&, const R&, const R&, std::uint64_t&); \
     template R leaves(const Path<R>&, const Box&, const R&, const R&, int&);                                 \
     template bool ends_in(const Feature<R>&, const Feature<R>&, const V<R>&, const R&);                      \
     template bool lies_below(const Feature<R>&, const V<R>&, const V<R>&);                                   \
     template bool comes_off(const Feature<R>&, const Motion<R>&, const R&);                                  \
     template R leaves_face(const Feature<R>&, const View<R>&, const R&, const R&, const R&);
-FLIPSIDE_TOUCHES(double)
-FLIPSIDE_TOUCHES(Real113)
-FLIPSIDE_TOUCHES(Real226)
-#undef FLIPSIDE_TOUCHES
+FLIPSIDE_TIME_OF_IMPACT(double)
+FLIPSIDE_TIME_OF_IMPACT(Real113)
+FLIPSIDE_TIME_OF_IMPACT(Real226)
+#undef FLIPSIDE_TIME_OF_IMPACT
 
 }  // namespace flipside::reference
