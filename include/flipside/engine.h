@@ -12,7 +12,8 @@
  * Units: SI (m, kg, s, rad), double; x to the right, y up; angles anticlockwise.
  *
  * Ownership: what Flipside passes belongs to Flipside and is valid until the call returns; copy what you
- * need. What flipside_engine_entry() returns stays valid for ever. Each side frees only what it allocated itself.
+ * need. What flipside_engine_entry() returns stays valid for ever. Each side frees only what it allocated
+ * itself.
  *
  * Threads: a library is loaded in a process of its own, which holds one world at a time and makes all calls
  * from one thread, one after another. The engine may start threads; what they use up in a step is counted.
