@@ -253,12 +253,16 @@ void draw_halos(Canvas& canvas, const Camera& camera, const Run& run, std::span<
 }
 
 void draw_links(Canvas& canvas, const Camera& camera, const Run& a, const Run& b, sf::Color color) {
-    const auto others = b.session().world().balls();
-    for (const Ball& ball : a.session().world().balls()) {
+    const auto balls = a.session().world().balls(), others = b.session().world().balls();
+    // All lines together hide no more of the table than those of a few balls.
+    constexpr double strongest = 0.6, faintest = 0.06, few = 20;
+    const double alpha = std::clamp(strongest * few / std::max<double>(1, static_cast<double>(balls.size())),
+                                    faintest, strongest);
+    for (const Ball& ball : balls) {
         const auto other = std::ranges::lower_bound(others, ball.number, {}, &Ball::number);
         if (other != others.end() && other->number == ball.number)
             canvas.line(camera.to_pixels(ball.position), camera.to_pixels(other->position),
-                        canvas.scaled(1.5), with_alpha(color, 0.6));
+                        canvas.scaled(1.5), with_alpha(color, alpha));
     }
 }
 

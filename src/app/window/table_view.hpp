@@ -44,7 +44,7 @@ void draw_balls(Canvas& canvas, const Camera& camera, const Run& run, std::span<
                 const Look& look);
 /// Only a ring around where each ball is, to be seen together with another run's balls; it fades likewise.
 void draw_halos(Canvas& canvas, const Camera& camera, const Run& run, std::span<const Ball> balls);
-/// Lines between the same ball in both runs.
+/// Lines between the same ball in both runs, the fainter the more balls there are.
 void draw_links(Canvas& canvas, const Camera& camera, const Run& a, const Run& b, sf::Color color);
 
 }  // namespace flipside::app
