@@ -57,7 +57,7 @@ class Simulation final : public Exact {
     void blocked(std::vector<Blocked>& blocked) const override;
     [[nodiscard]] std::span<const BallNumber> reported_lost() const override { return reported_lost_; }
     [[nodiscard]] const Counts& counts() const override { return counts_; }
-    [[nodiscard]] double distance(BallNumber number, Vec2 place) const override;
+    [[nodiscard]] double distance(BallNumber number, Vec2 position) const override;
     void contacts(std::vector<Contact>& contacts) const override;
     void forecast(std::vector<Forecast>& forecasts) const override;
     void occupied(std::vector<std::pair<Box, int>>& cells) const override;
