@@ -177,4 +177,17 @@ RealWindow::Json RealWindow::now() {
     return wait("a report", [](const Json&) { return true; });
 }
 
+RealWindow::Json RealWindow::settled() {
+    // A click shows in a report only after the frame that is being drawn, that of the press and that of the
+    // release.
+    constexpr int frames = 5;
+    Json state = now();
+    for (int same = 0; same < frames; ++same) {
+        Json next = now();
+        if (next["controls"] != state["controls"]) same = -1;
+        state = std::move(next);
+    }
+    return state;
+}
+
 }  // namespace flipside::app

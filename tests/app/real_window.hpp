@@ -71,6 +71,8 @@ class RealWindow {
     Json wait(const std::string& what, const Condition& condition);
     /// A report written after now.
     Json now();
+    /// A report after everything on the panel has come to its place.
+    Json settled();
     [[nodiscard]] Process& program() { return program_; }
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
     /// Where it lay on the display when it opened, "X,Y" in px; since then it is at 0,0.

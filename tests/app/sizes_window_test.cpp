@@ -29,12 +29,7 @@ class WindowSizes : public testing::TestWithParam<Size> {
         window.reset();
         std::filesystem::remove_all(folder);
     }
-    Json settled() {
-        Json state = window->now();
-        for (Json next = window->now(); next["controls"] != state["controls"]; next = window->now())
-            state = next;
-        return state;
-    }
+    Json settled() { return window->settled(); }
 
     static inline std::unique_ptr<VirtualDisplay> display;
     std::unique_ptr<RealWindow> window;

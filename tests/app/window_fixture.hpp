@@ -78,13 +78,7 @@ class WindowTest : public testing::Test {
         }
         return state;
     }
-    /// A report after everything on the panel has come to its place.
-    Json settled() {
-        Json state = window->now();
-        for (Json next = window->now(); next["controls"] != state["controls"]; next = window->now())
-            state = next;
-        return state;
-    }
+    Json settled() { return window->settled(); }
 
     static inline std::unique_ptr<VirtualDisplay> display;
     std::unique_ptr<RealWindow> window;
