@@ -365,8 +365,8 @@ void App::export_plots() {
 /// As a replay, beside the pictures.
 void App::save_game() {
     controls_.save_wanted = false;
-    constexpr std::string_view ending = ".flipside-replay";
-    const std::filesystem::path file = free_name("game-", {ending}).replace_extension(ending);
+    const std::filesystem::path file =
+        free_name("game-", {lab::replay_ending}).replace_extension(lab::replay_ending);
     try {
         lab::write_whole_file(file, to_json(stage_.game()));
         state_.last_game = std::filesystem::absolute(file).string();

@@ -16,7 +16,7 @@ namespace {
 
 void save_replay(const Request& request, const Session& session, std::uint64_t seed) {
     const RecordedRun runs[] = {{std::string(request.engine->name), &session, request.dt}};
-    write_whole_file(*request.replays / ("game-" + std::to_string(seed) + ".flipside-replay"),
+    write_whole_file(*request.replays / ("game-" + std::to_string(seed) + std::string(replay_ending)),
                      to_json(replay_of(runs)));
 }
 

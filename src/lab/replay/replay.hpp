@@ -29,6 +29,9 @@ struct ReplayRun {
     } end;
 };
 
+/// How the names of replay files end.
+inline constexpr std::string_view replay_ending = ".flipside-replay";
+
 struct Replay {
     std::string program;  ///< which version saved it
     std::shared_ptr<const Scene> scene;
