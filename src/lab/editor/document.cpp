@@ -49,14 +49,22 @@ void Document::remove(const Path& path) {
     apply({removing(text_, path)});
 }
 
+namespace {
+
+void splice_back(std::string& text, const std::vector<Splice>& step) {
+    for (std::size_t i = step.size(); i-- > 0;)
+        text.replace(step[i].at, step[i].inserted.size(), step[i].removed);
+}
+
+}  // namespace
+
 void Document::run(const Step& step) {
     for (const Splice& splice : step) text_.replace(splice.at, splice.removed.size(), splice.inserted);
     read();
 }
 
 void Document::run_back(const Step& step) {
-    for (std::size_t i = step.size(); i-- > 0;)
-        text_.replace(step[i].at, step[i].inserted.size(), step[i].removed);
+    splice_back(text_, step);
     read();
 }
 
@@ -68,6 +76,9 @@ std::size_t Document::bytes_of(const Step& step) {
 
 void Document::end_step() {
     if (open_.empty()) return;
+    std::string before = text_;
+    splice_back(before, open_);
+    if (before == text_) return open_.clear();  // edits that cancel are no step
     bytes_ += bytes_of(open_);
     done_.push_back(std::exchange(open_, {}));
     undone_.clear();

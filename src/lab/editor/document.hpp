@@ -22,7 +22,8 @@ class Document {
     void append(const Path& array, const OrderedJson& value);
     void remove(const Path& path);
 
-    /// What was changed since the last step becomes a step of its own. The oldest ones are forgotten beyond
+    /// What was changed since the last step becomes a step of its own, if it changed anything: the edits may
+    /// have cancelled. The oldest ones are forgotten beyond
     /// `most_steps`, or where all of them hold more than `most_bytes`.
     void end_step();
     /// Takes back what was changed since the last step.

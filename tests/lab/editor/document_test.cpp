@@ -91,6 +91,19 @@ TEST(Document, WhatIsRevertedLeavesNoStep) {
     EXPECT_FALSE(document.can_undo());
 }
 
+TEST(Document, EditsThatCancelAreNoStep) {
+    Document document(letters);
+    document.set({"rate"}, 2);
+    document.end_step();
+    document.append({"parts"}, 1);
+    document.remove({"parts", "2"});
+    EXPECT_TRUE(document.undo());
+    EXPECT_EQ(document.text(), letters);
+    EXPECT_FALSE(document.undo());
+    EXPECT_TRUE(document.redo());
+    EXPECT_EQ(document.json().at("rate"), 2);
+}
+
 TEST(Document, ForgetsTheOldestSteps) {
     Document document("{\"x\": -1}");
     for (std::size_t i = 0; i < Document::most_steps + 10; ++i) {
