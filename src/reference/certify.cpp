@@ -59,12 +59,12 @@ void Simulation<R>::note_impact(BallIndex i) {
         if (half < longest) begins.within = static_cast<double>(half);
     };
     Mover& mover = movers_[i];
-    const V<R> place = mover.path.at(now_).position;
+    const V<R> position = mover.path.at(now_).position;
     if (mover.next == Next::feature)
         return note(mover, Beginning::Why::hits_part, mover.next_index, 0,
-                    closest(mover.next_index, place, mover.radius).normal);
+                    closest(mover.next_index, position, mover.radius).normal);
     Mover& other = movers_[mover.next_index];
-    const V<R> normal = unit(V<R>(place - other.path.at(now_).position));
+    const V<R> normal = unit(V<R>(position - other.path.at(now_).position));
     const auto next_leg = [&](const Mover& one) { return certificate_->balls[one.ball.number].legs.size(); };
     note(mover, Beginning::Why::hits_ball, other.ball.number, next_leg(other), normal);
     note(other, Beginning::Why::hits_ball, mover.ball.number, next_leg(mover), -normal);

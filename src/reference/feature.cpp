@@ -40,8 +40,8 @@ class FeatureBuilder {
         return std::move(features_);
     }
 
-    void operator()(const primitive::Point& p) { add(round(V<R>(p.at), R(0))); }
-    void operator()(const primitive::Circle& c) { add(round(V<R>(c.center), R(c.radius))); }
+    void operator()(const primitive::Point& p) { add(circle(V<R>(p.at), R(0))); }
+    void operator()(const primitive::Circle& c) { add(circle(V<R>(c.center), R(c.radius))); }
     void operator()(const primitive::Segment& s) {
         Line<R> face = line(s.a, s.b);
         if (gate_of(scene_.parts[part_]) == nullptr) {
@@ -61,14 +61,14 @@ class FeatureBuilder {
     void operator()(const primitive::Polygon& p) {
         for (std::size_t i = 0; i < p.points.size(); ++i) {
             add(line(p.points[i], p.points[(i + 1) % p.points.size()]));
-            add(round(V<R>(p.points[i]), R(0)));
+            add(circle(V<R>(p.points[i]), R(0)));
         }
     }
     void operator()(const primitive::Taper& t) {
         using std::sqrt;
         const V<R> a(t.a), b(t.b);
-        add(round(a, R(t.radius_a)));
-        add(round(b, R(t.radius_b)));
+        add(circle(a, R(t.radius_a)));
+        add(circle(b, R(t.radius_b)));
         // The outer tangents: their normals make the angle acos((r_a − r_b)/l) with the axis.
         const V<R> axis = b - a;
         const R l = length(axis), c = (R(t.radius_a) - R(t.radius_b)) / l, s = sqrt(1 - c * c);
@@ -87,11 +87,11 @@ class FeatureBuilder {
         return {a, unit(b - a), length(b - a), {}, {}};
     }
     static Line<R> line(Vec2 a, Vec2 b) { return line_between(V<R>(a), V<R>(b)); }
-    static Curve<R> round(const V<R>& center, const R& radius) {
+    static Curve<R> circle(const V<R>& center, const R& radius) {
         Curve<R> curve;
         curve.center = center;
         curve.radius = radius;
-        curve.round = curve.full = true;
+        curve.is_circle = curve.full = true;
         return curve;
     }
     static Curve<R> curve(const primitive::Arc& a) {

@@ -34,10 +34,10 @@ template <class R>
 struct Curve {
     V<R> center;
     R radius{};
-    bool round = false;  ///< the outside of a circle
-    bool full = false;   ///< no ends
-    bool wide = false;   ///< more than half a turn
-    V<R> from, to;       ///< unit, anticlockwise
+    bool is_circle = false;  ///< the outside of a circle
+    bool full = false;       ///< no ends
+    bool wide = false;       ///< more than half a turn
+    V<R> from, to;           ///< unit, anticlockwise
     Reach<R> before, past;
 };
 
@@ -65,7 +65,7 @@ template <class S, class R>
         return {Line<S>{V<S>(l->start), V<S>(l->along), S(l->length), reach(l->before), reach(l->past)},
                 feature.part, feature.primitive};
     const auto& c = std::get<Curve<R>>(feature.is);
-    return {Curve<S>{V<S>(c.center), S(c.radius), c.round, c.full, c.wide, V<S>(c.from), V<S>(c.to),
+    return {Curve<S>{V<S>(c.center), S(c.radius), c.is_circle, c.full, c.wide, V<S>(c.from), V<S>(c.to),
                      reach(c.before), reach(c.past)},
             feature.part, feature.primitive};
 }

@@ -16,12 +16,12 @@ RestingContact<R> resting_contact_at(const Feature<R>& feature, const Turning<R>
         contact.pivot = turning->pivot;
         turn = from_angle(turning->angle_at(time));
     }
-    const auto place = [&](const V<R>& p) {
+    const auto posed = [&](const V<R>& p) {
         return turning != nullptr ? contact.pivot + rotated(p - contact.pivot, turn) : p;
     };
     const R& w = contact.rate;
     if (const auto* line = std::get_if<Line<R>>(&feature.is)) {
-        const V<R> start = place(line->start);
+        const V<R> start = posed(line->start);
         const V<R> left = perp(turning != nullptr ? rotated(line->along, turn) : line->along);
         contact.straight = true;
         if (turning == nullptr) contact.pivot = start;
@@ -34,13 +34,13 @@ RestingContact<R> resting_contact_at(const Feature<R>& feature, const Turning<R>
         if (magnitude(gap) > snap) contact.offset += gap;
     } else {
         const auto& curve = std::get<Curve<R>>(feature.is);
-        const V<R> center = place(curve.center);
+        const V<R> center = posed(curve.center);
         if (turning == nullptr) contact.pivot = center;
         contact.arm = center - contact.pivot;
         const V<R> q = ball.position - center;
         const R far = reference::length(q);
         contact.out = unit(q);
-        contact.side = R(curve.round || far >= curve.radius ? 1 : -1);
+        contact.side = R(curve.is_circle || far >= curve.radius ? 1 : -1);
         contact.normal = contact.side * contact.out;
         contact.tangent = perp(contact.out);
         const R exact = curve.radius + contact.side * ball.radius;
@@ -196,7 +196,7 @@ R rubbed(const ContactFriction<R>& contact_friction, const RestingContact<R>& co
 
 template <class R>
 Expansion<R> expand_straight(const RestingContact<R>& contact, const ContactFriction<R>& contact_friction,
-                             const ExternalForces<R>& external, Series<V<R>, R>& place) {
+                             const ExternalForces<R>& external, Series<V<R>, R>& position) {
     constexpr std::size_t order = taylor_order<R>;
     const R &w = contact.rate, &d = contact.offset, &c = external.drag;
     const auto t = turning(contact.tangent, w), n = turning(contact.normal, w);
@@ -215,13 +215,13 @@ Expansion<R> expand_straight(const RestingContact<R>& contact, const ContactFric
         }
         e.speed[k + 1] = rubbed(contact_friction, contact, e.tangential[k], e.force[k]) / next;
     }
-    for (std::size_t k = 0; k <= order; ++k) place[k] = product(s, t, k) + d * n[k];
+    for (std::size_t k = 0; k <= order; ++k) position[k] = product(s, t, k) + d * n[k];
     return e;
 }
 
 template <class R>
 Expansion<R> expand_curved(const RestingContact<R>& contact, const ContactFriction<R>& contact_friction,
-                           const ExternalForces<R>& external, Series<V<R>, R>& place) {
+                           const ExternalForces<R>& external, Series<V<R>, R>& position) {
     constexpr std::size_t order = taylor_order<R>;
     const R &w = contact.rate, &l = contact.length, &c = external.drag;
     const auto center = turning(contact.arm, w);
@@ -245,7 +245,7 @@ Expansion<R> expand_curved(const RestingContact<R>& contact, const ContactFricti
         out[k + 1] = product(turn, tangent, k) / R(next);
         tangent[k + 1] = -(product(turn, out, k) / R(next));
     }
-    for (std::size_t k = 0; k <= order; ++k) place[k] = center[k] + l * out[k];
+    for (std::size_t k = 0; k <= order; ++k) position[k] = center[k] + l * out[k];
     return e;
 }
 

@@ -97,7 +97,7 @@ struct CurveSide {
     [[nodiscard]] Value<R> gap(const Motion<R>& m) const {
         const V<R> out = m.position - curve.center;
         const R d = reach();
-        if (curve.round) {
+        if (curve.is_circle) {
             // The distance itself: it bends upwards but for the ball's acceleration.
             const R far = length(out);
             return {far - d, far > 0 ? R(dot(out, m.velocity) / far) : R(0)};
@@ -108,10 +108,10 @@ struct CurveSide {
     /// side.
     [[nodiscard]] R off(const Motion<R>& m) const {
         const R far = length(V<R>(m.position - curve.center));
-        return curve.round ? far : R(sign * (far - curve.radius));
+        return curve.is_circle ? far : R(sign * (far - curve.radius));
     }
     [[nodiscard]] R bound(const View<R>& view, const Bounds<R>& bounds, const R& from, const R& until) const {
-        if (curve.round) return bounds.acceleration;
+        if (curve.is_circle) return bounds.acceleration;
         const R far = length(view.at(from).position - curve.center) + bounds.speed * (until - from);
         const R pulled = far * bounds.acceleration;
         return (sign > 0 ? pulled : R(bounds.speed * bounds.speed + pulled)) / reach();
@@ -150,7 +150,7 @@ void each_side(const Feature<R>& feature, const R& radius, Visit&& visit) {
     }
     const auto& curve = std::get<Curve<R>>(feature.is);
     visit(CurveSide<R>{curve, 1, radius});
-    if (!curve.round && curve.radius > radius) visit(CurveSide<R>{curve, -1, radius});
+    if (!curve.is_circle && curve.radius > radius) visit(CurveSide<R>{curve, -1, radius});
 }
 
 }  // namespace flipside::reference

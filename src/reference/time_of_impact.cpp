@@ -53,7 +53,7 @@ Closest<R> closest_point(const Feature<R>& feature, const V<R>& point, const R& 
     const V<R> out = point - curve.center;
     const R off = length(out) - curve.radius;
     const V<R> n = unit(out);
-    const bool outside = curve.round || off >= 0;
+    const bool outside = curve.is_circle || off >= 0;
     return {(outside ? off : R(-off)) - radius, outside ? n : -n, within(curve, m, radius).value >= 0};
 }
 
@@ -199,9 +199,9 @@ R leaves(const Path<R>& path, const Box& box, const R& from, const R& until, int
 }
 
 template <class R>
-bool ends_in(const Feature<R>& face, const Feature<R>& round, const V<R>& normal, const R& radius) {
-    const auto* there = std::get_if<Curve<R>>(&round.is);
-    if (there == nullptr || !there->round) return false;
+bool ends_in(const Feature<R>& face, const Feature<R>& circle, const V<R>& normal, const R& radius) {
+    const auto* there = std::get_if<Curve<R>>(&circle.is);
+    if (there == nullptr || !there->is_circle) return false;
     const auto touches = [&](const V<R>& end, const V<R>& n) {
         const V<R> center = end + radius * n;
         const R gap = length(center - there->center) - there->radius - radius;

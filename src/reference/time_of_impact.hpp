@@ -44,7 +44,7 @@ template <class R>
 /// Whether the circle continues the face smoothly at an end, so that a ball that slides off the face touches
 /// the circle without an approach speed. Both in the same pose.
 template <class R>
-[[nodiscard]] bool ends_in(const Feature<R>& face, const Feature<R>& round, const V<R>& normal,
+[[nodiscard]] bool ends_in(const Feature<R>& face, const Feature<R>& circle, const V<R>& normal,
                            const R& radius);
 
 /// Whether the whole feature lies below the line through `at` with the unit normal `normal`, to rounding. A

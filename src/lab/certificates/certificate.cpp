@@ -42,7 +42,7 @@ CertificateJson to_json(const reference::Feature<reference::Real113>& feature) {
         return json;
     }
     const auto& curve = std::get<reference::Curve<reference::Real113>>(feature.is);
-    json["type"] = curve.round ? "round" : "arc";
+    json["type"] = curve.is_circle ? "round" : "arc";
     json["radius"] = static_cast<double>(curve.radius);
     add_point(curve.center);
     if (curve.full) return json;
