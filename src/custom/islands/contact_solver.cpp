@@ -5,24 +5,32 @@
 #include <tuple>
 
 #include "custom/broad_phase/capacity.hpp"
+#include "custom/tolerances.hpp"
 
 namespace flipside::custom {
 
 namespace {
 
 constexpr int least_sweeps = 20, most_sweeps = 400;
-/// Solves of single contacts that any island may take in all: a few balls under one of 60 times their mass
-/// need hundreds of sweeps, which are cheap there; a heap needs few.
-constexpr int contact_solves = 4000;
 /// When the load decreases, the warm-start impulses are too large and could add energy. While the solve has
 /// added energy, it is extended by the same number of sweeps, at most this often.
 constexpr int most_extensions = 9;
 /// Sweeps end when none changes a velocity by more than this part of the velocity that gravity gives in a
 /// tick.
 constexpr double good_enough = 1e-4;
-/// The position correction ends when no overlap is greater than allowed_overlap, in radii.
-constexpr int most_corrections = 4;
+/// The position correction ends when no overlap is greater than allowed_overlap, in radii; after
+/// least_corrections, when none is greater than squeezed_overlap. Light balls between heavy ones need
+/// hundreds.
+constexpr int least_corrections = 4, most_corrections = 400;
 constexpr double allowed_overlap = 1e-4;
+
+/// Sweeps over so many contacts that take `solves` solves of single contacts in all, from `least` to `most`.
+/// A few balls under one of 60 times their mass need hundreds of sweeps, which are cheap there; a heap needs
+/// few.
+int sweeps_over(std::size_t contacts, int least, int most) {
+    constexpr std::size_t solves = 4000;
+    return std::clamp(static_cast<int>(solves / std::max<std::size_t>(1, contacts)), least, most);
+}
 
 }  // namespace
 
@@ -142,17 +150,31 @@ void ContactSolver::correct_positions(Vec2 gravity) {
     uncorrected_.clear();
     for (const Body& body : bodies_) uncorrected_.push_back(body.position);
     for (Contact& contact : contacts_) contact.detected_at = bodies_[contact.upper].position;
-    for (int round = 0; round < most_corrections; ++round) {
+    const int rounds = sweeps_over(contacts_.size(), least_corrections, most_corrections);
+    for (int round = 0; round < rounds; ++round) {
         double deepest = 0;
         for (Contact& contact : contacts_) deepest = std::max(deepest, correct_position(contact));
-        if (deepest <= allowed_overlap) break;
+        if (deepest <= (round < least_corrections ? allowed_overlap : squeezed_overlap)) break;
     }
+    limit_corrections();
     for_each_static([&](Contact& contact) { correct_position(contact); });
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         Body& body = bodies_[i];
         const double lifted = -dot(body.position - uncorrected_[i], gravity);
         if (const double speed = length_squared(body.velocity); lifted > 0 && speed > 0)
             body.velocity *= std::sqrt(std::max(0.0, 1 - 2 * lifted / speed));
+    }
+}
+
+/// Lets no correction move a body farther than twice the deepest overlap before. A light ball between heavy
+/// ones would slide out, into neighbours that were too far away to be among the contacts.
+void ContactSolver::limit_corrections() {
+    double deepest = 0;
+    for (const Contact& contact : contacts_) deepest = std::max(deepest, -contact.detected_gap);
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        const Vec2 shift = bodies_[i].position - uncorrected_[i];
+        if (const double far = length(shift); far > 2 * deepest)
+            bodies_[i].position = uncorrected_[i] + 2 * deepest / far * shift;
     }
 }
 
@@ -200,8 +222,7 @@ void ContactSolver::solve(double duration, Vec2 gravity) {
     }
     residuals_.clear();
     const double enough = good_enough * length(gravity) * duration;
-    const int sweeps = std::clamp(contact_solves / std::max(1, static_cast<int>(contacts_.size())),
-                                  least_sweeps, most_sweeps);
+    const int sweeps = sweeps_over(contacts_.size(), least_sweeps, most_sweeps);
     for (int extension = 0; extension <= most_extensions; ++extension) {
         double norm_before = 0;
         int round = 0;

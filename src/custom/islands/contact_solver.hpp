@@ -99,6 +99,7 @@ class ContactSolver {
     [[nodiscard]] double energy(double ahead, Vec2 gravity) const;
     double correct_position(Contact& contact);
     void correct_positions(Vec2 gravity);
+    void limit_corrections();
     void for_each_static(auto&& visit);
     void extrapolate(double norm, double norm_before);
     void propagate_shock(const Contact& contact);
