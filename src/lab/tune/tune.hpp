@@ -29,8 +29,8 @@ struct Judged {
 
 struct Tuning {
     std::string variant;
-    double target;  ///< radii
-    Judged tuned;
+    double target;   ///< radii
+    Judged tuned;    ///< what the search found, or the engine as it comes where that is judged better
     Judged untuned;  ///< the engine as it comes, at the longest step that meets the target
     Judged ours;     ///< the custom engine as it comes, likewise
     std::size_t tried;
