@@ -225,7 +225,7 @@ void ContinuousSolver::start_all_paths() {
         start_path(i, 0);
     }
     find_islands();
-    tick(0);
+    solve_islands(0);
     members_.clear();
     for (BallIndex i = 0; i < bodies_.size(); ++i)
         if (!bodies_[i].asleep) members_.push_back(i);

@@ -173,6 +173,7 @@ class ContinuousSolver {
     [[nodiscard]] double next_on_grid(double time, double length) const;
     [[nodiscard]] double next_tick(double time) const;
     void tick(double time);
+    void solve_islands(double time);
     void start_creep(double time);
     void solve_members(double time, double duration);
     void add_member(BallIndex i, double time);

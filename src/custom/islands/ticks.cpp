@@ -26,9 +26,15 @@ double ContinuousSolver::next_tick(double time) const {
     return next_on_grid(time, tick_length);
 }
 
-/// Solves the contacts of all members and starts their paths until the next tick. Members without a load
-/// leave the island. Creeping members are solved at every fourth tick; in between they are static obstacles.
 void ContinuousSolver::tick(double time) {
+    solve_islands(time);
+    predict_together(members_, time);
+}
+
+/// Solves the contacts of all members and starts their paths until the next tick, without their next events.
+/// Members without a load leave the island. Creeping members are solved at every fourth tick; in between they
+/// are static obstacles.
+void ContinuousSolver::solve_islands(double time) {
     members_.clear(), creeping_.clear();
     const bool regular = time == next_tick_;
     next_tick_ = next_tick(time);
@@ -49,7 +55,7 @@ void ContinuousSolver::tick(double time) {
     }
     record_->statistics.handed_over = std::max(record_->statistics.handed_over, members);
     const double duration = next_tick_ - time;
-    if (members_.empty() || !(duration > 0)) return;
+    if (members_.empty() || !(duration > 0)) return members_.clear();
     start_creep(time);
     if (!members_.empty()) {
         solve_members(time, duration);
@@ -59,7 +65,6 @@ void ContinuousSolver::tick(double time) {
     std::ranges::copy_if(creeping_, std::back_inserter(members_),
                          [&](BallIndex i) { return hot_[i].creeps; });
     store_forces();
-    if (time > 0) predict_together(members_, time);
 }
 
 /// Solves the contacts of all members over a tick of this duration, s. Balls that members overlap become

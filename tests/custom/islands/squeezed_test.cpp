@@ -9,6 +9,7 @@
 
 #include "custom/scenes.hpp"
 #include "in_small.hpp"
+#include "world/scene_file.hpp"
 
 namespace flipside::custom::test {
 namespace {
@@ -118,6 +119,37 @@ TEST(Squeezed, ABallThatIsSqueezedOutAlongAnArcDoesNotEnterIt) {
 TEST(Squeezed, LightBallsUnderHeavyOnesOverlapLittle) {
     EXPECT_LT(deepest(pit, 100, 4, 1000), 0.11);
     EXPECT_LT(deepest(pit, 1000, 5, 1000), 0.11);
+}
+
+// Ball 4, which lies in an arc, is jammed at 0.75 s, the first instant of a window. Once that took all events
+// from ball 3, far away: ball 1 flew into it at 4 m/s. `flipside hunt` found it, and it cannot be shrunk
+// much.
+TEST(Squeezed, ABallThatIsJammedAtTheStartOfAWindowTakesNoEventsFromOthers) {
+    const Scene scene = parse_scene(R"({
+        "format": "flipside-scene/1", "name": "jam", "about": "Five balls.", "rest_speed": 0.01, "gravity": [-0.06, -9.78052],
+        "bounds": {"min": [-1, -1], "max": [1, 1]},
+        "materials": {"soft": {"restitution": 0}, "hard": {"restitution": 0.9}},
+        "balls": [
+            {"mass": 1, "position": [0.8, -0.02], "radius": 0.0338, "velocity": [2, 0.86]},
+            {"mass": 1, "position": [0.4, -0.374], "radius": 0.0755, "velocity": [-0.724, 3.4]},
+            {"mass": 30, "position": [0.1974, -0.3], "radius": 0.067, "velocity": [0.93, 2.4]},
+            {"mass": 1, "position": [-0.08, 0.5], "radius": 0.04, "velocity": [3.4, -2]},
+            {"mass": 0.06, "position": [-0.07938, 0.74], "radius": 0.06, "velocity": [-2, 0.3], "spin": -5}
+        ],
+        "parts": [
+            {"name": "walls", "material": "soft",
+             "shape": {"type": "polyline", "closed": true, "points": [[-1, -1], [1, -1], [1, 1], [-1, 1]]}},
+            {"name": "bowl", "material": "hard",
+             "shape": {"type": "arc", "center": [-0.542, -0.4277], "radius": 0.3477, "from_deg": -90, "to_deg": 200}}
+        ]})",
+                                    "jam");
+    const auto world = make_world(scene);
+    double deepest = 0;
+    while (world->time() < 1) {
+        world->step(1.0 / 240);
+        for (const Contact& contact : world->contacts()) deepest = std::max(deepest, depth(scene, contact));
+    }
+    EXPECT_LT(deepest, 0.02);
 }
 
 }  // namespace
