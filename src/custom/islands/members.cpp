@@ -12,6 +12,9 @@ namespace {
 /// Radii: a member that moves farther than this in a tick rests on no part. The chord of a slower one enters
 /// a concave arc of at least its own radius by at most farthest_chord²/8 = 0.00125 radii.
 constexpr double farthest_chord = 0.1;
+/// Radii of the smaller one: two members that move farther past each other in a tick have exact impacts. The
+/// direction of their contact turns by up to 0.2 rad in the tick, which the contact solver ignores.
+constexpr double farthest_slide = 0.4;
 /// Radii: a member that moves no farther than this in a long tick creeps.
 constexpr double creep_distance = 0.02;
 /// Contacts with balls in a row, each within a tick of the one before, that show an inelastic collapse.
@@ -219,11 +222,12 @@ bool ContinuousSolver::collapses(BallIndex i, BallIndex j, double approach, doub
     return approach <= slow_ && std::min(movers_[i].hits, movers_[j].hits) >= most_hits;
 }
 
-/// Whether two members approach each other no faster than in a resting contact.
+/// Whether two members approach and pass each other no faster than in a resting contact.
 bool ContinuousSolver::in_slow_contact(BallIndex i, BallIndex j, double time) const {
     const auto a = movers_[i].motion.path.at(time), b = movers_[j].motion.path.at(time);
-    const Vec2 between = a.position - b.position, normal = unit(between);
-    return -dot(a.velocity - b.velocity, normal) <= slow_;
+    const Vec2 between = a.position - b.position, relative = a.velocity - b.velocity;
+    const double farthest = farthest_slide * std::min(bodies_[i].radius, bodies_[j].radius);
+    return length(relative) * tick_length <= farthest && -dot(relative, unit(between)) <= slow_;
 }
 
 /// The same for a member and a feature. A ball that joined since the last tick is still on its old path,
