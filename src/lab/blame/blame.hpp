@@ -5,7 +5,7 @@
 /// of the run: D(k) is how far the worst ball then is from where it must be. D(0) is 0, and D(last) is the
 /// error of the run. The decision that is blamed lies in the step in which D passes the tolerance, half of
 /// the error but at most `most_tolerance`: before that step an exact engine could still have saved the run,
-/// after it none can. So an error that a bumper blows up later is charged to the step that made it, not to
+/// after it none can. So an error that a bumper amplifies later is charged to the step that made it, not to
 /// the bumper. What is wrong in that step is found by the exact engine's own step from the same state.
 ///
 /// D need not rise all the way; the step is found by bisection, so it is one in which D passes the tolerance
