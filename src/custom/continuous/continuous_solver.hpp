@@ -120,6 +120,7 @@ class ContinuousSolver {
         double last_hit = -INFINITY;        ///< s, of its last contact with a ball
         int hits = 0;                 ///< contacts with balls in a row, each within a tick of the one before
         int simultaneous_events = 0;  ///< at the time last_event
+        bool meets_balls = false;     ///< in one of these events
         int idle_events = 0;          ///< since its last significant impact
         double cell_exit = 0;         ///< s: when it must be listed in another cell
         Box bounds;                   ///< swept bounds of its path until cell_exit

@@ -14,8 +14,10 @@ namespace {
 /// An approach slower than this part of the speed comes from rounding or from a smooth joint, and is no
 /// impact.
 constexpr double graze = 1e-9;
-/// More events of a ball at one instant than this have no end: the ball is jammed.
-constexpr int most_at_once = 200;
+/// More events of a ball at one instant than this have no end: the ball is jammed. With parts alone there may
+/// be more: a ball that a moving part squeezes against a wall can have hundreds of impacts, each faster than
+/// the one before, until it gets out.
+constexpr int most_at_once = 200, most_with_parts = 1000;
 /// More events of a ball in a row without a significant impact than this have no end either. Impacts slower
 /// than idle_impact, in units of √(r·g), are not significant: the bounce reaches 1e-10 radii. Balls in
 /// resting contact can repeat them forever.
@@ -51,10 +53,13 @@ void ContinuousSolver::handle(BallIndex i) {
     Mover& counted = mover.next == EventType::ball && !bodies_[mover.partner].asleep
                          ? movers_[std::min(i, mover.partner)]
                          : mover;
-    counted.simultaneous_events =
-        time <= counted.last_event + instant * end_ ? counted.simultaneous_events + 1 : 0;
+    const bool at_once = time <= counted.last_event + instant * end_,
+               with_ball = mover.next == EventType::ball;
+    counted.simultaneous_events = at_once ? counted.simultaneous_events + 1 : 0;
+    counted.meets_balls = with_ball || (at_once && counted.meets_balls);
     counted.last_event = time;
-    if (counted.simultaneous_events > most_at_once || ++counted.idle_events > most_idle) {
+    if (counted.simultaneous_events > (counted.meets_balls ? most_at_once : most_with_parts) ||
+        ++counted.idle_events > most_idle) {
         counted.idle_events = most_idle - idle_after_jam;
         counted.simultaneous_events = 0;
         if (counted.jammed) return freeze(&counted == &mover ? i : mover.partner, time);
