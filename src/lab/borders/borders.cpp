@@ -141,6 +141,16 @@ double overlap(std::span<const Ball> balls, const Box& walls) {
     return deepest;
 }
 
+/// J; the potential is 0 in the lowest corner of the box, so that it is never below, and a gain is a share of
+/// all.
+double energy_in(const Session& session, const Box& walls) {
+    const Vec2 gravity = session.scene().gravity;
+    const Vec2 lowest{gravity.x > 0 ? walls.max.x : walls.min.x, gravity.y > 0 ? walls.max.y : walls.min.y};
+    double mass = 0;
+    for (const Ball& ball : session.world().balls()) mass += ball.mass;
+    return energy(session.world(), session.scene()) + mass * dot(gravity, lowest);
+}
+
 /// "" or what is wrong with the world after a step.
 std::string fault_of(const Session& session, const BorderRun& run, double first_energy) {
     const auto balls = session.world().balls();
@@ -152,7 +162,7 @@ std::string fault_of(const Session& session, const BorderRun& run, double first_
         return "balls pass through each other";
     const double deepest = overlap(balls, run.walls);
     if (deepest > most_overlap) return "overlap of " + text_of("%.2g", deepest) + " radii";
-    const double gain = energy(session.world(), session.scene()) / first_energy - 1;
+    const double gain = energy_in(session, run.walls) / first_energy - 1;
     if (gain > most_gain) return "gains " + text_of("%.2g", 100 * gain) + " % of energy";
     if (run.is_elastic && gain < -most_change)
         return "loses " + text_of("%.2g", -100 * gain) + " % of energy";
@@ -162,7 +172,7 @@ std::string fault_of(const Session& session, const BorderRun& run, double first_
 std::string run_at(const Contender& contender, const BorderRun& run) {
     try {
         Session session(std::make_shared<const Scene>(run.scene), *contender.engine, contender.settings);
-        const double first = energy(session.world(), session.scene());
+        const double first = energy_in(session, run.walls);
         const Timeline timeline(0, run.seconds, run.dt);
         for (std::uint64_t k = 0; k < timeline.steps(); ++k) {
             session.step(timeline.length(k));

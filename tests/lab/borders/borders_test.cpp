@@ -56,5 +56,13 @@ TEST(Borders, SayWhatBreaks) {
     EXPECT_EQ(points_of(exact, "wall-speed").back().failure, "");
 }
 
+TEST(Borders, HeightCountsFromTheFloor) {
+    // The balls of the hunted scene start at about the height 0, and fall below it: their energy is no gain.
+    for (const char* engine : {"custom", "box2d"}) {
+        const auto points = points_of(find_borders(contender(engine), [](double) {}), "hunted");
+        EXPECT_EQ(points.front().failure.find("energy"), std::string::npos) << engine;
+    }
+}
+
 }  // namespace
 }  // namespace flipside::lab
