@@ -67,9 +67,9 @@ BorderRun light_pinched(double ratio) {
     return run;
 }
 
-/// The worst that a hunt found for the bespoke engine (lab/hunt), where the ratio is 600: here with any.
+/// The worst that a hunt found for the bespoke engine (lab/hunt), where the ratio is 1,000: here with any.
 BorderRun hunted(double ratio) {
-    constexpr double lightest = 0.05, heavy = 30;  // kg, in the file
+    constexpr double lightest = 0.03, heavy = 30;  // kg, in the file
     BorderRun run;
     run.scene = load_scene(hunt::hard_folder() / "custom-overlap.json");
     run.walls = run.scene.bounds;
