@@ -47,8 +47,8 @@ Reach reach_of(const CsvTable& table, const Border& border) {
 }
 
 std::string words_of(const Reach& reach) {
-    if (reach.breaks == 0) return short_number(reach.holds) + " and more";
-    return (reach.holds == 0 ? "none" : short_number(reach.holds)) + "; at " + short_number(reach.breaks) +
+    if (reach.breaks == 0) return rounded_text(reach.holds) + " and more";
+    return (reach.holds == 0 ? "none" : rounded_text(reach.holds)) + "; at " + rounded_text(reach.breaks) +
            ": " + reach.failure;
 }
 
@@ -129,7 +129,7 @@ std::vector<std::string> findings_of(const std::vector<Reaches>& all) {
             ++count;
             refused = refused || one.of[i].failure == "refused";
             where += (where.empty() ? "" : "; ") + std::string(experiments[i].title) + ": " +
-                     short_number(one.of[i].breaks);
+                     rounded_text(one.of[i].breaks);
         }
         const bool is_first = std::ranges::find(told, one.contender.engine) == told.end();
         told.push_back(one.contender.engine);
