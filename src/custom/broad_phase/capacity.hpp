@@ -25,7 +25,8 @@ void reserve_for(std::vector<T>& list, std::size_t count) {
 }
 template <class T>
 void reserve_for(std::vector<T>& list, std::size_t balls, std::size_t per_ball) {
-    reserve_for(list, std::max(least_capacity, balls * per_ball));
+    if (list.capacity() < std::max(least_capacity, balls * per_ball))
+        list.reserve(std::bit_ceil(std::max(least_capacity, (balls + spare) * per_ball)));
 }
 
 }  // namespace flipside::custom
