@@ -18,9 +18,8 @@ constexpr int most_extensions = 9;
 /// Sweeps end when none changes a velocity by more than this part of the velocity that gravity gives in a
 /// tick.
 constexpr double good_enough = 1e-4;
-/// The position correction ends when no overlap is greater than allowed_overlap, in radii; after
-/// least_corrections, when none is greater than squeezed_overlap. Light balls between heavy ones need
-/// hundreds.
+/// The position correction ends when no overlap is greater than allowed_overlap, in radii, or, after more
+/// than least_corrections sweeps, than squeezed_overlap. Light balls between heavy ones need hundreds.
 constexpr int least_corrections = 4, most_corrections = 400;
 constexpr double allowed_overlap = 1e-4;
 
