@@ -26,22 +26,23 @@ double mean(const std::vector<double>& times) {
     return sum / count;
 }
 
-/// Both figures of each, all of them in turn on the same windows, and which is the best.
+/// Both figures of each, all of them in turn on the same windows, and which is the best: that one is
+/// called tuned, whichever it is.
 void judge(Tuning& tuning, const Trials& trials) {
     Judged* const all[] = {&tuning.tuned, &tuning.untuned, &tuning.ours};
     std::vector<Contender> contenders;
     for (const Judged* judged : all) contenders.push_back(judged->contender);
     const std::vector<std::vector<double>> times = trials.times(contenders);
-    for (std::size_t i = 0; i < std::size(all); ++i) {
+    for (std::size_t i = 0; i < std::size(all); ++i)
         all[i]->score = {trials.error(contenders[i]), mean(times[i])};
-        all[i]->text = text_of(contenders[i], trials.scene());
-    }
     const Score &tuned = tuning.tuned.score, &untuned = tuning.untuned.score;
     // On these windows the engine as it comes may turn out better than what was found on others.
     const bool is_better =
         untuned.error <= tuning.target && (tuned.error > tuning.target || untuned.cost < tuned.cost);
     const std::size_t best = is_better ? 1 : 0;
     if (is_better) tuning.tuned = tuning.untuned;
+    tuning.tuned.contender.name = std::string(tuning.untuned.contender.engine->name) + "-tuned";
+    for (Judged* const judged : all) judged->text = text_of(judged->contender, trials.scene());
     tuning.over_untuned = ratio(times[best], times[1]);
     tuning.over_ours = ratio(times[best], times[2]);
 }
@@ -69,7 +70,6 @@ std::vector<Tuning> tune(const Request& request, const sweep::Variant& variant,
                       as_it_comes(*request.engine),
                       as_it_comes(engine_named("custom")),
                       found.tried};
-        tuning.tuned.contender.name += "-tuned";
         judge(tuning, check);
         all.push_back(std::move(tuning));
         ++done;
