@@ -14,13 +14,17 @@ inline constexpr double touch_distance = 1e-4;
 inline constexpr double resting_distance = 1e-3;
 /// Balls that start with a deeper overlap are pushed out of parts, and join an island with balls.
 inline constexpr double deep_overlap = 1e-3;
-/// A ball with a deeper overlap does not fall asleep, since it is still being pushed out.
-inline constexpr double squeezed_overlap = 5e-3;
+/// The position correction of a small island may leave overlaps of this depth.
+inline constexpr double corrected_overlap = 5e-3;
+/// A ball with a deeper overlap does not fall asleep, since it is still being pushed out. A row of balls
+/// between two walls that has no room for one of them stays below this.
+inline constexpr double squeezed_overlap = 1e-2;
 
 static_assert(support_gap <= touch_distance, "a support touches the ball");
 static_assert(overlap_slop < touch_distance, "overlaps are contacts");
 static_assert(touch_distance < resting_distance, "contacts may be resting contacts");
 static_assert(resting_distance <= deep_overlap, "deep overlaps are resting contacts");
-static_assert(deep_overlap < squeezed_overlap, "islands correct the overlaps that keep balls awake");
+static_assert(deep_overlap < corrected_overlap, "islands correct deep overlaps");
+static_assert(corrected_overlap < squeezed_overlap, "what islands leave keeps no ball awake");
 
 }  // namespace flipside::custom

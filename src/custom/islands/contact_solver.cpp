@@ -15,11 +15,16 @@ constexpr int least_sweeps = 20, most_sweeps = 400;
 /// When the load decreases, the warm-start impulses are too large and could add energy. While the solve has
 /// added energy, it is extended by the same number of sweeps, at most this often.
 constexpr int most_extensions = 9;
+/// Where the position correction leaves overlaps deeper than corrected_overlap, the contacts at most
+/// squeezed_reach contacts away get more sweeps. In a row of balls between two walls that has no room for one
+/// of them, forces are many times its weight, and the heap above would push it in ever deeper.
+constexpr int squeezed_sweeps = 120;
+constexpr int squeezed_reach = 3;
 /// Sweeps end when none changes a velocity by more than this part of the velocity that gravity gives in a
 /// tick.
 constexpr double good_enough = 1e-4;
 /// The position correction ends when no overlap is greater than allowed_overlap, in radii, or, after more
-/// than least_corrections sweeps, than squeezed_overlap. Light balls between heavy ones need hundreds.
+/// than least_corrections sweeps, than corrected_overlap. Light balls between heavy ones need hundreds.
 constexpr int least_corrections = 4, most_corrections = 400;
 constexpr double allowed_overlap = 1e-4;
 
@@ -39,7 +44,9 @@ void ContactSolver::reserve(std::size_t balls) {
     reserve_for(unsorted_, balls, contacts_per_ball);
     reserve_for(sort_keys_, balls, contacts_per_ball);
     reserve_for(uncorrected_, 2 * balls);
-    residuals_.reserve(most_sweeps * (most_extensions + 1));
+    reserve_for(reached_, 2 * balls);
+    reserve_for(squeezed_, balls, contacts_per_ball);
+    residuals_.reserve(most_sweeps * (most_extensions + 1) + squeezed_sweeps);
 }
 
 /// Applies an impulse to both bodies.
@@ -74,10 +81,10 @@ void ContactSolver::solve_contact(Contact& contact) {
     contact.impulse = impulse;
 }
 
-/// Solves every contact once.
-ContactSolver::Progress ContactSolver::sweep() {
+/// Solves each of these contacts once.
+ContactSolver::Progress ContactSolver::sweep(std::span<Contact> contacts) {
     Progress progress;
-    for (Contact& contact : contacts_) {
+    for (Contact& contact : contacts) {
         const ContactImpulse before = contact.impulse;
         solve_contact(contact);
         const ContactImpulse change = contact.impulse - before, step = contact.impulse - contact.before;
@@ -92,10 +99,10 @@ ContactSolver::Progress ContactSolver::sweep() {
 
 /// Continues in the conjugate direction of the previous sweeps (Fletcher and Reeves). If the last step was
 /// longer than the one before, the direction is bad, and the search restarts without it.
-void ContactSolver::extrapolate(double norm, double norm_before) {
+void ContactSolver::extrapolate(std::span<Contact> contacts, double norm, double norm_before) {
     const bool first = norm_before == 0, diverges = norm >= norm_before;
     const double share = first || diverges ? 0 : norm / norm_before;
-    for (Contact& contact : contacts_) {
+    for (Contact& contact : contacts) {
         const ContactImpulse step = contact.impulse - contact.before;
         if (share > 0) {
             const ContactImpulse further = share * contact.direction;
@@ -107,6 +114,45 @@ void ContactSolver::extrapolate(double norm, double norm_before) {
         }
         contact.before = contact.impulse;
     }
+}
+
+/// Sweeps over these contacts, at most so often, until no velocity changes by more than `enough`, m/s.
+/// Returns whether they ended so.
+bool ContactSolver::converge(std::span<Contact> contacts, int most, double enough) {
+    double norm_before = 0;
+    for (int round = 1;; ++round) {
+        const Progress progress = sweep(contacts);
+        residuals_.push_back(progress.most);
+        if (progress.most <= enough) return true;
+        if (round == most) return false;
+        extrapolate(contacts, progress.norm, norm_before);
+        norm_before = progress.norm;
+    }
+}
+
+/// More sweeps over the contacts near deep overlaps.
+void ContactSolver::converge_squeezed(double enough) {
+    // Per body: 0, or 1 more than the number of contacts between it and a deep overlap.
+    reached_.assign(bodies_.size(), 0);
+    const auto reach = [&](Index body, int distance) {
+        if (bodies_[body].inverse_mass > 0 && reached_[body] == 0) reached_[body] = distance;
+    };
+    for (const Contact& contact : contacts_)
+        if (-contact.gap > corrected_overlap * bodies_[contact.upper].radius)
+            reach(contact.upper, 1), reach(contact.lower, 1);
+    for (int distance = 1; distance < squeezed_reach; ++distance)
+        for (const Contact& contact : contacts_)
+            if (reached_[contact.upper] == distance || reached_[contact.lower] == distance)
+                reach(contact.upper, distance + 1), reach(contact.lower, distance + 1);
+    const auto is_near = [&](const Contact& contact) {
+        return reached_[contact.upper] > 0 || reached_[contact.lower] > 0;
+    };
+    squeezed_.clear();
+    std::ranges::copy_if(contacts_, std::back_inserter(squeezed_), is_near);
+    converge(squeezed_, squeezed_sweeps, enough);
+    auto solved = squeezed_.begin();
+    for (Contact& contact : contacts_)
+        if (is_near(contact)) contact = *solved++;
 }
 
 /// Stops the upper ball of a contact that still closes too fast.
@@ -145,15 +191,17 @@ void ContactSolver::for_each_static(auto&& visit) {
 }
 
 /// Corrects the positions of overlapping bodies. A ball that is lifted loses the energy from its speed.
-void ContactSolver::correct_positions(Vec2 gravity) {
+/// Returns the deepest overlap that the last sweep found, in radii.
+double ContactSolver::correct_positions(Vec2 gravity) {
     uncorrected_.clear();
     for (const Body& body : bodies_) uncorrected_.push_back(body.position);
     for (Contact& contact : contacts_) contact.detected_at = bodies_[contact.upper].position;
     const int rounds = sweeps_over(contacts_.size(), least_corrections, most_corrections);
+    double deepest = 0;
     for (int round = 0; round < rounds; ++round) {
-        double deepest = 0;
+        deepest = 0;
         for (Contact& contact : contacts_) deepest = std::max(deepest, correct_position(contact));
-        if (deepest <= (round < least_corrections ? allowed_overlap : squeezed_overlap)) break;
+        if (deepest <= (round < least_corrections ? allowed_overlap : corrected_overlap)) break;
     }
     limit_corrections();
     for_each_static([&](Contact& contact) { correct_position(contact); });
@@ -163,6 +211,7 @@ void ContactSolver::correct_positions(Vec2 gravity) {
         if (const double speed = length_squared(body.velocity); lifted > 0 && speed > 0)
             body.velocity *= std::sqrt(std::max(0.0, 1 - 2 * lifted / speed));
     }
+    return deepest;
 }
 
 /// Lets no correction move a body farther than twice the deepest overlap before. A light ball between heavy
@@ -203,7 +252,7 @@ void ContactSolver::sort_contacts() {
 
 void ContactSolver::solve(double duration, Vec2 gravity) {
     sort_contacts();
-    correct_positions(gravity);
+    const bool squeezed = correct_positions(gravity) > corrected_overlap;
     const double energy_before = energy(0, gravity);
     for (Body& body : bodies_) body.velocity += body.external;
     for (Contact& contact : contacts_) {
@@ -222,18 +271,9 @@ void ContactSolver::solve(double duration, Vec2 gravity) {
     residuals_.clear();
     const double enough = good_enough * length(gravity) * duration;
     const int sweeps = sweeps_over(contacts_.size(), least_sweeps, most_sweeps);
-    for (int extension = 0; extension <= most_extensions; ++extension) {
-        double norm_before = 0;
-        int round = 0;
-        for (;;) {
-            const Progress progress = sweep();
-            residuals_.push_back(progress.most);
-            if (progress.most <= enough || ++round == sweeps) break;
-            extrapolate(progress.norm, norm_before);
-            norm_before = progress.norm;
-        }
-        if (round < sweeps || energy(duration, gravity) <= energy_before) break;
-    }
+    for (int extension = 0; extension <= most_extensions; ++extension)
+        if (converge(contacts_, sweeps, enough) || energy(duration, gravity) <= energy_before) break;
+    if (squeezed) converge_squeezed(enough);
     // From the lowest contact up, so that one pass suffices for a column.
     for (const Contact& contact : contacts_) propagate_shock(contact);
     for_each_static([&](const Contact& contact) { propagate_shock(contact); });

@@ -95,13 +95,15 @@ class ContactSolver {
     };
     void apply(const Contact& contact, const ContactImpulse& impulse);
     void solve_contact(Contact& contact);
-    Progress sweep();
+    Progress sweep(std::span<Contact> contacts);
+    bool converge(std::span<Contact> contacts, int most, double enough);
+    void converge_squeezed(double enough);
     [[nodiscard]] double energy(double ahead, Vec2 gravity) const;
     double correct_position(Contact& contact);
-    void correct_positions(Vec2 gravity);
+    double correct_positions(Vec2 gravity);
     void limit_corrections();
     void for_each_static(auto&& visit);
-    void extrapolate(double norm, double norm_before);
+    void extrapolate(std::span<Contact> contacts, double norm, double norm_before);
     void propagate_shock(const Contact& contact);
 
     std::vector<Body> bodies_;
@@ -116,6 +118,8 @@ class ContactSolver {
     std::vector<Contact> contacts_, unsorted_;
     std::vector<SortKey> sort_keys_;
     std::vector<Vec2> uncorrected_;
+    std::vector<int> reached_;  ///< per body; see converge_squeezed()
+    std::vector<Contact> squeezed_;
     std::vector<double> residuals_;
 };
 

@@ -100,8 +100,8 @@ TEST(Sleep, ASqueezedBallStaysAwake) {
     Sleep sleep(0.01, {0, -10});
     std::vector<Ball> balls{ball_of(0, {}), ball_of(1, {}), ball_of(2, {})};
     sleep.watch(balls, 0.01);
-    const Contact deep{0, Other::ball(2), {}, {}, -0.006 * 0.1},
-        shallow{1, Other::part(0), {}, {}, -0.004 * 0.1};
+    const Contact deep{0, Other::ball(2), {}, {}, -0.011 * 0.1},
+        shallow{1, Other::part(0), {}, {}, -0.009 * 0.1};
     const Contact contacts[] = {deep, shallow};
     sleep.update(balls, contacts);
     EXPECT_FALSE(balls[0].asleep);
