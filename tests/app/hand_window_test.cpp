@@ -147,10 +147,15 @@ TEST_F(HandWindow, KeysPickAndEscapePutsAwayBeforeItCloses) {
 }
 
 TEST_F(HandWindow, TheImpactOfAKnownDropIsAsPredicted) {
-    open("drop");
+    paused_drop();
+    window->key("Home");
+    window->wait("the start", [](const Json& s) { return s["time"] == 0; });
     window->key("k");
     window->key("e");
-    window->wait("the first impact", [](const Json& s) { return s["time"] > 0.6 && s["time"] < 1.1; });
+    window->wait("the card", [](const Json& s) { return !s["card"].is_null(); });
+    window->key("s");
+    window->key("p");
+    window->wait("the first impact", [](const Json& s) { return s["time"] > 0.6; });
     const Json state = pause();
     ASSERT_LT(state["time"], 1.17) << "the second impact";
     const Json& rows = state["card"]["rows"];
