@@ -10,6 +10,7 @@
 #include "lab/contenders/engines.hpp"
 #include "lab/process/failure.hpp"
 #include "lab/replay/play.hpp"
+#include "world/input_error.hpp"
 #include "world/printable.hpp"
 
 namespace flipside::app {

@@ -7,6 +7,7 @@
 #include "app/window/words.hpp"
 #include "world/printable.hpp"
 #include "world/surface.hpp"
+#include "world/table.hpp"
 
 namespace flipside::app {
 
