@@ -43,13 +43,15 @@ void CustomWorld::reserve_for() {
 void CustomWorld::step(double dt) {
     if (continuous_) continuous_->keep();
     if (record_.trace) record_.trace->stages.clear();
+    const bool nothing_moves = continuous_ && continuous_->quiet() && !table_.launch_waiting();
     guard_.run(
         table_, balls_, [&] { make_step(dt); },
         [&](State before) {
             Table::forget_gone(before);
             if (continuous_) before.origin = continuous_->kept_origin();
             restore(before);
-        });
+        },
+        !nothing_moves);
 }
 
 void CustomWorld::make_step(double dt) {

@@ -4,6 +4,7 @@
 /// ends beyond the limits of limits.hpp.
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "world/limits.hpp"
@@ -23,16 +24,22 @@ class StepGuard {
         before_.reported_lost.reserve(balls);
         before_.blocked.reserve(balls);
     }
-    /// Makes the step. If it is refused, `restore(State)` must restore the state before it.
-    void run(const Table& table, const std::vector<Ball>& balls, auto&& step, auto&& restore) {
+    /// Makes the step. If it is refused, `restore(State)` must restore the state before it. A step in which
+    /// no ball moves needs no copy and no test of the balls.
+    void run(const Table& table, const std::vector<Ball>& balls, auto&& step, auto&& restore,
+             bool balls_move = true) {
         if (refusal_) throw Refusal(*refusal_);
+        const auto require = [&] {
+            require_limits(engine_, std::span(balls).first(balls_move ? balls.size() : 0), table.time());
+        };
         table.copy(before_);
-        before_.balls = balls;
+        if (balls_move) before_.balls = balls;
         try {
-            require_limits(engine_, balls, table.time());
+            require();
             step();
-            require_limits(engine_, balls, table.time());
+            require();
         } catch (const Refusal& refusal) {
+            if (!balls_move) before_.balls = balls;
             restore(before_);
             refusal_ = refusal.what();
             throw;

@@ -68,6 +68,27 @@ TEST(TopSpeed, IsRefusedAndTheWorldIsAsBefore) {
         }
 }
 
+// In a world that sleeps nothing but the clock changes.
+TEST(LastTime, IsRefusedAndTheWorldIsAsBefore) {
+    Scene scene = empty_scene({0, -9.81});
+    add_part(scene, segment({-1, 0}, {1, 0}));
+    add_ball(scene, {0, 0.1}, {}, 0.1);
+    const auto shared = std::make_shared<const Scene>(scene);
+    for (const auto& [engine, settings] : lab::every_solver()) {
+        const auto world = engine->make(shared, settings);
+        for (int step = 0; step < 60; ++step) world->step(1.0 / 60);
+        State late = world->save();
+        late.clock = {last_time - 0.5, 0};
+        late.origin = nullptr;
+        world->restore(late);
+        for (int step = 0; step < 16; ++step) world->step(1.0 / 64);
+        const std::string before = to_json(world->save(), *shared);
+        EXPECT_THROW(world->step(1.0), Refusal) << engine->name;
+        EXPECT_EQ(to_json(world->save(), *shared), before) << engine->name;
+        EXPECT_THROW(world->step(1.0 / 64), Refusal) << engine->name;
+    }
+}
+
 TEST(TopSpeed, FilesMayNotAskForMore) {
     Scene scene = empty_scene();
     add_ball(scene, {}, {8e8, 8e8});
