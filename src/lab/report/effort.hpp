@@ -22,9 +22,10 @@ struct Effort {
     std::vector<double> case_steps;     ///< s, at which some cases are repeated
     std::vector<sweep::Variant> tuned;  ///< for which settings are searched
     std::size_t tuning_windows;
-    int tuning_finest;      ///< steps per second at most
-    double tuning_seconds;  ///< CPU time that takes for each, about
-    int most_regime_balls;  ///< courses (lab/regimes) of more balls are left out
+    int tuning_finest;           ///< steps per second at most
+    double tuning_seconds;       ///< CPU time that takes for each, about
+    double most_tuning_seconds;  ///< CPU time that a search takes at most, about
+    int most_regime_balls;       ///< courses (lab/regimes) of more balls are left out
     int regime_repeats;
     double energy_seconds;
     int gas_balls;
@@ -54,6 +55,7 @@ struct Effort {
             .tuning_windows = 25,
             .tuning_finest = 480,
             .tuning_seconds = 150,
+            .most_tuning_seconds = 300,
             .most_regime_balls = 1000,
             .regime_repeats = 6,
             .energy_seconds = 6,
@@ -86,6 +88,7 @@ struct Effort {
         .tuning_windows = 25,
         .tuning_finest = 480,
         .tuning_seconds = 2,
+        .most_tuning_seconds = 20,
         .most_regime_balls = 500,
         .regime_repeats = 3,
         .energy_seconds = 3,

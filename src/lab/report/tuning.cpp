@@ -61,7 +61,8 @@ Measurement measurement_of(const sweep::Variant& variant, const Engine& engine, 
                                    const tune::Request request{.engine = &engine,
                                                                .targets = {good_enough},
                                                                .windows = effort.tuning_windows,
-                                                               .finest = effort.tuning_finest};
+                                                               .finest = effort.tuning_finest,
+                                                               .most_seconds = effort.most_tuning_seconds};
                                    return to_csv(tune::tune(request, variant, watch), engine);
                                });
 }
@@ -128,8 +129,9 @@ Chapter tuning_chapter(const Effort& effort) {
         "settings and its step, down to 1/" +
             std::to_string(effort.tuning_finest) +
             " s, are searched for the cheapest with an error of at most " + rounded_text(good_enough) +
-            " radii, scene by scene, on " + std::to_string(effort.tuning_windows) +
-            " windows, and judged on as many others (flipside sweep --tune).",
+            " radii, scene by scene, on " + std::to_string(effort.tuning_windows) + " windows, for about " +
+            rounded_text(effort.most_tuning_seconds) +
+            " s of CPU time at most, and judged on as many others (flipside sweep --tune).",
         {},
         [variants = effort.tuned](const Data& data) { return show_tuning(data, variants); }};
     for (const sweep::Variant& variant : effort.tuned)

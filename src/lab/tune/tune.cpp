@@ -57,7 +57,7 @@ std::vector<Tuning> tune(const Request& request, const sweep::Variant& variant,
     const Trials check(variant, request.seed, Trials::check_block, request.windows, look);
     std::vector<double> targets = request.targets;
     std::ranges::sort(targets, std::greater<>());
-    Tuner tuner(*request.engine, search, request.finest);
+    Tuner tuner(*request.engine, search, request.finest, request.most_seconds);
     std::vector<Tuning> all;
     for (const double target : targets) {
         const auto as_it_comes = [&](const Engine& engine) {

@@ -18,6 +18,7 @@ struct Request {
     std::uint64_t seed = 1;
     std::size_t windows = 25;          ///< to search on, and as many to judge on
     int finest = sweep::finest_steps;  ///< steps per second at most
+    double most_seconds = 600;         ///< of CPU time, about, to search for one target
 };
 
 /// A contender, judged.

@@ -22,12 +22,13 @@ std::vector<double> steps_to(int finest) {
 
 }  // namespace
 
-Tuner::Tuner(const Engine& engine, const Trials& trials, int finest)
+Tuner::Tuner(const Engine& engine, const Trials& trials, int finest, double most_seconds)
     : engine_(engine),
       trials_(trials),
       steps_(steps_to(finest)),
       plain_{&engine_, settings_for(engine_, trials_.scene()), std::string(engine_.name), steps_.front()},
-      start_(plain_) {
+      start_(plain_),
+      most_seconds_(most_seconds / 2) {
     constexpr double any = std::numeric_limits<double>::infinity();
     Contender at_finest = plain_;
     at_finest.dt = steps_.back();
@@ -36,7 +37,9 @@ Tuner::Tuner(const Engine& engine, const Trials& trials, int finest)
 
 /// Meets the target and costs less; or, where nothing met it so far, meets it or comes closer.
 bool Tuner::take(Found& best, const Contender& other, double target) {
-    if (best.tried >= most_trials || !tried_.insert(text_of(other, trials_.scene())).second) return false;
+    const bool in_time = best.tried == 0 || watch_.seconds() < most_seconds_;
+    if (best.tried >= most_trials || !in_time || !tried_.insert(text_of(other, trials_.scene())).second)
+        return false;
     ++best.tried;
     const bool met = best.score.error <= target;
     const Score score =
@@ -73,6 +76,7 @@ bool Tuner::improve_setting(Found& best, const SettingSpec& spec, double target)
 Found Tuner::descend(const Contender& start, double target) {
     Found best{start};
     tried_.clear();
+    watch_ = {};
     take(best, start, target);
     for (bool improved = true; improved && best.tried < most_trials;) {
         improved = improve_step(best, target);

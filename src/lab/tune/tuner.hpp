@@ -7,6 +7,7 @@
 
 #include <set>
 
+#include "lab/process/cpu_clock.hpp"
 #include "lab/tune/trial.hpp"
 
 namespace flipside::lab::tune {
@@ -19,8 +20,9 @@ struct Found {
 
 class Tuner {
   public:
-    /// Steps are 1/30 s and its halves down to 1/finest. Both must outlive this.
-    Tuner(const Engine& engine, const Trials& trials, int finest);
+    /// Steps are 1/30 s and its halves down to 1/finest. A search for one target begins no further trial
+    /// after `most_seconds` of CPU time, half of them from each place. Both references must outlive this.
+    Tuner(const Engine& engine, const Trials& trials, int finest, double most_seconds);
 
     /// The cheapest found with an error of at most `target` radii; where there is none the most accurate.
     [[nodiscard]] Found cheapest(double target);
@@ -37,6 +39,8 @@ class Tuner {
     Contender plain_;              ///< as it comes, at the longest step
     Contender start_;              ///< of the next search
     double most_cost_ = 0;         ///< CPU seconds per simulated second
+    double most_seconds_;          ///< of CPU time, from one place
+    CpuStopwatch watch_;           ///< since the search from this place began
     std::set<std::string> tried_;  ///< for this target
 };
 inline constexpr std::size_t most_trials = 400;  ///< for one target

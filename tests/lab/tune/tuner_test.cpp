@@ -1,5 +1,6 @@
 #include "lab/tune/tuner.hpp"
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -25,7 +26,7 @@ TEST(Tuner, MeetsAnErrorThatTheEngineAsItComesMissesAtAnyStep) {
     const Found plain = untuned(box2d, trials, 120, 1e-9);
     EXPECT_EQ(plain.contender.dt, 1.0 / 120);
     const double target = 0.4 * plain.score.error;
-    const Found found = Tuner(box2d, trials, 120).cheapest(target);
+    const Found found = Tuner(box2d, trials, 120, 600).cheapest(target);
     EXPECT_LE(found.score.error, target);
     EXPECT_LE(found.score.error, trials.error(found.contender)) << "as is measured again";
     EXPECT_NE(found.contender.settings, settings_for(box2d, trials.scene()));
@@ -36,7 +37,7 @@ TEST(Tuner, FindsWhatCostsLess) {
     const Trials trials(one_ball(), 3, Trials::search_block, 8, nothing);
     // The simple solver's cost grows with its iterations: of an error that all meet, few are the cheapest.
     const Engine& custom = engine_named("custom");
-    const Found found = Tuner(custom, trials, 120).cheapest(1e3);
+    const Found found = Tuner(custom, trials, 120, 600).cheapest(1e3);
     EXPECT_LE(found.score.error, 1e3);
     Contender dear = found.contender;
     dear.settings.set("solver", "simple");
@@ -44,6 +45,13 @@ TEST(Tuner, FindsWhatCostsLess) {
     const std::vector<std::vector<double>> times = trials.times(std::vector{found.contender, dear});
     ASSERT_EQ(times[0].size(), 8U);
     for (std::size_t i = 0; i < times[0].size(); ++i) EXPECT_LT(times[0][i], times[1][i]);
+}
+
+TEST(Tuner, BeginsNoTrialAfterItsTime) {
+    const Trials trials(one_ball(), 3, Trials::search_block, 8, nothing);
+    const Found found = Tuner(engine_named("box2d"), trials, 120, 1e-9).cheapest(1e-9);
+    EXPECT_EQ(found.tried, 2U) << "the engine as it comes, from both places";
+    EXPECT_TRUE(std::isfinite(found.score.error));
 }
 
 TEST(Trials, GiveUpWhatIsTooDearOrTooWrong) {
