@@ -82,6 +82,9 @@ CsvTable::CsvTable(const std::filesystem::path& file, std::string text) : file_(
     while (!fields.at_end()) {
         lines_.push_back(fields.line());
         rows_.push_back(fields.record());
+        for (std::string& field : rows_.back())
+            if (field.starts_with('\''))
+                field.erase(0, 1);  // CsvRow puts it before what looks like a formula
         if (rows_.back().size() != columns_.size())
             throw InputError(file.string() + ": line " + std::to_string(lines_.back()) + ": has " +
                              std::to_string(rows_.back().size()) + " fields; its header names " +

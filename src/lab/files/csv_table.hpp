@@ -12,7 +12,8 @@ namespace flipside::lab {
 
 class CsvTable {
   public:
-    /// Reads the whole file. Every line must have as many fields as the header; quotes as in RFC 4180.
+    /// Reads the whole file. Every line must have as many fields as the header; quotes as in RFC 4180. One '
+    /// is taken off the beginning of a field (csv.hpp).
     explicit CsvTable(const std::filesystem::path& file);
     /// The same of a text that is here already.
     CsvTable(const std::filesystem::path& file, std::string text);

@@ -57,6 +57,19 @@ TEST_F(CsvTables, ReadBackWhatRowsWrote) {
     EXPECT_FALSE(table.has("m"));
 }
 
+// A spreadsheet would take them for formulas, so a ' stands before them in the file.
+TEST_F(CsvTables, ReadBackTextThatBeginsLikeAFormula) {
+    const std::vector<std::string> texts{"-1.0", "=1+1", "+a", "@b", "'c", "''", "=\"d\", e", "'"};
+    {
+        std::ofstream out(file);
+        CsvRow row;
+        row.add("name").write(out);
+        for (const std::string& text : texts) row.add(text).write(out);
+    }
+    const CsvTable table(file);
+    for (std::size_t row = 0; row < texts.size(); ++row) EXPECT_EQ(table.text(row, "name"), texts[row]);
+}
+
 TEST_F(CsvTables, MayComeFromElsewhere) {
     const CsvTable table = read("x,y\r\n1,\"2\"\r\n3,4");  // other line ends, none at all in the last
     ASSERT_EQ(table.rows(), 2U);
