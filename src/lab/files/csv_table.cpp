@@ -82,9 +82,6 @@ CsvTable::CsvTable(const std::filesystem::path& file, std::string text) : file_(
     while (!fields.at_end()) {
         lines_.push_back(fields.line());
         rows_.push_back(fields.record());
-        for (std::string& field : rows_.back())
-            if (field.starts_with('\''))
-                field.erase(0, 1);  // CsvRow puts it before what looks like a formula
         if (rows_.back().size() != columns_.size())
             throw InputError(file.string() + ": line " + std::to_string(lines_.back()) + ": has " +
                              std::to_string(rows_.back().size()) + " fields; its header names " +
@@ -105,27 +102,32 @@ std::size_t CsvTable::index(std::string_view column) const {
 
 void CsvTable::refuse(std::size_t row, std::string_view column, std::string_view wanted) const {
     constexpr std::size_t enough = 60;  // of what may be a megabyte
-    std::string found = text(row, column).substr(0, enough + 1);
+    std::string found = field(row, column).substr(0, enough + 1);
     if (found.size() > enough) found.replace(enough, 1, "...");
     throw InputError(file_.string() + ": line " + std::to_string(lines_[row]) + ": " + std::string(column) +
                      " '" + printable(found) + "' is not " + std::string(wanted));
 }
 
-const std::string& CsvTable::text(std::size_t row, std::string_view column) const {
+const std::string& CsvTable::field(std::size_t row, std::string_view column) const {
     const std::size_t at = index(column);
     if (row >= rows_.size()) throw InputError(file_.string() + ": has no row " + std::to_string(row + 1));
     return rows_[row][at];
 }
 
+std::string CsvTable::text(std::size_t row, std::string_view column) const {
+    const std::string& found = field(row, column);
+    return found.substr(found.starts_with('\'') ? 1 : 0);
+}
+
 const std::string& CsvTable::name(std::size_t row, std::string_view column) const {
-    const std::string& found = text(row, column);
+    const std::string& found = field(row, column);
     if (!is_plain_name(found)) refuse(row, column, "a name; allowed are " + std::string(plain_name_rule));
     return found;
 }
 
 const std::string& CsvTable::one_of(std::size_t row, std::string_view column,
                                     std::span<const std::string_view> allowed) const {
-    const std::string& found = text(row, column);
+    const std::string& found = field(row, column);
     if (std::ranges::find(allowed, found) != allowed.end()) return found;
     std::string known;
     for (const std::string_view word : allowed)
@@ -135,7 +137,7 @@ const std::string& CsvTable::one_of(std::size_t row, std::string_view column,
 
 double CsvTable::number(std::size_t row, std::string_view column) const {
     double value = 0;
-    if (!parse(text(row, column), value)) refuse(row, column, "a number");
+    if (!parse(field(row, column), value)) refuse(row, column, "a number");
     return value;
 }
 
@@ -147,7 +149,7 @@ double CsvTable::finite(std::size_t row, std::string_view column) const {
 
 std::uint64_t CsvTable::count(std::size_t row, std::string_view column) const {
     std::uint64_t value = 0;
-    if (!parse(text(row, column), value)) refuse(row, column, "a whole number");
+    if (!parse(field(row, column), value)) refuse(row, column, "a whole number");
     return value;
 }
 

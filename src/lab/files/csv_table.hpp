@@ -12,8 +12,7 @@ namespace flipside::lab {
 
 class CsvTable {
   public:
-    /// Reads the whole file. Every line must have as many fields as the header; quotes as in RFC 4180. One '
-    /// is taken off the beginning of a field (csv.hpp).
+    /// Reads the whole file. Every line must have as many fields as the header; quotes as in RFC 4180.
     explicit CsvTable(const std::filesystem::path& file);
     /// The same of a text that is here already.
     CsvTable(const std::filesystem::path& file, std::string text);
@@ -22,7 +21,8 @@ class CsvTable {
     [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
     [[nodiscard]] bool has(std::string_view column) const;
     /// All that follow throw where there is no such row or column.
-    [[nodiscard]] const std::string& text(std::size_t row, std::string_view column) const;
+    /// Without the ' that CsvRow puts before what begins like a formula.
+    [[nodiscard]] std::string text(std::size_t row, std::string_view column) const;
     /// Throws for what is no plain name (plain_name.hpp).
     [[nodiscard]] const std::string& name(std::size_t row, std::string_view column) const;
     /// Throws for what is none of the words allowed.
@@ -39,6 +39,8 @@ class CsvTable {
 
   private:
     [[nodiscard]] std::size_t index(std::string_view column) const;
+    /// As it stands in the file.
+    [[nodiscard]] const std::string& field(std::size_t row, std::string_view column) const;
 
     std::filesystem::path file_;
     std::vector<std::string> columns_;

@@ -68,6 +68,7 @@ TEST_F(CsvTables, ReadBackTextThatBeginsLikeAFormula) {
     }
     const CsvTable table(file);
     for (std::size_t row = 0; row < texts.size(); ++row) EXPECT_EQ(table.text(row, "name"), texts[row]);
+    EXPECT_THROW(static_cast<void>(read("x\n'5").number(0, "x")), InputError) << "that is text";
 }
 
 TEST_F(CsvTables, MayComeFromElsewhere) {
