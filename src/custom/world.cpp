@@ -43,7 +43,7 @@ void CustomWorld::reserve_for() {
 void CustomWorld::step(double dt) {
     if (continuous_) continuous_->keep();
     if (record_.trace) record_.trace->stages.clear();
-    const bool nothing_moves = continuous_ && continuous_->quiet() && !table_.launch_waiting();
+    const bool balls_move = !continuous_ || !continuous_->quiet() || table_.launch_waiting();
     guard_.run(
         table_, balls_, [&] { make_step(dt); },
         [&](State before) {
@@ -51,7 +51,7 @@ void CustomWorld::step(double dt) {
             if (continuous_) before.origin = continuous_->kept_origin();
             restore(before);
         },
-        !nothing_moves);
+        balls_move);
 }
 
 void CustomWorld::make_step(double dt) {
