@@ -60,7 +60,7 @@ ContinuousSolver::ContinuousSolver(Table& table, const Layout& layout, BroadPhas
 /// Finds again which balls are inside sensors, from the positions of the balls.
 void ContinuousSolver::find_sensed(std::span<const Ball> balls) {
     inside_.clear();
-    for (Mover& mover : pool_) mover.candidates.forget();
+    for (Candidates& candidates : candidates_) candidates.forget();
     for (PartIndex part = 0; part < primitives_.size(); ++part) {
         if (!scene_.parts[part].sensor) continue;
         for (const Ball& ball : balls) {
@@ -82,10 +82,7 @@ void ContinuousSolver::reserve(std::size_t balls) {
         const std::size_t movers = movers_.size();
         pool_.resize(most);
         movers_ = std::span(pool_).first(movers);
-        for (Mover& mover : pool_) {
-            mover.candidates.reserve(std::min(features_.size(), most_near));
-            mover.motion.path.taylor.reserve(1);
-        }
+        for (Mover& mover : pool_) mover.motion.path.taylor.reserve(1);
     }
     custom::reserve_for(bodies_, most);
     custom::reserve_for(inside_, most, touches_per_ball);
@@ -102,10 +99,12 @@ void ContinuousSolver::reserve(std::size_t balls) {
     custom::reserve_for(pending_, most, events_per_ball);
     custom::reserve_for(woken_, most);
     custom::reserve_for(overlapped_, most, contacts_per_ball);
-    if (hot_.size() < most) hot_.resize(most), rank_.resize(most);
+    if (hot_.size() < most)
+        hot_.resize(most), near_.resize(most), candidates_.resize(most), rank_.resize(most);
     next_events_.reserve(most);
     cells_.reserve(most);
     custom::reserve_for(pairs_, most, pairs_per_ball);
+    found_features_.reserve(features_.size());
     supports_.reserve(std::min(features_.size(), most_near));
     sleep_.reserve(balls);
     contacts_.reserve(layout_.size(), balls);
@@ -190,12 +189,11 @@ void ContinuousSolver::choose_end() {
 
 /// Assigns a mover to each ball, and clears what it holds of the ball that had it before.
 void ContinuousSolver::assign_movers() {
-    drop_lost();
     if (pool_.size() < bodies_.size()) reserve(bodies_.size());
     movers_ = std::span(pool_).first(bodies_.size());
     for (BallIndex i = 0; i < bodies_.size(); ++i) {
         Mover& mover = movers_[i];
-        if (mover.number != bodies_[i].number) mover.candidates.forget();
+        if (mover.number != bodies_[i].number) candidates_[i].forget();
         mover.number = bodies_[i].number;
         mover.jammed = mover.frozen = mover.on_tick_path = false;
         mover.resting_on = mover.separated_from = nullptr;
@@ -203,6 +201,7 @@ void ContinuousSolver::assign_movers() {
         mover.last_slow = mover.last_hit = -INFINITY;
         mover.simultaneous_events = mover.idle_events = mover.hits = 0;
         hot_[i] = {};
+        near_[i] = {};
         hot_[i].radius = bodies_[i].radius;
     }
 }
@@ -289,16 +288,6 @@ void ContinuousSolver::end(double now, std::vector<Ball>& balls) {
     if (settings_.sleep) fell_asleep_ |= sleep_.update(balls, contacts_.contacts());
 }
 
-/// Moves the movers of lost balls to the end of the pool, where their lists keep their capacity.
-void ContinuousSolver::drop_lost() {
-    BallIndex kept = 0;
-    for (BallIndex i = 0; i < movers_.size(); ++i) {
-        if (hot_[i].lost) continue;
-        if (kept != i) std::swap(movers_[kept], movers_[i]);
-        ++kept;
-    }
-}
-
 std::shared_ptr<const State> ContinuousSolver::origin() const {
     return in_window_ ? without_gone(start()) : nullptr;
 }
@@ -328,9 +317,10 @@ std::span<const Pair> ContinuousSolver::find_pairs(std::span<const Ball> balls) 
     pairs_.clear();
     if (!paths_started_) return pairs_;
     for (BallIndex i = 0; i < movers_.size(); ++i) {
-        if (hot_[i].lost || bodies_[i].asleep) continue;
-        if (movers_[i].has_near_part) pair_with_parts(balls, i);
-        if (hot_[i].has_near_ball) pair_with_balls(balls, i);
+        const bool near_ball = near_[i].ball_at(read_at_);
+        if (!(near_ball || near_[i].part) || hot_[i].lost || bodies_[i].asleep) continue;
+        if (near_[i].part) pair_with_parts(balls, i);
+        if (near_ball) pair_with_balls(balls, i);
     }
     return pairs_;
 }
@@ -340,8 +330,7 @@ void ContinuousSolver::pair_with_parts(std::span<const Ball> balls, BallIndex i)
     const Handle handle = layout_.size() + rank_[i];
     const Box box = touching_box(ball);
     const std::size_t first = pairs_.size();
-    record_->statistics.pair_tests += movers_[i].candidates.cover(box, ranges_);
-    for (const FeatureIndex f : movers_[i].candidates.list()) {
+    for (const FeatureIndex f : features_near(i, box)) {
         if (!overlap(box, ranges_[f]) || !layers_meet(ball, features_[f])) continue;
         // The box of an arc is mostly empty.
         if (std::holds_alternative<Arc>(features_[f].is) &&

@@ -92,20 +92,26 @@ class ContinuousSolver {
         Vec2 position, velocity;  ///< at the start of its path
         double start = 0;         ///< of its path, s
         double radius = 0;
-        std::uint32_t version = 0;   ///< incremented whenever its path changes
-        std::uint32_t batch = 0;     ///< in which it was predicted last
-        bool ballistic = false;      ///< its path is a flight under gravity and drag alone
-        bool in_island = false;      ///< in resting contact with another ball, or jammed
-        bool lost = false;           ///< has left the bounds
-        bool creeps = false;         ///< in an island, and hardly moves until its next long tick
-        bool in_solve = false;       ///< is a body of the current solve
-        bool has_near_ball = false;  ///< its path may bring it within touch_distance of a ball
+        std::uint32_t version = 0;  ///< incremented whenever its path changes
+        std::uint32_t batch = 0;    ///< in which it was predicted last
+        bool ballistic = false;     ///< its path is a flight under gravity and drag alone
+        bool in_island = false;     ///< in resting contact with another ball, or jammed
+        bool lost = false;          ///< has left the bounds
+        bool creeps = false;        ///< in an island, and hardly moves until its next long tick
+        bool in_solve = false;      ///< is a body of the current solve
+    };
+    /// When a ball may be within touch_distance of others, on its path and theirs.
+    struct NearTimes {
+        double until = -INFINITY;  ///< s: of a ball that it leaves
+        double from = INFINITY;    ///< s: of a ball that it approaches
+        bool part = false;         ///< of a part, before cell_exit
+
+        [[nodiscard]] bool ball_at(double time) const { return time <= until || time >= from; }
     };
     /// All other data that the solver keeps of a ball beside the Ball itself.
     struct Mover {
         BallNumber number = 0;
         bool on_tick_path = false;          ///< in an island, on the path that the last tick gave it
-        bool has_near_part = false;         ///< may come within touch_distance of a part before cell_exit
         bool jammed = false;                ///< since the last regular tick: solve_jammed()
         bool frozen = false;                ///< stays in place without events until the next tick: freeze()
         double last_loaded = 0;             ///< s: when it last had a load from a ball, or from two sides
@@ -123,12 +129,11 @@ class ContinuousSolver {
         bool meets_balls = false;     ///< in one of these events
         int idle_events = 0;          ///< since its last significant impact
         double cell_exit = 0;         ///< s: when it must be listed in another cell
-        Box bounds;                   ///< swept bounds of its path until cell_exit
+        Box bounds;                   ///< swept bounds of its path until cell_exit, with touch_distance
         const Feature* resting_on = nullptr;      ///< its resting contact
         const Feature* separated_from = nullptr;  ///< the resting contact that has just ended
         TangentFaces tangent_faces;               ///< faces along which it flies
-        Candidates candidates;
-        ConstrainedPath motion;  ///< since its last event
+        ConstrainedPath motion;                   ///< since its last event
     };
     /// Order of events at the same time, whichever ball predicted them: first those without a second ball,
     /// then by the lower ball, then by the higher.
@@ -148,7 +153,6 @@ class ContinuousSolver {
     [[nodiscard]] const State& start() const { return starts_[current_]; }
     [[nodiscard]] Ball ball_at(BallIndex i, double time) const;
     void report_until(double time, double now);
-    void drop_lost();
     void pair_with_parts(std::span<const Ball> balls, BallIndex i);
     void pair_with_balls(std::span<const Ball> balls, BallIndex i);
 
@@ -196,6 +200,7 @@ class ContinuousSolver {
                                                  const Pose& pose);
     void predict_ball(BallIndex i, BallIndex j, double time);
     void predict_flying(BallIndex i, BallIndex j, double time);
+    void note_near(BallIndex i, BallIndex j, double until, double from);
     void predict_loss(BallIndex i, double time);
     void enter_cell(BallIndex i);
     void schedule(BallIndex i);
@@ -215,6 +220,7 @@ class ContinuousSolver {
     void push_out_of_parts(BallIndex i);
     void start_path(BallIndex i, double time);
     void list_in_cell(BallIndex i, double time);
+    [[nodiscard]] std::span<const FeatureIndex> features_near(BallIndex i, const Box& box);
     void update_swept_bounds(BallIndex i, double time);
     [[nodiscard]] bool beside_moving_part(BallIndex i);
     void find_directions(const Ball& ball, double time);
@@ -294,12 +300,15 @@ class ContinuousSolver {
     bool kept_in_window_ = false;
 
     // Buffers, kept to save allocations.
-    std::vector<Turning> turnings_;  ///< per part
-    std::vector<Mover> pool_;        ///< keeps the capacity of their lists
-    std::span<Mover> movers_;        ///< the first of the pool, per ball
-    std::vector<HotState> hot_;      ///< per ball
+    std::vector<Turning> turnings_;       ///< per part
+    std::vector<Mover> pool_;             ///< keeps the memory of their Taylor polynomials
+    std::span<Mover> movers_;             ///< the first of the pool, per ball
+    std::vector<HotState> hot_;           ///< per ball
+    std::vector<NearTimes> near_;         ///< per ball
+    std::vector<Candidates> candidates_;  ///< per ball: the features near it
     NextEvents next_events_;
     Cells cells_;
+    std::vector<FeatureIndex> found_features_;  ///< buffer of features_near()
     std::vector<Support> supports_;
     ContactSolver contact_solver_;
     /// Forces of the last tick in this window, of primitive a or ball a on ball b, by index.

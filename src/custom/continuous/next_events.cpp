@@ -60,7 +60,7 @@ std::uint64_t ContinuousSolver::order_of(BallIndex i, EventType next, std::uint3
 
 /// Predicts the next event of a ball on its path.
 void ContinuousSolver::predict(BallIndex i, double time) {
-    hot_[i].has_near_ball = false;
+    near_[i] = {};
     predict_with(i, time,
                  [&] { cells_.query_neighbours(i, [&](BallIndex j) { predict_ball(i, j, time); }); });
 }
@@ -68,7 +68,7 @@ void ContinuousSolver::predict(BallIndex i, double time) {
 /// The same for several balls whose paths all start now. Each pair of them is predicted once.
 void ContinuousSolver::predict_together(std::span<const BallIndex> balls, double time) {
     ++batch_;
-    for (const BallIndex i : balls) hot_[i].has_near_ball = false;
+    for (const BallIndex i : balls) near_[i] = {};
     for (const BallIndex i : balls)
         predict_with(i, time, [&] {
             hot_[i].batch = batch_;
@@ -120,8 +120,9 @@ bool ContinuousSolver::above_tangent_face(const Mover& mover, const Feature& fea
 
 void ContinuousSolver::predict_features(BallIndex i, double time) {
     Mover& mover = movers_[i];
-    mover.has_near_part = mover.resting_on != nullptr;
-    if (mover.candidates.list().empty() && inside_.empty() && table_.blocked().empty()) return;
+    near_[i].part = mover.resting_on != nullptr;
+    const std::span<const FeatureIndex> near = features_near(i, mover.bounds);
+    if (near.empty() && inside_.empty() && table_.blocked().empty()) return;
     const Ball& ball = bodies_[i];
     const Path& path = mover.motion.path;
     for (auto in = std::ranges::lower_bound(inside_, ball.number, {}, &Sensed::ball);
@@ -136,7 +137,7 @@ void ContinuousSolver::predict_features(BallIndex i, double time) {
     const Vec2 from = time == path.start ? path.flight.position : path.position(time);
     const Vec2 to = path.position(end);
     const double sag = path.max_acceleration(end) * duration * duration / 8 + clearance_margin(ball);
-    for (const FeatureIndex f : mover.candidates.list()) {
+    for (const FeatureIndex f : near) {
         if (!overlap(mover.bounds, ranges_[f])) continue;
         const Feature& feature = features_[f];
         if (feature.sensor && inside(ball.number, feature.part)) continue;
@@ -151,7 +152,7 @@ void ContinuousSolver::predict_features(BallIndex i, double time) {
         if (turning.still() && !ball.asleep && turning.begin.angle == 0 &&
             clear_of(feature, from, to, ball.radius, sag))
             continue;
-        mover.has_near_part = true;
+        near_[i].part = true;
         if (slides_to(mover, ball, feature)) continue;
         if (hot_[i].in_island && rests_on(i, feature, turning.pose(time), time)) continue;
         if (turning.still() && above_tangent_face(mover, feature, turning.begin)) continue;
@@ -169,7 +170,7 @@ void ContinuousSolver::predict_ball(BallIndex i, BallIndex j, double time) {
     if (b.lost) return;
     if (a.ballistic && b.ballistic) return predict_flying(i, j, time);
     if (!layers_meet(bodies_[i], bodies_[j])) return;
-    hot_[i].has_near_ball = hot_[j].has_near_ball = true;
+    note_near(i, j, -INFINITY, -INFINITY);
     if (a.creeps && (b.creeps || bodies_[j].asleep)) return;
     if (a.in_island && (b.in_island || bodies_[j].asleep) && in_slow_contact(i, j, time)) return;
     const Mover &mover = movers_[i], &other = movers_[j];
@@ -204,9 +205,13 @@ void ContinuousSolver::predict_flying(BallIndex i, BallIndex j, double time) {
     const double apart = length_squared(between) - wide * wide;
     if (apart > 0 && !(approach > 0)) return;
     if (apart > 0 && approach * approach * (1 + sure) < length_squared(relative) * apart) return;
-    hot_[i].has_near_ball = hot_[j].has_near_ball = true;
-    if (!(approach > 0)) return;
-    if (apart > 0 && from + (1 - sure) * apart / (2 * approach) > movers_[i].next_time) return;
+    if (!(approach > 0)) {
+        const double left = approach < 0 ? (1 + sure) * apart / (2 * approach) : INFINITY;
+        return note_near(i, j, from + drag_time(external_.drag, left), INFINITY);
+    }
+    const double soonest = from + (1 - sure) * std::max(apart, 0.0) / (2 * approach);
+    note_near(i, j, -INFINITY, soonest);
+    if (soonest > movers_[i].next_time) return;
     if (a.in_island && b.in_island && approach <= slow_ * length(between)) return;
     if (!layers_meet(bodies_[i], bodies_[j])) return;
     ++record_->statistics.narrow_tests;
@@ -214,6 +219,14 @@ void ContinuousSolver::predict_flying(BallIndex i, BallIndex j, double time) {
     const double met = from + drag_time(external_.drag, e);
     if (met <= std::min(movers_[i].motion.until, movers_[j].motion.until))
         offer(i, std::max(met, time), EventType::ball, j, b.version);
+}
+
+/// Notes that two balls may be within touch_distance of each other until one time, and from another on.
+void ContinuousSolver::note_near(BallIndex i, BallIndex j, double until, double from) {
+    for (NearTimes* near : {&near_[i], &near_[j]}) {
+        near->until = std::max(near->until, until);
+        near->from = std::min(near->from, from);
+    }
 }
 
 /// Predicts when the centre of the ball leaves the bounds of the scene.

@@ -36,12 +36,11 @@ void ContinuousSolver::push_out_of_parts(BallIndex i) {
     Ball& ball = bodies_[i];
     for (int round = 0; round < 4; ++round) {
         const Box here = bounds_of(ball.position, ball.radius);
-        record_->statistics.pair_tests += movers_[i].candidates.cover(here, ranges_);
         Touch deepest;
         deepest.separation = -deep_overlap * ball.radius;
         bool found = false;
         PrimitiveIndex seen = layout_.size();
-        for (const FeatureIndex f : movers_[i].candidates.list()) {
+        for (const FeatureIndex f : features_near(i, here)) {
             if (!overlap(here, ranges_[f]) || features_[f].gate || ignores(features_[f], ball)) continue;
             if (features_[f].primitive == seen) continue;
             const Primitive& primitive = layout_.primitive(features_[f].primitive);
@@ -123,15 +122,18 @@ void ContinuousSolver::update_swept_bounds(BallIndex i, double time) {
     const Vec2 far = Vec2{std::abs(velocity.x), std::abs(velocity.y)} * duration + drift;
     mover.bounds = {here - Vec2{velocity.x > 0 ? drift.x : far.x, velocity.y > 0 ? drift.y : far.y},
                     here + Vec2{velocity.x > 0 ? far.x : drift.x, velocity.y > 0 ? far.y : drift.y}};
-    mover.bounds = grown(mover.bounds, bodies_[i].radius);
-    record_->statistics.pair_tests += mover.candidates.cover(mover.bounds, ranges_);
+    mover.bounds = grown(mover.bounds, (1 + touch_distance) * bodies_[i].radius);
+}
+
+/// All features whose ranges overlap the box, and some others, in rising order. Valid until the next call.
+std::span<const FeatureIndex> ContinuousSolver::features_near(BallIndex i, const Box& box) {
+    return candidates_[i].near(box, ranges_, found_features_, record_->statistics.pair_tests);
 }
 
 bool ContinuousSolver::beside_moving_part(BallIndex i) {
     const Ball& ball = bodies_[i];
     const Box here = bounds_of(ball.position, ball.radius * (1 + touch_distance));
-    record_->statistics.pair_tests += movers_[i].candidates.cover(here, ranges_);
-    return std::ranges::any_of(movers_[i].candidates.list(), [&](FeatureIndex f) {
+    return std::ranges::any_of(features_near(i, here), [&](FeatureIndex f) {
         return !turnings_[features_[f].part].still() && overlap(here, ranges_[f]);
     });
 }
@@ -142,7 +144,7 @@ void ContinuousSolver::find_supports(BallIndex i, double time) {
     const Ball& ball = bodies_[i];
     const Mover& mover = movers_[i];
     const Box here = bounds_of(ball.position, ball.radius * (1 + 1e-6));
-    for (const FeatureIndex f : mover.candidates.list()) {
+    for (const FeatureIndex f : features_near(i, here)) {
         if (!overlap(here, ranges_[f])) continue;
         const Feature& feature = features_[f];
         if (&feature == mover.separated_from || ignores(feature, ball)) continue;

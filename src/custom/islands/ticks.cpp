@@ -221,9 +221,8 @@ void ContinuousSolver::add_part_contacts(BallIndex i, double time, double durati
     // Includes the parts into which the position correction of overlapping balls could push this one.
     const double slack = slow_ * duration + resting_distance * ball.radius + 2 * deepest_;
     const Box box = bounds_of(ball.position, ball.radius + slack);
-    record_->statistics.pair_tests += mover.candidates.cover(box, ranges_);
     PrimitiveIndex seen = layout_.size();
-    for (const FeatureIndex f : mover.candidates.list()) {
+    for (const FeatureIndex f : features_near(i, box)) {
         if (!overlap(box, ranges_[f]) || ignores(features_[f], ball) || features_[f].primitive == seen)
             continue;
         seen = features_[f].primitive;

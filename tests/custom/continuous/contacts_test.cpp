@@ -1,0 +1,60 @@
+#include <algorithm>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "custom/between.hpp"
+#include "custom/scenes.hpp"
+#include "custom/tolerances.hpp"
+#include "rapidcheck/gtest.h"
+
+namespace flipside::custom::test {
+namespace {
+
+/// Balls in a clump, each some touch distances away from one before it, that fly apart, past each other and
+/// against a wall.
+Scene clump() {
+    Scene scene = empty_scene({0, *rc::gen::element(0.0, -9.81)});
+    scene.damping = *rc::gen::element(0.0, 0.3, 40.0);
+    add_part(scene, segment({-9, 0}, {9, 0}));
+    const auto wanted = *rc::gen::inRange(2, 9);
+    for (int i = 0; i < wanted; ++i) {
+        Ball ball;
+        ball.radius = between(0.02, 0.1);
+        ball.mass = 1;
+        ball.number = static_cast<BallNumber>(scene.balls.size());
+        ball.velocity = between(0, 0.5) * from_angle(between(0, 2 * std::numbers::pi));
+        const double gap = between(0.1, 8) * touch_distance * ball.radius;
+        ball.position = {0, ball.radius + gap};
+        if (!scene.balls.empty()) {
+            const Ball& beside = *rc::gen::elementOf(scene.balls);
+            ball.position = beside.position + (beside.radius + ball.radius + gap) *
+                                                  from_angle(between(0, 2 * std::numbers::pi));
+        }
+        const auto overlaps = [&](const Ball& other) {
+            return length(other.position - ball.position) < other.radius + ball.radius;
+        };
+        if (ball.position.y > ball.radius && std::ranges::none_of(scene.balls, overlaps))
+            scene.balls.push_back(ball);
+    }
+    return scene;
+}
+
+bool same(const Contact& a, const Contact& b) {
+    return a.ball == b.ball && a.other == b.other && a.separation == b.separation;
+}
+
+// The solver looks for contacts only at balls whose paths come near others then.
+RC_GTEST_PROP(Contacts, AreThoseOfASearchOfAllBalls, ()) {
+    Scene scene = clump();
+    const auto world = make_world(scene);
+    for (int i = 0; i < 40; ++i) {
+        world->step(between(1e-6, 4e-5));
+        scene.balls.assign(world->balls().begin(), world->balls().end());
+        const auto fresh = make_world(scene, {{"broad_phase", "brute"}});
+        RC_ASSERT(std::ranges::equal(world->contacts(), fresh->contacts(), same));
+    }
+}
+
+}  // namespace
+}  // namespace flipside::custom::test
