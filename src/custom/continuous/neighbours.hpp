@@ -151,10 +151,10 @@ class Cells {
     std::vector<Level> levels_;  ///< in use
 };
 
-/// Finds the parts near a ball by a static grid of boxes that never change. It has about as many cells
-/// as boxes; each cell lists the boxes that touch it. A box that touches too many cells is in no list and is
-/// tested in every query. Cost: n + all list entries to build it; a query costs one box test per entry in the
-/// cells that it touches.
+/// Finds the parts near a ball by a static grid of boxes that never change. It has about half as many
+/// cells as boxes; each cell lists the boxes that touch it. A box that touches too many cells is in no list
+/// and is tested in every query. Cost: n + all list entries to build it; a query costs one box test per entry
+/// in the cells that it touches.
 class BoxIndex {
   public:
     /// Most of the boxes should lie in `range`; others are found too, with more tests.
@@ -179,16 +179,32 @@ class BoxIndex {
         }
     };
     [[nodiscard]] static Axis axis(double min, double max, double width, std::size_t most);
-    void each_cell(const Box& box, auto&& visit) const;
-    [[nodiscard]] std::span<const std::uint32_t> in_cell(std::size_t cell) const {
+    /// A box in the list of a cell, with the least column and row of all its cells.
+    struct Entry {
+        std::uint32_t index = 0;
+        std::uint16_t column = 0, row = 0;
+    };
+    /// Columns and rows of the cells that a box touches.
+    struct CellRange {
+        std::size_t left, right, low, high;
+    };
+    [[nodiscard]] CellRange cells_of(const Box& box) const {
+        return {x_.cell(box.min.x), x_.cell(box.max.x), y_.cell(box.min.y), y_.cell(box.max.y)};
+    }
+    static void each_cell(const CellRange& range, auto&& visit) {
+        for (std::size_t row = range.low; row <= range.high; ++row)
+            for (std::size_t column = range.left; column <= range.right; ++column) visit(column, row);
+    }
+    [[nodiscard]] std::span<const Entry> in_cell(std::size_t column, std::size_t row) const {
+        const std::size_t cell = row * x_.cells + column;
         return std::span(entries_).subspan(begins_[cell], begins_[cell + 1] - begins_[cell]);
     }
 
     std::vector<Box> boxes_;
     Axis x_, y_;
     std::vector<std::uint32_t> begins_;  ///< index of each cell's first entry, row by row, and the end of all
-    std::vector<std::uint32_t> entries_;  ///< indices of boxes, cell by cell
-    std::vector<std::uint32_t> large_;    ///< boxes in no cell, tested in every query
+    std::vector<Entry> entries_;         ///< cell by cell
+    std::vector<std::uint32_t> large_;   ///< boxes in no cell, tested in every query
 };
 
 /// The boxes of an index that a ball may touch: those that overlap its fat AABB. The list is rebuilt only
