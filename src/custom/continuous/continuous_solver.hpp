@@ -110,8 +110,9 @@ class ContinuousSolver {
     };
     /// All other data that the solver keeps of a ball beside the Ball itself.
     struct Mover {
+        ConstrainedPath motion;     ///< since its last event
+        bool on_tick_path = false;  ///< in an island, on the path that the last tick gave it
         BallNumber number = 0;
-        bool on_tick_path = false;          ///< in an island, on the path that the last tick gave it
         bool jammed = false;                ///< since the last regular tick: solve_jammed()
         bool frozen = false;                ///< stays in place without events until the next tick: freeze()
         double last_loaded = 0;             ///< s: when it last had a load from a ball, or from two sides
@@ -133,7 +134,6 @@ class ContinuousSolver {
         const Feature* resting_on = nullptr;      ///< its resting contact
         const Feature* separated_from = nullptr;  ///< the resting contact that has just ended
         TangentFaces tangent_faces;               ///< faces along which it flies
-        ConstrainedPath motion;                   ///< since its last event
     };
     /// Order of events at the same time, whichever ball predicted them: first those without a second ball,
     /// then by the lower ball, then by the higher.

@@ -26,6 +26,7 @@ class NextEvents {
         events_.assign(players, {});
         winners_.resize(players);
         for (std::size_t match = players; --match > 0;) winners_[match] = winner_of(2 * match);
+        soon_ = 0;
     }
     /// Sets the time of a ball's next event, INFINITY for none.
     void set(BallIndex i, double time, std::uint64_t order) {
@@ -34,13 +35,18 @@ class NextEvents {
             const BallIndex winner = winner_of(2 * match);
             if (winner != i && winner == winners_[match]) return;  // the winner above does not change either
             winners_[match] = winner;
+            if (match / parts == 1) soon_ = winner;
         }
     }
     /// The ball with the earliest event, which is at time().
     [[nodiscard]] BallIndex first() const { return winners_[1]; }
     [[nodiscard]] double time() const { return events_[winners_[1]].time; }
+    /// The ball that was the last to become the earliest among a sixteenth of all balls. Before a ball
+    /// becomes the first of all, it is this one, mostly for some events.
+    [[nodiscard]] BallIndex soon() const { return soon_; }
 
   private:
+    static constexpr std::size_t parts = 16;
     struct Event {
         double time = INFINITY;
         std::uint64_t order = ~std::uint64_t{0};
@@ -58,6 +64,7 @@ class NextEvents {
 
     std::vector<Event> events_;       ///< per ball, a power of two of them
     std::vector<BallIndex> winners_;  ///< of each match; node k plays under node k/2
+    BallIndex soon_ = 0;
 };
 
 }  // namespace flipside::custom

@@ -1,6 +1,7 @@
 #include "custom/continuous/next_events.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -23,6 +24,21 @@ RC_GTEST_PROP(NextEvents, TheFirstIsTheEarliestAfterAnyChanges, ()) {
         const auto least = std::ranges::min_element(known);
         RC_ASSERT(events.time() == least->first);
         if (least->first < INFINITY) RC_ASSERT(known[events.first()] == *least);
+    }
+}
+
+RC_GTEST_PROP(NextEvents, WhoeverComesFirstWasSaidToComeSoon, ()) {
+    const auto balls = *rc::gen::inRange<NextEvents::BallIndex>(17, 200);
+    NextEvents events;
+    events.reset(balls);
+    std::set<NextEvents::BallIndex> said;
+    for (NextEvents::BallIndex change = 0; change < 400; ++change) {
+        const auto i = change < balls ? change : events.first();
+        events.set(i, change * 1e-3 + *rc::gen::inRange(1, 100), i);
+        said.insert(events.soon());
+        RC_ASSERT(said.contains(events.first()));
+        if (change >= balls) said.erase(i);
+        said.insert(events.soon());
     }
 }
 
