@@ -100,8 +100,10 @@ void ContinuousSolver::reserve(std::size_t balls) {
     custom::reserve_for(pending_, most, events_per_ball);
     custom::reserve_for(woken_, most);
     custom::reserve_for(overlapped_, most, contacts_per_ball);
-    if (hot_.size() < most)
+    if (hot_.size() < most) {
         hot_.resize(most), near_.resize(most), candidates_.resize(most), rank_.resize(most);
+        for (Candidates& candidates : candidates_) candidates.reserve(std::min(features_.size(), most_near));
+    }
     next_events_.reserve(most);
     cells_.reserve(most);
     custom::reserve_for(pairs_, most, pairs_per_ball);

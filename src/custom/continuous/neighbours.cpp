@@ -194,20 +194,19 @@ std::uint64_t BoxIndex::find(const Box& box, std::vector<std::uint32_t>& found) 
 
 std::span<const std::uint32_t> Candidates::near(const Box& box, const BoxIndex& index,
                                                 std::vector<std::uint32_t>& found, std::uint64_t& tests) {
-    if (fat_.contains(box.min) && fat_.contains(box.max)) return std::span(list_).first(count_);
+    if (fat_.contains(box.min) && fat_.contains(box.max)) return list();
     const Vec2 size = box.max - box.min;
     // A wider margin makes longer lists, a narrower one more rebuilds; measured on pinball.
     constexpr double margin = 0.25;  // of width plus height
     fat_ = grown(box, margin * (size.x + size.y));
     found.clear();
     tests += index.find(fat_, found);
-    if (found.size() > most) {
-        forget();
-        return found;
-    }
     count_ = static_cast<std::uint32_t>(found.size());
-    std::ranges::copy(found, list_.begin());
-    return std::span(list_).first(count_);
+    if (count_ > most_short)
+        long_list_ = found;
+    else
+        std::ranges::copy(found, short_list_.begin());
+    return list();
 }
 
 }  // namespace flipside::custom

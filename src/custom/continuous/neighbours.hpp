@@ -208,24 +208,32 @@ class BoxIndex {
 };
 
 /// The boxes of an index that a ball may touch: those that overlap its fat AABB. The list is rebuilt only
-/// when the swept bounds of its path leave that box, which happens once in many steps. It lies in the memory
-/// of the ball, so it is short; where more boxes are near, each query searches the index.
+/// when the swept bounds of its path leave that box, which happens once in many steps. A short list lies
+/// beside that box, so that a query takes one or two cache lines.
 class Candidates {
   public:
-    /// All boxes of the index that overlap `box`, and some others, in rising order; valid until the next call
-    /// with the same buffer `found`. Adds the number of box tests to `tests`.
+    /// Reserves memory for lists of so many boxes.
+    void reserve(std::size_t boxes) {
+        if (boxes > most_short) long_list_.reserve(boxes);
+    }
+    /// All boxes of the index that overlap `box`, and some others, in rising order; valid until the next
+    /// call. Adds the number of box tests to `tests`. `found` is a buffer.
     [[nodiscard]] std::span<const std::uint32_t> near(const Box& box, const BoxIndex& index,
                                                       std::vector<std::uint32_t>& found,
                                                       std::uint64_t& tests);
     void forget() { fat_ = nothing; }
 
   private:
-    static constexpr std::size_t most = 23;  // on pinball 1.4 % of all lists are longer
+    static constexpr std::size_t most_short = 17;  // on pinball 5 % of all lists are longer
     static constexpr Box nothing{{1, 1}, {-1, -1}};
+    [[nodiscard]] std::span<const std::uint32_t> list() const {
+        return count_ > most_short ? std::span(long_list_) : std::span(short_list_).first(count_);
+    }
 
     Box fat_ = nothing;
     std::uint32_t count_ = 0;
-    std::array<std::uint32_t, most> list_{};
+    std::array<std::uint32_t, most_short> short_list_{};
+    std::vector<std::uint32_t> long_list_;
 };
 
 }  // namespace flipside::custom

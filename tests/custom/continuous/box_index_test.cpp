@@ -41,6 +41,27 @@ RC_GTEST_PROP(BoxIndex, AgreesWithBruteForce, ()) {
     }
 }
 
+// Up to 150 boxes near each other, so that short and long lists take turns.
+RC_GTEST_PROP(Candidates, ContainAllThatABoxOverlapsInOrder, ()) {
+    std::vector<Box> boxes(*rc::gen::inRange<std::size_t>(1, 150));
+    for (Box& box : boxes) box = any_box();
+    const BoxIndex index({{-8, -8}, {8, 8}}, boxes);
+    Candidates candidates;
+    std::vector<std::uint32_t> buffer;
+    std::uint64_t tests = 0;
+    Box box = any_box();
+    for (int round = 0; round < 12; ++round) {
+        // A small move mostly stays in the fat AABB.
+        const Vec2 by =
+            *rc::gen::inRange(0, 3) == 0 ? Vec2{number(), number()} : 0.01 * Vec2{number(), number()};
+        box = {box.min + by, box.max + by};
+        std::vector<std::uint32_t> overlapped;
+        for (const std::uint32_t i : candidates.near(box, index, buffer, tests))
+            if (overlap(box, index[i])) overlapped.push_back(i);
+        RC_ASSERT(overlapped == found_one_by_one(index, box));
+    }
+}
+
 TEST(BoxIndex, AnEmptyIndexFindsNothing) {
     EXPECT_TRUE(found_by(BoxIndex({{0, 0}, {1, 1}}, {}), {{0, 0}, {1, 1}}).empty());
 }
