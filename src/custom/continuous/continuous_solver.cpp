@@ -277,7 +277,7 @@ void ContinuousSolver::report_until(double time, double now) {
 void ContinuousSolver::read(double time, double now, std::vector<Ball>& balls) {
     balls.clear();
     read_at_ = time;
-    constexpr BallIndex ahead = 6;
+    constexpr BallIndex ahead = 6;  // balls; loading one takes about as long as reading these
     for (BallIndex i = 0; i < movers_.size(); ++i) {
         if (i + ahead < movers_.size()) prefetch(movers_[i + ahead].motion);
         rank_[i] = static_cast<BallIndex>(balls.size());

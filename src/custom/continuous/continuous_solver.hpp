@@ -102,13 +102,13 @@ class ContinuousSolver {
     };
     /// When a ball may be within touch_distance of others, on its path and theirs.
     struct NearTimes {
-        double until = -INFINITY;  ///< s: of a ball that it leaves
-        double from = INFINITY;    ///< s: of a ball that it approaches
-        bool part = false;         ///< of a part, before cell_exit
+        double until = -INFINITY;  ///< s: so long it may be near a ball that it leaves
+        double from = INFINITY;    ///< s: from then on it may be near a ball that it approaches
+        bool part = false;         ///< it may be near a part before cell_exit
 
         [[nodiscard]] bool ball_at(double time) const { return time <= until || time >= from; }
     };
-    /// All other data that the solver keeps of a ball beside the Ball itself.
+    /// All other data that the solver keeps of a ball beside the Ball itself; first what a read-out needs.
     struct Mover {
         ConstrainedPath motion;     ///< since its last event
         bool on_tick_path = false;  ///< in an island, on the path that the last tick gave it

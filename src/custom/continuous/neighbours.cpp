@@ -135,7 +135,7 @@ void Cells::inspect(Inspector& inspector) const {
 BoxIndex::Axis BoxIndex::axis(double min, double max, double width, std::size_t most) {
     if (!(max > min) || !(width > 0)) return {min, 0, 1};
     const double cells = std::clamp(std::ceil((max - min) / width), 1.0, static_cast<double>(most));
-    return {min, cells / (max - min), static_cast<std::size_t>(cells)};
+    return {min, cells / (max - min), static_cast<std::uint32_t>(cells)};
 }
 
 BoxIndex::BoxIndex(const Box& range, std::vector<Box> boxes) : boxes_(std::move(boxes)) {
@@ -150,18 +150,16 @@ BoxIndex::BoxIndex(const Box& range, std::vector<Box> boxes) : boxes_(std::move(
         for (std::uint32_t i = 0; i < boxes_.size(); ++i) {
             const Box& box = boxes_[i];
             if (!(box.min.x <= box.max.x && box.min.y <= box.max.y)) continue;
-            const CellRange at = cells_of(box);
-            const auto touched = static_cast<double>((at.right - at.left + 1) * (at.high - at.low + 1));
-            if (touched > most_touched * std::sqrt(n)) {
+            const CellRange cells = cells_of(box);
+            if (static_cast<double>(cells.count()) > most_touched * std::sqrt(n))
                 is_large(i);
-                continue;
-            }
-            const Entry entry{i, static_cast<std::uint16_t>(at.left), static_cast<std::uint16_t>(at.low)};
-            each_cell(at,
-                      [&](std::size_t column, std::size_t row) { visit(row * x_.cells + column, entry); });
+            else
+                cells.each([&](std::uint32_t column, std::uint32_t row) {
+                    visit(cell_at(column, row), Entry{i, cells});
+                });
         }
     };
-    begins_.assign(x_.cells * y_.cells + 1, 0);
+    begins_.assign(std::size_t{x_.cells} * y_.cells + 1, 0);
     each_in_cells([&](std::size_t cell, const Entry&) { ++begins_[cell]; },
                   [&](std::uint32_t i) { large_.push_back(i); });
     std::uint32_t end = 0;
@@ -179,14 +177,10 @@ std::uint64_t BoxIndex::find(const Box& box, std::vector<std::uint32_t>& found) 
         if (overlap(box, boxes_[i])) found.push_back(i);
     };
     for (const std::uint32_t i : large_) test(i);
-    const CellRange range = cells_of(box);
-    each_cell(range, [&](std::size_t column, std::size_t row) {
-        for (const Entry& entry : in_cell(column, row)) {
-            // A box in several of these cells is tested in the first of them.
-            const bool is_first = column == std::max<std::size_t>(range.left, entry.column) &&
-                                  row == std::max<std::size_t>(range.low, entry.row);
-            if (is_first) test(entry.index);
-        }
+    const CellRange cells = cells_of(box);
+    cells.each([&](std::uint32_t column, std::uint32_t row) {
+        for (const Entry& entry : in_cell(cell_at(column, row)))
+            if (is_first_shared(entry.cells, cells, column, row)) test(entry.index);
     });
     std::sort(found.begin() + before, found.end());
     return tests;

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "custom/broad_phase/cell_lists.hpp"
 #include "custom/geometry/bounds.hpp"
 #include "world/ball.hpp"
 #include "world/inspector.hpp"
@@ -153,8 +154,8 @@ class Cells {
 
 /// Finds the parts near a ball by a static grid of boxes that never change. It has about half as many
 /// cells as boxes; each cell lists the boxes that touch it. A box that touches too many cells is in no list
-/// and is tested in every query. Cost: n + all list entries to build it; a query costs one box test per entry
-/// in the cells that it touches.
+/// and is tested in every query. Cost: n + all list entries to build it; a query costs one test per box
+/// listed in the cells that it touches.
 class BoxIndex {
   public:
     /// Most of the boxes should lie in `range`; others are found too, with more tests.
@@ -170,33 +171,27 @@ class BoxIndex {
   private:
     struct Axis {
         double low = 0, per_cell = 0;
-        std::size_t cells = 1;
+        std::uint32_t cells = 1;
 
         /// Index of the cell of a coordinate; the first or the last for those outside, also at infinity.
-        [[nodiscard]] std::size_t cell(double at) const {
+        [[nodiscard]] std::uint32_t cell(double at) const {
             const double index = (at - low) * per_cell;
-            return index > 0 ? static_cast<std::size_t>(std::min(index, static_cast<double>(cells - 1))) : 0;
+            return index > 0 ? static_cast<std::uint32_t>(std::min(index, cells - 1.0)) : 0;
         }
     };
     [[nodiscard]] static Axis axis(double min, double max, double width, std::size_t most);
-    /// A box in the list of a cell, with the least column and row of all its cells.
+    /// A box in the list of a cell, and all cells that it touches.
     struct Entry {
         std::uint32_t index = 0;
-        std::uint16_t column = 0, row = 0;
-    };
-    /// Columns and rows of the cells that a box touches.
-    struct CellRange {
-        std::size_t left, right, low, high;
+        CellRange cells;
     };
     [[nodiscard]] CellRange cells_of(const Box& box) const {
-        return {x_.cell(box.min.x), x_.cell(box.max.x), y_.cell(box.min.y), y_.cell(box.max.y)};
+        return {x_.cell(box.min.x), y_.cell(box.min.y), x_.cell(box.max.x), y_.cell(box.max.y)};
     }
-    static void each_cell(const CellRange& range, auto&& visit) {
-        for (std::size_t row = range.low; row <= range.high; ++row)
-            for (std::size_t column = range.left; column <= range.right; ++column) visit(column, row);
+    [[nodiscard]] std::size_t cell_at(std::uint32_t column, std::uint32_t row) const {
+        return std::size_t{row} * x_.cells + column;
     }
-    [[nodiscard]] std::span<const Entry> in_cell(std::size_t column, std::size_t row) const {
-        const std::size_t cell = row * x_.cells + column;
+    [[nodiscard]] std::span<const Entry> in_cell(std::size_t cell) const {
         return std::span(entries_).subspan(begins_[cell], begins_[cell + 1] - begins_[cell]);
     }
 

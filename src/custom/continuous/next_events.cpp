@@ -170,7 +170,7 @@ void ContinuousSolver::predict_ball(BallIndex i, BallIndex j, double time) {
     if (b.lost) return;
     if (a.ballistic && b.ballistic) return predict_flying(i, j, time);
     if (!layers_meet(bodies_[i], bodies_[j])) return;
-    note_near(i, j, -INFINITY, -INFINITY);
+    note_near(i, j, -INFINITY, -INFINITY);  // at any time
     if (a.creeps && (b.creeps || bodies_[j].asleep)) return;
     if (a.in_island && (b.in_island || bodies_[j].asleep) && in_slow_contact(i, j, time)) return;
     const Mover &mover = movers_[i], &other = movers_[j];

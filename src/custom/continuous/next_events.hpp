@@ -35,18 +35,18 @@ class NextEvents {
             const BallIndex winner = winner_of(2 * match);
             if (winner != i && winner == winners_[match]) return;  // the winner above does not change either
             winners_[match] = winner;
-            if (match / parts == 1) soon_ = winner;
+            if (match / groups == 1) soon_ = winner;
         }
     }
     /// The ball with the earliest event, which is at time().
     [[nodiscard]] BallIndex first() const { return winners_[1]; }
     [[nodiscard]] double time() const { return events_[winners_[1]].time; }
-    /// The ball that was the last to become the earliest among a sixteenth of all balls. Before a ball
-    /// becomes the first of all, it is this one, mostly for some events.
+    /// The ball that most recently became the earliest of its sixteenth of all balls. Every ball is this one
+    /// before it is first(), mostly some events earlier.
     [[nodiscard]] BallIndex soon() const { return soon_; }
 
   private:
-    static constexpr std::size_t parts = 16;
+    static constexpr std::size_t groups = 16;  ///< of all balls
     struct Event {
         double time = INFINITY;
         std::uint64_t order = ~std::uint64_t{0};
