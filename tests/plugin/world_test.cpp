@@ -1,7 +1,10 @@
 #include "plugin/world.hpp"
 
+#include <chrono>
+
 #include "lab/files/assets.hpp"
 #include "lab/session/session.hpp"
+#include "lab/statistics/median.hpp"
 #include "plugin/needs.hpp"
 #include "support.hpp"
 #include "world/input_error.hpp"
@@ -115,13 +118,18 @@ TEST(PluginSession, TheTimeOfAStepIsThatOfTheEnginesProcess) {
     const Engine& engine = lab::engine_named(NAUGHTY_ENGINE);
     lab::Session session(scene, engine, Settings(engine.settings));
     double sum = 0;
-    for (int i = 0; i < 100; ++i) {
+    std::vector<double> engine_seconds, all_seconds;
+    for (int i = 0; i < 101; ++i) {
+        const auto start = std::chrono::steady_clock::now();
         session.step(0.001);
-        sum += session.world().statistics().cpu_seconds.value();
+        all_seconds.push_back(
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        engine_seconds.push_back(session.world().statistics().cpu_seconds.value());
+        sum += engine_seconds.back();
     }
     EXPECT_DOUBLE_EQ(session.totals().step_seconds, sum);
-    // A system call to the other process alone takes 5 us.
-    EXPECT_LT(sum, 100 * 5e-6);
+    // Most of a step with two balls is the way to the other process and back.
+    EXPECT_LT(lab::median_of(engine_seconds).value, 0.5 * lab::median_of(all_seconds).value);
 }
 
 TEST(PluginWorld, ATraceShowsWhatThereIsToSee) {
