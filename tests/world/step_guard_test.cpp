@@ -24,11 +24,11 @@ TEST(StepGuard, ARefusedStepIsGivenTheBallsBeforeIt) {
     Guarded world;
     world.run([&] { world.balls[1].position = {1, 0}; });
     const std::vector<Ball> before = world.balls;
-    EXPECT_THROW(world.run([&] {
+    const auto move_too_far = [&] {
         world.balls.pop_back();
         world.balls[0].position = {2 * farthest, 0};
-    }),
-                 Refusal);
+    };
+    EXPECT_THROW(world.run(move_too_far), Refusal);
     EXPECT_EQ(world.restored, before);
     EXPECT_THROW(world.run([] { FAIL() << "no step after a refusal"; }), Refusal);
     world.guard.forget();
@@ -44,8 +44,9 @@ TEST(StepGuard, BallsThatAChangeBroughtBeyondTheLimitsAreRefusedBeforeTheStep) {
 TEST(StepGuard, AStepThatMovesNoBallIsRefusedWithTheBallsAsTheyAre) {
     Guarded world;
     world.balls[1].position = {1, 0};
+    const std::vector<Ball> before = world.balls;
     EXPECT_THROW(world.run([] { throw Refusal("the last time"); }, false), Refusal);
-    EXPECT_EQ(world.restored, world.balls);
+    EXPECT_EQ(world.restored, before);
 }
 
 }  // namespace
