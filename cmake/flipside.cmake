@@ -7,14 +7,17 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
 find_program(FLIPSIDE_CCACHE ccache)
 if(FLIPSIDE_CCACHE)
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${FLIPSIDE_CCACHE})
+    # Paths below this folder count from it, so that every checkout finds what another one compiled.
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1
+                                    ${FLIPSIDE_CCACHE})
 endif()
 
 add_library(flipside_options INTERFACE)
 # Contraction off: a fused multiply-add rounds once where the source rounds twice, and would make the
 # bits of a run depend on compiler and machine.
 target_compile_options(flipside_options INTERFACE
-    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -ffp-contract=off)
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -ffp-contract=off
+    -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)  # __FILE__ is the same in every checkout
 # gcc 12 sees overlapping copies in "text" + std::string (https://gcc.gnu.org/PR105651). gcc 13 and 14 take any reference
 # that a function returns for one into its temporary arguments, views such as std::span and world's Node included; the
 # address sanitizer finds those that do dangle.
@@ -74,14 +77,27 @@ function(flipside_library name)
     target_link_libraries(flipside_${name} PUBLIC ${ARG_LINKS} PRIVATE flipside_options ${ARG_PRIVATE_LINKS})
 endfunction()
 
-# flipside_tests(NAME [LINKS ...]): the sources of the current folder and below as test program test_NAME.
+# flipside_places(TARGET [NAME PATH]...): what tests/places.hpp declares, for this test program.
+function(flipside_places target)
+    set(text "#include \"places.hpp\"\n\n")
+    set(places source_dir ${PROJECT_SOURCE_DIR} ${ARGN})
+    while(places)
+        list(POP_FRONT places name path)
+        string(APPEND text "const char* const flipside::test::${name} = \"${path}\";\n")
+    endwhile()
+    file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/places.cpp CONTENT "${text}")
+    target_sources(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/places.cpp)
+    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+endfunction()
+
+# flipside_tests(NAME [LINKS ...] [PLACES NAME PATH...]): the sources of the current folder and below as test program
+# test_NAME, which knows those places.
 function(flipside_tests name)
-    cmake_parse_arguments(ARG "" "" "LINKS" ${ARGN})
+    cmake_parse_arguments(ARG "" "" "LINKS;PLACES" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp *.hpp)
     add_executable(test_${name} ${sources})
     flipside_units(test_${name} ${sources})
-    target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-    target_compile_definitions(test_${name} PRIVATE FLIPSIDE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    flipside_places(test_${name} ${ARG_PLACES})
     target_link_libraries(test_${name} PRIVATE ${ARG_LINKS} GTest::gtest_main flipside_options)
     gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
                          PROPERTIES TIMEOUT 600 LABELS ${name})

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command_line.hpp"
+#include "places.hpp"
 
 namespace flipside::app {
 namespace {
@@ -32,7 +33,7 @@ TEST_F(CommandLine, BadUsageIsExitTwoAndOneLine) {
     expect_refused("compare drop --contender a=custom,dt=1/97 --contender b=box2d", 2, "does not divide");
     expect_refused("compare drop --contender a=custom --engines box2d", 2, "--engines");
     expect_refused("render drop --engine custom --out x.png --view round", 2, "overlay");
-    expect_refused("check " FLIPSIDE_SOURCE_DIR "/CMakeLists.txt", 2, "line 1");
+    expect_refused("check " + test::source("CMakeLists.txt"), 2, "line 1");
     expect_refused("pairs --most 5", 2, "32");
     expect_refused("report", 2, "--out");
     expect_refused("cases perpetuum-mobile", 2, "galperin");
@@ -73,7 +74,7 @@ TEST_F(CommandLine, ListsSayWhatThereIs) {
 
 TEST_F(CommandLine, EveryBadSceneIsRefusedByNameAndEveryGoodOneIsNot) {
     int bad = 0;
-    for (const auto& entry : fs::directory_iterator(FLIPSIDE_SOURCE_DIR "/tests/world/bad")) {
+    for (const auto& entry : fs::directory_iterator(test::source("tests/world/bad"))) {
         if (!entry.is_regular_file()) continue;
         ++bad;
         expect_refused("check '" + entry.path().string() + "'", 2, entry.path().filename().string());
@@ -234,10 +235,9 @@ TEST_F(CommandLine, LessonsAreListedAndChecked) {
 }
 
 TEST_F(CommandLine, AReportNeedsGnuplotAndSaysSoBeforeItMeasures) {
-    const int status =
-        std::system(("env PATH=" + file("none") + " " FLIPSIDE_EXECUTABLE " report --quick --out " +
-                     file("report") + " 2> " + file("err"))
-                        .c_str());
+    const int status = std::system(("env PATH=" + file("none") + " " + std::string(test::flipside_program) +
+                                    " report --quick --out " + file("report") + " 2> " + file("err"))
+                                       .c_str());
     EXPECT_EQ(WEXITSTATUS(status), 1);
     EXPECT_NE(text_of(file("err")).find("gnuplot-nox"), std::string::npos) << text_of(file("err"));
     EXPECT_EQ(std::ranges::count(text_of(file("err")), '\n'), 1);
@@ -248,7 +248,7 @@ TEST_F(CommandLine, AReportThatIsInterruptedLeavesWholeFilesAndGoesOn) {
     const std::string out = file("report");
     const pid_t child = fork();
     if (child == 0) {
-        execl(FLIPSIDE_EXECUTABLE, "flipside", "report", "--quick", "--out", out.c_str(), nullptr);
+        execl(test::flipside_program, "flipside", "report", "--quick", "--out", out.c_str(), nullptr);
         _exit(127);
     }
     const auto measured = [&] {
@@ -294,7 +294,7 @@ TEST_F(CommandLine, AnInterruptLeavesNoFile) {
     const std::string out = file("t.csv");
     const pid_t child = fork();
     if (child == 0) {
-        execl(FLIPSIDE_EXECUTABLE, "flipside", "run", "box", "--engine", "custom", "--seconds", "100000",
+        execl(test::flipside_program, "flipside", "run", "box", "--engine", "custom", "--seconds", "100000",
               "--every", "100", "--out", out.c_str(), nullptr);
         _exit(127);
     }

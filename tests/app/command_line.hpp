@@ -14,6 +14,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "places.hpp"
+
 namespace flipside::app {
 
 namespace fs = std::filesystem;
@@ -69,8 +71,9 @@ class CommandLine : public ::testing::Test {
 
     /// Words of a shell's line; `redirected` comes after all that is redirected here.
     [[nodiscard]] Result flipside(const std::string& arguments, const std::string& redirected = "") const {
-        const std::string command = environment + " " FLIPSIDE_EXECUTABLE " " + arguments + " > " +
-                                    file("out") + " 2> " + file("err") + " < /dev/null " + redirected;
+        const std::string command = environment + " " + std::string(test::flipside_program) + " " +
+                                    arguments + " > " + file("out") + " 2> " + file("err") + " < /dev/null " +
+                                    redirected;
         const int status = std::system(command.c_str());
         Result result{WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(file("out")),
                       text_of(file("err"))};

@@ -4,6 +4,7 @@
 
 #include "app/window_fixture.hpp"
 #include "lab/files/assets.hpp"
+#include "places.hpp"
 #include "world/json_file.hpp"
 
 namespace flipside::app {
@@ -81,7 +82,7 @@ class EditWindow : public WindowTest {
     }
     /// The exit code of another run of the program.
     static int run_program(std::vector<std::string> arguments) {
-        arguments.insert(arguments.begin(), FLIPSIDE_EXECUTABLE);
+        arguments.insert(arguments.begin(), test::flipside_program);
         return Process(arguments).wait(60);
     }
     void save_as(const fs::path& file) {

@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "app/window_fixture.hpp"
+#include "places.hpp"
 
 namespace flipside::app {
 namespace {
@@ -15,7 +16,7 @@ class GamepadWindow : public WindowTest {
 #endif
         file = std::filesystem::temp_directory_path() / ("flipside-gamepad-" + std::to_string(getpid()));
         setenv("FLIPSIDE_FAKE_GAMEPAD", file.c_str(), 1);
-        setenv("LD_PRELOAD", FLIPSIDE_FAKE_GAMEPAD_LIBRARY, 1);
+        setenv("LD_PRELOAD", test::fake_gamepad_library, 1);
         open();
         unsetenv("LD_PRELOAD");
     }

@@ -12,6 +12,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "places.hpp"
+
 namespace flipside {
 namespace {
 
@@ -79,7 +81,7 @@ class Interrupt : public ::testing::Test {
 
   private:
     [[nodiscard]] pid_t start(const std::vector<std::string>& arguments) const {
-        std::vector<std::string> words{FLIPSIDE_EXECUTABLE};
+        std::vector<std::string> words{test::flipside_program};
         words.insert(words.end(), arguments.begin(), arguments.end());
         std::vector<char*> pointers;
         for (std::string& word : words) pointers.push_back(word.data());
@@ -89,7 +91,7 @@ class Interrupt : public ::testing::Test {
         if (child != 0) return child;
         dup2(open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
         dup2(open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
-        execv(FLIPSIDE_EXECUTABLE, pointers.data());
+        execv(test::flipside_program, pointers.data());
         _exit(127);
     }
 

@@ -2,6 +2,7 @@
 /// written twice, paths that are no paths. Nothing is lost without an exit code and one line.
 
 #include "command_line.hpp"
+#include "places.hpp"
 
 namespace flipside::app {
 namespace {
@@ -38,8 +39,8 @@ TEST_F(CommandLine, AClosedStdoutIsExitOneAndOneLine) {
 
 TEST_F(CommandLine, APipeThatNobodyReadsIsExitOneAndOneLine) {
     // The reader has gone by the time that there is something to read.
-    const std::string line = "{ sleep 0.2; " FLIPSIDE_EXECUTABLE " engines 2> " + file("err") +
-                             "; echo $? > " + file("code") + "; } | true";
+    const std::string line = "{ sleep 0.2; " + std::string(test::flipside_program) + " engines 2> " +
+                             file("err") + "; echo $? > " + file("code") + "; } | true";
     ASSERT_EQ(std::system(line.c_str()), 0);
     EXPECT_EQ(text_of(file("code")), "1\n");
     EXPECT_EQ(text_of(file("err")), "flipside: standard output: cannot be written (Broken pipe)\n");

@@ -10,6 +10,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "places.hpp"
+
 namespace flipside::app {
 
 namespace {
@@ -109,7 +111,7 @@ RealWindow::RealWindow(std::vector<std::string> arguments, const std::filesystem
     setenv("XDG_STATE_HOME", (state_home.empty() ? folder_ : state_home).c_str(), 1);
     if (state_home.empty()) arguments.emplace_back("--no-settings");
     const std::filesystem::path report = folder_ / "report.jsonl";
-    std::vector<std::string> command = {FLIPSIDE_EXECUTABLE, "play"};
+    std::vector<std::string> command = {test::flipside_program, "play"};
     command.insert(command.end(), arguments.begin(), arguments.end());
     command.insert(command.end(), {"--report", report.string(), "--screenshots", folder_.string()});
     program_ = Process(command);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "box2d/table_top.hpp"
+#include "places.hpp"
 #include "world/scene_file.hpp"
 #include "world/script_file.hpp"
 
@@ -10,7 +11,7 @@ namespace flipside::box2d::test {
 namespace {
 
 std::string asset(const std::string& name) {
-    return FLIPSIDE_SOURCE_DIR "/assets/scenes/" + name;
+    return flipside::test::source("assets/scenes/") + name;
 }
 
 /// Plays a scene with its script for `seconds`, one step after another.

@@ -13,6 +13,7 @@
 #include "lab/certificates/certificate.hpp"
 #include "lab/contenders/engines.hpp"
 #include "lab/files/assets.hpp"
+#include "places.hpp"
 #include "world/scene_file.hpp"
 #include "world/script_file.hpp"
 
@@ -30,7 +31,8 @@ inline Checked check_certificate(const std::string& json) {
     fs::create_directory(folder);
     const std::string file = (folder / "file").string(), out = (folder / "out").string();
     std::ofstream(file) << json;
-    const int status = std::system((CHECKER " " + file + " > " + out + " 2>&1").c_str());
+    const int status =
+        std::system((test::certificate_checker + (" " + file) + " > " + out + " 2>&1").c_str());
     std::ostringstream says;
     says << std::ifstream(out).rdbuf();
     fs::remove_all(folder);

@@ -1,7 +1,8 @@
 // `flipside certify` and the checker as programs.
-#ifdef FLIPSIDE_EXECUTABLE
+#ifdef FLIPSIDE_WITH_APP
 
 #include "app/command_line.hpp"
+#include "places.hpp"
 
 namespace flipside {
 namespace {
@@ -9,7 +10,8 @@ namespace {
 class Certify : public app::CommandLine {
   protected:
     [[nodiscard]] int check(const std::string& arguments) const {
-        const std::string command = std::string(CHECKER " ") + arguments + " > " + file("says") + " 2>&1";
+        const std::string command =
+            std::string(test::certificate_checker) + " " + arguments + " > " + file("says") + " 2>&1";
         const int status = std::system(command.c_str());
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }

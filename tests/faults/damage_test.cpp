@@ -12,6 +12,7 @@
 #include "damages.hpp"
 #include "lab/process/failure.hpp"
 #include "lab/report/report.hpp"
+#include "places.hpp"
 #include "scenarios.hpp"
 
 namespace flipside::faults {
@@ -34,7 +35,7 @@ class Damages : public ::testing::Test {
     static void TearDownTestSuite() { fs::remove_all(base); }
 
     static Ended sweep(const fs::path& where, const std::string& seed, const std::string& scene = "drop") {
-        return Child({FLIPSIDE_EXECUTABLE, "sweep", scene, "--contenders", "box2d", "--finest", "30",
+        return Child({test::flipside_program, "sweep", scene, "--contenders", "box2d", "--finest", "30",
                       "--quick", "--seed", seed, "--out", "sweep-" + seed},
                      where)
             .wait();
@@ -96,7 +97,7 @@ TEST_F(Damages, OfFoldersThatWereHandedOverAreRefused) {
             begin();
             damage.act(folder / "sweep-1" / name);
             const Ended ended =
-                Child({FLIPSIDE_EXECUTABLE, "report", "--quick", "--from", "sweep-1", "--out", "report"},
+                Child({test::flipside_program, "report", "--quick", "--from", "sweep-1", "--out", "report"},
                       folder)
                     .wait();
             EXPECT_EQ(ended.code, 2) << ended.err;
@@ -124,7 +125,7 @@ TEST_F(Damages, ASceneThatWasChangedMakesAnotherSweep) {
     fs::remove_all(folder);
     fs::create_directory(folder);
     const fs::path scene = folder / "mine.json";
-    fs::copy(FLIPSIDE_SOURCE_DIR "/assets/scenes/drop.json", scene);
+    fs::copy(test::source("assets/scenes/drop.json"), scene);
     EXPECT_EQ(sweep(folder, "1", scene.string()).code, 0);
     std::ofstream(scene, std::ios::app) << '\n';
     const Ended ended = sweep(folder, "1", scene.string());

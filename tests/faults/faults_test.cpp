@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "places.hpp"
 #include "scenarios.hpp"
 
 namespace flipside::faults {
@@ -61,7 +62,7 @@ class Faults : public ::testing::Test {
     [[nodiscard]] Ended run_with(const Scenario& scenario, const std::string& fault) const {
         begin(scenario);
         return Child(scenario.command, folder,
-                     {"LD_PRELOAD=" FAULT_LIBRARY, "FLIPSIDE_FAULT=" + fault,
+                     {std::string("LD_PRELOAD=") + test::fault_library, "FLIPSIDE_FAULT=" + fault,
                       "FLIPSIDE_FAULT_IN=" + scenario.program,
                       "FLIPSIDE_FAULT_COUNT=" + (base / "counts").string()})
             .wait();

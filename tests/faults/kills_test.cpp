@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "in_small.hpp"
+#include "places.hpp"
 #include "scenarios.hpp"
 
 namespace flipside::faults {
@@ -93,13 +94,13 @@ class Kills : public ::testing::Test {
 };
 
 TEST_F(Kills, OfASweepChangeNothing) {
-    expect_the_same_after_kills({FLIPSIDE_EXECUTABLE, "sweep", "drop", "--contenders",
+    expect_the_same_after_kills({test::flipside_program, "sweep", "drop", "--contenders",
                                  "box2d,custom-continuous", "--finest", "60", "--quick", "--out", "sweep"},
                                 12);
 }
 
 TEST_F(Kills, OfAReportChangeNothing) {
-    expect_the_same_after_kills({TINY_REPORT, "report"}, 1);
+    expect_the_same_after_kills({test::tiny_report, "report"}, 1);
 }
 
 }  // namespace

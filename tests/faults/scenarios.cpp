@@ -3,15 +3,24 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "places.hpp"
+
 namespace flipside::faults {
 
 namespace fs = std::filesystem;
 
 namespace {
 
-const std::vector<std::string> sweep_command{
-    FLIPSIDE_EXECUTABLE, "sweep", "drop",    "--contenders", "box2d",
-    "--finest",          "30",    "--quick", "--out",        "sweep"};
+const std::vector<std::string> sweep_command{test::flipside_program,
+                                             "sweep",
+                                             "drop",
+                                             "--contenders",
+                                             "box2d",
+                                             "--finest",
+                                             "30",
+                                             "--quick",
+                                             "--out",
+                                             "sweep"};
 
 }  // namespace
 
@@ -28,8 +37,8 @@ Scenarios::~Scenarios() {
 
 Scenario Scenarios::run() const {
     return {"run",
-            {FLIPSIDE_EXECUTABLE, "run", "toy", "--engine", "custom", "--seconds", "0.5", "--script", "none",
-             "--out", "a.csv", "--events", "b.csv", "--stats", "c.json", "--save", "d.json"},
+            {test::flipside_program, "run", "toy", "--engine", "custom", "--seconds", "0.5", "--script",
+             "none", "--out", "a.csv", "--events", "b.csv", "--stats", "c.json", "--save", "d.json"},
             base_ / "run",
             "flipside"};
 }
@@ -51,7 +60,7 @@ Scenario Scenarios::sweep_end() const {
 }
 
 Scenario Scenarios::report(const std::string& program) const {
-    const Scenario scenario{"a report", {TINY_REPORT, "report"}, base_ / "reported", program};
+    const Scenario scenario{"a report", {test::tiny_report, "report"}, base_ / "reported", program};
     if (fs::is_empty(scenario.folder)) {
         run_undisturbed(scenario, scenario.folder);
         fs::remove(scenario.folder / "report" / "data" / "energy-drop-custom-continuous.csv");

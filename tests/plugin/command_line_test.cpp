@@ -1,13 +1,15 @@
 /// The real executable with a library as its engine.
 
-#ifdef FLIPSIDE_EXECUTABLE
+#ifdef FLIPSIDE_WITH_APP
 
 #include "app/command_line.hpp"
+
+#include "places.hpp"
 
 namespace flipside::app {
 namespace {
 
-const std::string engine_in_c = ENGINE_IN_C, naughty_engine = NAUGHTY_ENGINE;
+const std::string engine_in_c = test::engine_in_c, naughty_engine = test::naughty_engine;
 
 TEST_F(CommandLine, ALibraryIsAnEngineEverywhere) {
     const std::string engine = " --engine " + engine_in_c;
@@ -26,7 +28,7 @@ TEST_F(CommandLine, ALibraryIsAnEngineEverywhere) {
 TEST_F(CommandLine, WhatALibraryCannotDoIsSaidInOneLine) {
     expect_refused("run pinball --engine " + engine_in_c, 2, "needs what this engine does not support: arcs");
     expect_refused("run drop --engine ./nowhere.so", 2, "nowhere.so");
-    expect_refused("run drop --engine " FLIPSIDE_SOURCE_DIR "/README.md", 2, "cannot be loaded");
+    expect_refused("run drop --engine " + test::source("README.md"), 2, "cannot be loaded");
     expect_refused("run drop --set does=crash --engine " + naughty_engine, 1,
                    "custom-2: in the step from 0.1 s");
     expect_refused("run drop --set does=abort --out " + file("none.csv") + " --engine " + naughty_engine, 1,
@@ -54,7 +56,7 @@ TEST_F(CommandLine, ConformanceIsAnExitCodeAndMarks) {
     EXPECT_NE(good.out.find("of 100 points; passed"), std::string::npos);
     EXPECT_NE(text_of(file("marks.json")).find("flipside-conformance/1"), std::string::npos);
     EXPECT_EQ(flipside("conformance " + naughty_engine).code, 1);
-    EXPECT_EQ(flipside("conformance " FLIPSIDE_SOURCE_DIR "/README.md").code, 1);
+    EXPECT_EQ(flipside("conformance " + test::source("README.md")).code, 1);
     expect_refused("conformance " + file("nothing.so"), 2, "there is no such file");
 }
 

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "places.hpp"
 #include "support.hpp"
 #include "world/input_error.hpp"
 #include "world/schema.hpp"
@@ -18,7 +19,7 @@ using lab::Grade;
 const std::string& schema() {
     static const std::string text = [] {
         std::ostringstream words;
-        words << std::ifstream(FLIPSIDE_SOURCE_DIR "/assets/conformance.schema.json").rdbuf();
+        words << std::ifstream(test::source("assets/conformance.schema.json")).rdbuf();
         return words.str();
     }();
     return text;
@@ -47,7 +48,7 @@ std::vector<std::string> names(const Conformance& conformance, Grade grade) {
 using Names = std::vector<std::string>;
 
 TEST(PluginConformance, TheExampleInCPassesAndWhatItLacksIsNamed) {
-    const Conformance marks = marks_of(ENGINE_IN_C);
+    const Conformance marks = marks_of(test::engine_in_c);
     EXPECT_TRUE(marks.passed());
     EXPECT_EQ(marks.engine, "engine-in-c");
     EXPECT_EQ(names(marks, Grade::not_offered), (Names{"arcs", "polygons", "capsules", "friction", "damping",
@@ -55,9 +56,9 @@ TEST(PluginConformance, TheExampleInCPassesAndWhatItLacksIsNamed) {
     EXPECT_EQ(names(marks, Grade::part), (Names{"controls"}));
 }
 
-#ifdef CHIPMUNK_ENGINE
+#ifdef FLIPSIDE_WITH_CHIPMUNK
 TEST(PluginConformance, ChipmunkPassesAndFliesNoExactParabola) {
-    const Conformance marks = marks_of(CHIPMUNK_ENGINE);
+    const Conformance marks = marks_of(test::chipmunk_engine);
     EXPECT_TRUE(marks.passed()) << to_json(marks);
     EXPECT_EQ(marks.library, "Chipmunk 7.0.3");
     EXPECT_EQ(names(marks, Grade::not_offered), Names{});
@@ -67,7 +68,7 @@ TEST(PluginConformance, ChipmunkPassesAndFliesNoExactParabola) {
 
 TEST(PluginConformance, WhatIsDeclaredAndWrongFails) {
     // It declares everything, and its balls fall through everything.
-    const Conformance marks = marks_of(NAUGHTY_ENGINE);
+    const Conformance marks = marks_of(test::naughty_engine);
     EXPECT_FALSE(marks.passed());
     const Names failed = names(marks, Grade::fail);
     for (const char* name : {"bounce", "momentum", "segments", "gates", "sensors"})
@@ -77,7 +78,7 @@ TEST(PluginConformance, WhatIsDeclaredAndWrongFails) {
 }
 
 TEST(PluginConformance, WhatCannotBeLoadedFailsEverywhereAndWhatIsNotThereIsBadInput) {
-    const Conformance marks = marks_of(NOT_AN_ENGINE);
+    const Conformance marks = marks_of(test::not_an_engine);
     EXPECT_FALSE(marks.passed());
     EXPECT_EQ(marks.points(), 0);
     EXPECT_THROW(static_cast<void>(lab::check_conformance("./nothing-there.so")), InputError);

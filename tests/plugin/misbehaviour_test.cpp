@@ -2,6 +2,7 @@
 
 #include <sys/wait.h>
 
+#include "places.hpp"
 #include "support.hpp"
 #include "world/input_error.hpp"
 
@@ -22,8 +23,8 @@ class Misbehaviour : public testing::TestWithParam<Misdeed> {};
 /// Each keeps the contract until 0.1 s.
 TEST_P(Misbehaviour, EndsTheRunByNameAndNothingElse) {
     const auto [does, says] = GetParam();
-    const auto world = world_of(NAUGHTY_ENGINE, falling(2), std::string("does=") + does);
-    const auto other = world_of(NAUGHTY_ENGINE, falling(2));
+    const auto world = world_of(test::naughty_engine, falling(2), std::string("does=") + does);
+    const auto other = world_of(test::naughty_engine, falling(2));
     const std::string refusal = refusal_of(*world);
     if (*says == '\0') {
         EXPECT_EQ(refusal, "");
@@ -83,13 +84,13 @@ INSTANTIATE_TEST_SUITE_P(Plugin, Misbehaviour, testing::ValuesIn(misdeeds), [](c
 
 TEST(PluginMaking, WhatAnEngineRefusesIsBadInputAndACrashIsNot) {
     try {
-        static_cast<void>(world_of(NAUGHTY_ENGINE, falling(1), "does=refuse-make"));
+        static_cast<void>(world_of(test::naughty_engine, falling(1), "does=refuse-make"));
         FAIL();
     } catch (const InputError& error) {
         EXPECT_STREQ(error.what(), R"(custom-2: refuses make at 0 s: no such luck\x1b[31m)");
     }
     try {
-        static_cast<void>(world_of(NAUGHTY_ENGINE, falling(1), "does=crash-in-make"));
+        static_cast<void>(world_of(test::naughty_engine, falling(1), "does=crash-in-make"));
         FAIL();
     } catch (const Refusal& refusal) {
         EXPECT_NE(std::string(refusal.what()).find("in make at 0 s its process has crashed"),
@@ -104,11 +105,11 @@ std::size_t open_files() {
 }
 
 TEST(PluginProcess, NothingIsLeftOfWorldsThatAreGone) {
-    static_cast<void>(world_of(NAUGHTY_ENGINE, falling(1)));
+    static_cast<void>(world_of(test::naughty_engine, falling(1)));
     const std::size_t before = open_files();
     for (int i = 0; i < 20; ++i) {
-        const auto a = world_of(NAUGHTY_ENGINE, falling(1)),
-                   b = world_of(NAUGHTY_ENGINE, falling(2), "does=crash");
+        const auto a = world_of(test::naughty_engine, falling(1)),
+                   b = world_of(test::naughty_engine, falling(2), "does=crash");
         a->step(0.01);
         static_cast<void>(refusal_of(*b));
         a->step(0.01);

@@ -6,6 +6,7 @@
 #include "lab/session/session.hpp"
 #include "lab/sweep/contenders.hpp"
 #include "lab/sweep/unit.hpp"
+#include "places.hpp"
 #include "support.hpp"
 #include "world/input_error.hpp"
 
@@ -22,7 +23,8 @@ lab::Contender contender(const char* engine, const Scene& scene, const std::stri
 TEST(PluginCompare, OneThatCrashesEndsAloneAndByName) {
     lab::CompareInput input;
     input.scene = falling(1);
-    input.contenders = {contender("custom", *input.scene), contender(NAUGHTY_ENGINE, *input.scene, "crash"),
+    input.contenders = {contender("custom", *input.scene),
+                        contender(test::naughty_engine, *input.scene, "crash"),
                         contender("box2d", *input.scene)};
     input.seconds = 0.5;
     const lab::Comparison comparison = lab::compare(input);
@@ -39,9 +41,8 @@ TEST(PluginCompare, OneThatCrashesEndsAloneAndByName) {
 }
 
 TEST(PluginSession, BesideOthersAnEngineThatCannotRunASceneRefusesItsFirstStep) {
-    const auto bowl =
-        std::make_shared<const Scene>(load_scene(FLIPSIDE_SOURCE_DIR "/assets/scenes/bowl.json"));
-    const Engine& engine = lab::engine_named(ENGINE_IN_C);
+    const auto bowl = std::make_shared<const Scene>(load_scene(test::source("assets/scenes/bowl.json")));
+    const Engine& engine = lab::engine_named(test::engine_in_c);
     EXPECT_THROW(lab::Session(bowl, engine, Settings(engine.settings)), InputError);
     lab::Session session(bowl, engine, Settings(engine.settings), lab::WithoutWorld::refuse_steps);
     EXPECT_EQ(session.world().balls().size(), bowl->balls.size());
@@ -56,11 +57,11 @@ TEST(PluginSession, BesideOthersAnEngineThatCannotRunASceneRefusesItsFirstStep) 
 namespace sweep = lab::sweep;
 
 TEST(PluginSweep, WhatAnEngineCannotRunFailsInItsOwnRunsOnly) {
-    const auto scene =
-        std::make_shared<const Scene>(load_scene(FLIPSIDE_SOURCE_DIR "/assets/scenes/bowl.json"));
+    const auto scene = std::make_shared<const Scene>(load_scene(test::source("assets/scenes/bowl.json")));
     sweep::Plan plan;
     plan.variants = {{.name = "bowl", .scene = "bowl", .balls = 0, .from = 0, .until = 1}};
-    plan.contenders = {&sweep::contender_named("custom-continuous"), &sweep::contender_named(ENGINE_IN_C)};
+    plan.contenders = {&sweep::contender_named("custom-continuous"),
+                       &sweep::contender_named(test::engine_in_c)};
     plan.repetitions = 1;
     plan.finest = 60;
     sweep::Block block;

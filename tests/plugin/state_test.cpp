@@ -1,3 +1,4 @@
+#include "places.hpp"
 #include "support.hpp"
 #include "world/state_file.hpp"
 
@@ -16,14 +17,14 @@ void run(World& world, int steps) {
 
 TEST(PluginState, WhatAnEngineSavesGoesThroughAFileAndItGoesOnWithTheSameBits) {
     const auto scene = falling(3);
-    const auto whole = world_of(KEEPER_ENGINE, scene), half = world_of(KEEPER_ENGINE, scene);
+    const auto whole = world_of(test::keeper_engine, scene), half = world_of(test::keeper_engine, scene);
     run(*whole, 20);
     run(*half, 10);
     const State saved = half->save();
     EXPECT_EQ(saved.memory.engine, "keeper");
     const State read = parse_state(to_json(saved, *scene), "state", *scene);
     EXPECT_EQ(read, saved);
-    const auto rest = world_of(KEEPER_ENGINE, scene);
+    const auto rest = world_of(test::keeper_engine, scene);
     rest->restore(read);
     run(*rest, 10);
     EXPECT_EQ(places(*rest), places(*whole));
@@ -34,12 +35,12 @@ TEST(PluginState, WhatAnEngineSavesGoesThroughAFileAndItGoesOnWithTheSameBits) {
 
 TEST(PluginState, WhatWasSavedOfOtherBallsIsNotGivenBack) {
     const auto scene = falling(3);
-    const auto half = world_of(KEEPER_ENGINE, scene);
+    const auto half = world_of(test::keeper_engine, scene);
     run(*half, 10);
     State changed = half->save(), bare = changed;
     changed.balls[1].velocity.y = bare.balls[1].velocity.y = 5;
     bare.memory = {};
-    const auto a = world_of(KEEPER_ENGINE, scene), b = world_of(KEEPER_ENGINE, scene);
+    const auto a = world_of(test::keeper_engine, scene), b = world_of(test::keeper_engine, scene);
     a->restore(changed);
     b->restore(bare);
     run(*a, 10);
@@ -48,7 +49,7 @@ TEST(PluginState, WhatWasSavedOfOtherBallsIsNotGivenBack) {
 }
 
 TEST(PluginState, AnEngineThatFollowsControlsIsNotMadeAnew) {
-    const auto world = world_of(KEEPER_ENGINE, falling(3));
+    const auto world = world_of(test::keeper_engine, falling(3));
     run(*world, 1);
     const double spin = world->balls()[0].spin;
     Ball added = world->balls()[2];

@@ -5,6 +5,7 @@
 #include "lab/files/assets.hpp"
 #include "lab/session/session.hpp"
 #include "lab/statistics/median.hpp"
+#include "places.hpp"
 #include "plugin/needs.hpp"
 #include "support.hpp"
 #include "world/input_error.hpp"
@@ -23,33 +24,33 @@ std::string problem_of(const std::function<void()>& action) {
 
 TEST(PluginEngine, ANameIsAWordThatNoOtherEngineHas) {
     // Its own name is "custom".
-    const Engine& naughty = lab::engine_named(NAUGHTY_ENGINE);
+    const Engine& naughty = lab::engine_named(test::naughty_engine);
     EXPECT_EQ(naughty.name, "custom-2");
     EXPECT_EQ(&lab::engine_named("custom-2"), &naughty);
-    EXPECT_EQ(&lab::engine_named(std::filesystem::path(NAUGHTY_ENGINE).parent_path().string() + "/./" +
-                                 std::filesystem::path(NAUGHTY_ENGINE).filename().string()),
+    EXPECT_EQ(&lab::engine_named(std::filesystem::path(test::naughty_engine).parent_path().string() + "/./" +
+                                 std::filesystem::path(test::naughty_engine).filename().string()),
               &naughty);
     EXPECT_NE(&lab::engine_named("custom"), &naughty);
-    EXPECT_EQ(lab::engine_named(ENGINE_IN_C).name, "engine-in-c");
-    EXPECT_EQ(lab::engine_named(ENGINE_IN_C).settings.size(), 1U);
+    EXPECT_EQ(lab::engine_named(test::engine_in_c).name, "engine-in-c");
+    EXPECT_EQ(lab::engine_named(test::engine_in_c).settings.size(), 1U);
 }
 
 TEST(PluginEngine, WhatIsNoEngineIsBadInput) {
-    const auto problem = [](const char* file) {
+    const auto problem = [](const std::string& file) {
         return problem_of([&] { static_cast<void>(lab::engine_named(file)); });
     };
-    EXPECT_NE(problem(NOT_AN_ENGINE).find("does not export flipside_engine_entry"), std::string::npos);
-    EXPECT_NE(problem(LATER_ENGINE).find("is of version 2 of the interface; allowed is 1"),
+    EXPECT_NE(problem(test::not_an_engine).find("does not export flipside_engine_entry"), std::string::npos);
+    EXPECT_NE(problem(test::later_engine).find("is of version 2 of the interface; allowed is 1"),
               std::string::npos);
     EXPECT_NE(problem("./nothing-there.so").find("cannot be read (No such file or directory)"),
               std::string::npos);
-    EXPECT_NE(problem(FLIPSIDE_SOURCE_DIR "/README.md").find("cannot be loaded"), std::string::npos);
+    EXPECT_NE(problem(test::source("README.md")).find("cannot be loaded"), std::string::npos);
     EXPECT_NE(problem("naughty").find("unknown engine 'naughty'"), std::string::npos);
 }
 
 TEST(PluginWorld, ASceneThatNeedsMoreIsRefusedByTheNamesOfWhatItNeeds) {
     const auto pinball = std::make_shared<const Scene>(load_scene(lab::scene_file("pinball")));
-    const std::string problem = problem_of([&] { static_cast<void>(world_of(ENGINE_IN_C, pinball)); });
+    const std::string problem = problem_of([&] { static_cast<void>(world_of(test::engine_in_c, pinball)); });
     for (const char* need : {"arcs (part \"arch\")", "gates (part \"gate\")",
                              "moving parts (part \"flipper-left\")", "friction (", "sensors (", "damping ("})
         EXPECT_NE(problem.find(need), std::string::npos) << problem;
@@ -71,7 +72,7 @@ TEST(PluginNeeds, LayersAreNeededWhereTwoThingsDoNotMeet) {
 }
 
 TEST(PluginWorld, AnEngineWithoutControlsIsMadeAnewForThem) {
-    const auto world = world_of(NAUGHTY_ENGINE, falling(2));
+    const auto world = world_of(test::naughty_engine, falling(2));
     world->step(0.5);
     world->apply(control::Nudge{{2, 0}});
     Ball third = world->balls()[0];
@@ -89,7 +90,7 @@ TEST(PluginWorld, AnEngineWithoutControlsIsMadeAnewForThem) {
 }
 
 TEST(PluginWorld, ABallThatLeavesTheBoundsIsLostOnce) {
-    const auto world = world_of(NAUGHTY_ENGINE, falling(2));
+    const auto world = world_of(test::naughty_engine, falling(2));
     std::size_t lost = 0;
     for (int i = 0; i < 60; ++i) {
         world->step(0.1);
@@ -103,7 +104,7 @@ TEST(PluginWorld, ASaveGoesOnInAnotherEngine) {
     const auto scene =
         scene_of(R"("gravity": [0, -10], "balls": [{"position": [0, 1], "radius": 0.1, "mass": 1}],
         "parts": [{"name": "floor", "shape": {"type": "segment", "a": [-5, 0], "b": [5, 0]}}])");
-    const auto foreign = world_of(ENGINE_IN_C, scene);
+    const auto foreign = world_of(test::engine_in_c, scene);
     const auto exact = world_of("reference", scene);
     for (int i = 0; i < 25; ++i) foreign->step(0.01);
     exact->restore(foreign->save());
@@ -115,7 +116,7 @@ TEST(PluginWorld, ASaveGoesOnInAnotherEngine) {
 
 TEST(PluginSession, TheTimeOfAStepIsThatOfTheEnginesProcess) {
     const auto scene = falling(2);
-    const Engine& engine = lab::engine_named(NAUGHTY_ENGINE);
+    const Engine& engine = lab::engine_named(test::naughty_engine);
     lab::Session session(scene, engine, Settings(engine.settings));
     double sum = 0;
     std::vector<double> engine_seconds, all_seconds;
@@ -133,7 +134,7 @@ TEST(PluginSession, TheTimeOfAStepIsThatOfTheEnginesProcess) {
 }
 
 TEST(PluginWorld, ATraceShowsWhatThereIsToSee) {
-    const auto world = world_of(NAUGHTY_ENGINE, falling(1));
+    const auto world = world_of(test::naughty_engine, falling(1));
     Trace trace;
     world->trace(&trace);
     world->step(0.5);

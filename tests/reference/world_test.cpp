@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "places.hpp"
 #include "reference/support.hpp"
 #include "world/refusal.hpp"
 #include "world/scene_file.hpp"
@@ -187,7 +188,7 @@ TEST(ReferenceWorld, TheSameRunGivesTheSameBits) {
 }
 
 TEST(ReferenceWorld, PinballAgreesWithAHundredBitsForTheDigitsItClaims) {
-    const Scene scene = load_scene(std::string(FLIPSIDE_SOURCE_DIR) + "/assets/scenes/pinball.json");
+    const Scene scene = load_scene(flipside::test::source("assets/scenes/pinball.json"));
     const auto claimed = make_world(scene, {{"twin", "on"}}),
                truth = make_world(scene, {{"precision", "113"}});
     for (World* world : {claimed.get(), truth.get()}) world->apply(control::Launch{0.8, 1, 1});

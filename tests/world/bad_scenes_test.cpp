@@ -6,13 +6,14 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "places.hpp"
 #include "world/json_file.hpp"
 #include "world/support.hpp"
 
 namespace flipside {
 namespace {
 
-const std::filesystem::path folder = std::filesystem::path(FLIPSIDE_SOURCE_DIR) / "tests/world/bad";
+const std::filesystem::path folder = test::source("tests/world/bad");
 
 std::string load_error(const std::filesystem::path& file) {
     return error_of([&] { (void)load_scene(file); });

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <rapidcheck/gtest.h>
 
+#include "places.hpp"
 #include "world/json_file.hpp"
 #include "world/script_file.hpp"
 #include "world/support.hpp"
@@ -16,7 +17,7 @@
 namespace flipside {
 namespace {
 
-const std::filesystem::path scenes = std::filesystem::path(FLIPSIDE_SOURCE_DIR) / "assets/scenes";
+const std::filesystem::path scenes = test::source("assets/scenes");
 using std::numbers::pi;
 
 /// A scene with one part of this shape.

@@ -6,6 +6,7 @@
 
 #include <unistd.h>
 
+#include "places.hpp"
 #include "world/support.hpp"
 
 namespace flipside {
@@ -71,7 +72,7 @@ TEST(Generate, CountOfTheFieldCanBeGivenAnew) {
     expect_error(error_of([&] { (void)load_scene(file, 0); }),
                  file.string() + ": /generate/0/balls: ", "is 0; allowed: a whole number from 1 to 1000000");
     std::filesystem::remove(file);
-    const auto drop = std::filesystem::path(FLIPSIDE_SOURCE_DIR) / "assets/scenes/drop.json";
+    const std::filesystem::path drop = test::source("assets/scenes/drop.json");
     expect_error(error_of([&] { (void)load_scene(drop, 5); }), drop.string() + ": ", "no field is generated");
 }
 

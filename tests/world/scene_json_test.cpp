@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "places.hpp"
 #include "world/scene_file.hpp"
 #include "world/surface.hpp"
 
@@ -12,7 +13,7 @@ namespace {
 
 std::vector<std::filesystem::path> shipped_scenes() {
     std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(FLIPSIDE_SOURCE_DIR "/assets/scenes"))
+    for (const auto& entry : std::filesystem::directory_iterator(test::source("assets/scenes")))
         if (!entry.path().stem().has_extension()) files.push_back(entry.path());
     return files;
 }

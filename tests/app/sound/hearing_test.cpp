@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/sound/samples.hpp"
+#include "places.hpp"
 #include "world/scene_file.hpp"
 #include "world/script_file.hpp"
 
@@ -14,8 +15,7 @@ namespace flipside::app::sound {
 namespace {
 
 Stage pinball(View view, const std::vector<std::string>& contenders = {}) {
-    return {"pinball", "custom", view, {}, FLIPSIDE_SOURCE_DIR "/assets/scenes/pinball.script.json",
-            contenders};
+    return {"pinball", "custom", view, {}, test::source("assets/scenes/pinball.script.json"), contenders};
 }
 
 /// Plays and hears so many seconds; what the mixer made of them.
@@ -55,7 +55,7 @@ struct Loudness {
 Loudness of_rain(const char* engine_name, int balls) {
     const Engine& engine = lab::engine_named(engine_name);
     const auto scene =
-        std::make_shared<const Scene>(load_scene(FLIPSIDE_SOURCE_DIR "/assets/scenes/rain.json", balls));
+        std::make_shared<const Scene>(load_scene(test::source("assets/scenes/rain.json"), balls));
     Stage stage(scene, {{&engine, lab::settings_for(engine, *scene), engine_name, 1.0 / 60}}, View::single);
     const Samples samples = played(stage, 3);
     constexpr std::size_t hundredth = 2 * sample_rate / 100;
@@ -94,7 +94,7 @@ TEST(Hearing, ThePanesAreHeardWhereTheyAre) {
 /// A session of the pinball table and what is heard of it.
 struct Game {
     explicit Game(const std::string& engine_name = "custom", const Script& by = {})
-        : scene(std::make_shared<const Scene>(load_scene(FLIPSIDE_SOURCE_DIR "/assets/scenes/pinball.json"))),
+        : scene(std::make_shared<const Scene>(load_scene(test::source("assets/scenes/pinball.json")))),
           engine(&lab::engine_named(engine_name)),
           session(scene, *engine, lab::settings_for(*engine, *scene, {})),
           script(by) {}
@@ -147,7 +147,7 @@ TEST(Ear, HearsEveryLaunchAndEveryWayOfAFlipper) {
 }
 
 TEST(Ear, HearsWhatABallHitsByItsSpeed) {
-    Game game("custom", load_script(FLIPSIDE_SOURCE_DIR "/assets/scenes/pinball.script.json", *Game().scene));
+    Game game("custom", load_script(test::source("assets/scenes/pinball.script.json"), *Game().scene));
     game.play(20);
     std::map<Source, std::size_t> counts;
     for (const Heard& heard : game.heard) ++counts[heard.strike.source];

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "custom/scenes.hpp"
+#include "places.hpp"
 #include "world/scene_file.hpp"
 
 namespace flipside::custom::test {
@@ -15,7 +16,7 @@ namespace {
 constexpr double g = 9.81;
 
 Scene pinball() {
-    return load_scene(std::string(FLIPSIDE_SOURCE_DIR) + "/assets/scenes/pinball.json");
+    return load_scene(flipside::test::source("assets/scenes/pinball.json"));
 }
 
 std::unique_ptr<World> continuous(const Scene& scene) {

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "lab/lessons/claim.hpp"
+#include "places.hpp"
 #include "world/input_error.hpp"
 
 namespace flipside::lab {
@@ -39,7 +40,7 @@ TEST(Lessons, TellOneIdeaInAShortText) {
 
 /// scripts/pictures.sh makes both.
 TEST(Lessons, HaveAPictureEachAndAnIndexOfAll) {
-    const fs::path folder = fs::path(FLIPSIDE_SOURCE_DIR) / "docs" / "lessons";
+    const fs::path folder = test::source("docs/lessons");
     std::ifstream in(folder / "README.md");
     const std::string index(std::istreambuf_iterator<char>(in), {});
     std::set<fs::path> pictures;
