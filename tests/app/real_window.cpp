@@ -146,35 +146,32 @@ void RealWindow::resize(int width, int height) const {
     xdotool("windowsize " + window_ + " " + std::to_string(width) + " " + std::to_string(height));
 }
 
-bool RealWindow::read(Json& report) {
+bool RealWindow::read_line() {
+    if (whole_) line_.clear();
     report_.clear();
-    for (char c = 0; report_.get(c);) {
-        if (c != '\n') {
-            line_ += c;
-            continue;
-        }
-        report = Json::parse(line_);
-        line_.clear();
-        return true;
-    }
-    return false;
+    std::string more;
+    std::getline(report_, more);
+    line_ += more;
+    whole_ = !report_.eof();
+    return whole_;
 }
 
 RealWindow::Json RealWindow::wait(const std::string& what, const Condition& condition) {
     for (const double end = clock_seconds() + patience; clock_seconds() < end;) {
-        if (!read(last_)) {
+        if (!read_line()) {
             if (!program_.running()) throw std::runtime_error("the window ended while waiting for " + what);
             nap();
-        } else if (condition(last_)) {
-            return last_;
+            continue;
         }
+        last_ = Json::parse(line_);
+        if (condition(last_)) return last_;
     }
     throw std::runtime_error("waited in vain for " + what + "; last report: " + last_.dump());
 }
 
 RealWindow::Json RealWindow::now() {
     // What lies in the file already is past.
-    while (read(last_)) {
+    while (read_line()) {
     }
     return wait("a report", [](const Json&) { return true; });
 }

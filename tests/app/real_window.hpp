@@ -79,14 +79,15 @@ class RealWindow {
     [[nodiscard]] const std::string& first_place() const { return first_place_; }
 
   private:
-    /// The next line of the report, if it is complete.
-    bool read(Json& report);
+    /// Goes on to the next line of the report, if it is complete.
+    bool read_line();
 
     std::filesystem::path folder_;
     std::string first_place_;
     Process program_;
     std::ifstream report_;
     std::string line_;
+    bool whole_ = false;  ///< the line
     Json last_;
     std::string window_;
 };

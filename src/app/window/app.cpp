@@ -124,8 +124,7 @@ void App::run() {
         arrange();
         draw();
         if (report_)
-            report_->write(start, stage_, microscope_, lessons_, state_, controls_, layout_, camera_,
-                           places_);
+            report_->write(stage_, microscope_, lessons_, state_, controls_, layout_, camera_, places_);
         measure(seconds, clock_.getElapsedTime().asSeconds() - start);
         window_.display();
         ++state_.frame;

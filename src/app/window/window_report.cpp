@@ -178,16 +178,12 @@ WindowReport::WindowReport(const std::filesystem::path& file) : out_(file) {
         lab::throw_path_error(file, "cannot be written", std::error_code(errno, std::generic_category()));
 }
 
-void WindowReport::write(double now, const Stage& stage, const Microscope& microscope, const Lessons& lessons,
+void WindowReport::write(const Stage& stage, const Microscope& microscope, const Lessons& lessons,
                          const WindowState& window, const WindowControls& controls, const Layout& layout,
                          const Camera& camera, const ControlPlaces& places) {
     Json j = still(stage, window, controls, layout, places);
     if (lessons.lesson()) j["lesson"] = json_of(lessons);
     if (controls.bar_open && microscope.shows(stage)) j["inside"] = json_of(microscope, stage);
-    std::string state = json_text(j);
-    if (state == last_state_ && now < written_ + 0.1) return;
-    last_state_ = std::move(state);
-    written_ = now;
     j["frame"] = window.frame;
     j["time"] = stage.time();
     j["under_way"] = stage.under_way();

@@ -1,6 +1,5 @@
 #pragma once
-/// The window's state as JSON lines, so that a test can see what happened: one object per line, written
-/// ten times a second and whenever something other than the balls changed.
+/// The window's state as JSON lines, so that a test can see what happened: one object a frame.
 
 #include <filesystem>
 #include <fstream>
@@ -36,15 +35,12 @@ class WindowReport {
     /// Throws std::runtime_error when the file cannot be written.
     explicit WindowReport(const std::filesystem::path& file);
 
-    /// `now` is wall time, s.
-    void write(double now, const Stage& stage, const Microscope& microscope, const Lessons& lessons,
+    void write(const Stage& stage, const Microscope& microscope, const Lessons& lessons,
                const WindowState& window, const WindowControls& controls, const Layout& layout,
                const Camera& camera, const ControlPlaces& places);
 
   private:
     std::ofstream out_;
-    double written_ = -1;     ///< wall time of the last line
-    std::string last_state_;  ///< all of the last line but what changes with every step
 };
 
 }  // namespace flipside::app
