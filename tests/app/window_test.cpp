@@ -198,6 +198,16 @@ TEST_F(Window, ClicksWithinOneFrameAllCount) {
     });
 }
 
+TEST_F(Window, AClickCountsThatComesInTheFrameOfItsMovement) {
+    open();
+    const Json places = settled()["controls"];
+    for (const auto& [tab, control] : {std::pair{"See", "Boxes"}, {"Table", "Launch"}, {"See", "Boxes"}}) {
+        window->click(places[tab]);
+        window->wait(control,
+                     [&, control = control](const Json& s) { return s["controls"].contains(control); });
+    }
+}
+
 TEST_F(Window, ClicksOnThePanelDoWhatTheySay) {
     open();
     click("Boxes");

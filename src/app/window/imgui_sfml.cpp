@@ -53,14 +53,14 @@ bool moves_focus(const sf::Event& event) {
 }
 
 /// Whether ImGui needs a frame of its own before it: to ImGui, two changes of one button or key in a frame
-/// are none, and a slider is not moved in the frame in which the button is let go. Escape closes what is open
-/// once the keys before it have been acted on.
+/// are none, a slider is not moved in the frame in which the button is let go, and a tab is not pressed in
+/// the frame in which the pointer came to it from another one. Escape closes what is open once the keys
+/// before it have been acted on.
 bool ends_frame(const sf::Event& event, const std::vector<sf::Event>& taken) {
     if (taken.empty()) return false;
     if (event.type == sf::Event::KeyPressed && event.key.code == sf::Keyboard::Escape) return true;
     if (is_button(taken.back()) || moves_focus(taken.back())) return true;
-    if (event.type == sf::Event::MouseButtonReleased && taken.back().type == sf::Event::MouseMoved)
-        return true;
+    if (is_button(event) && taken.back().type == sf::Event::MouseMoved) return true;
     return event.type == sf::Event::KeyReleased && std::ranges::any_of(taken, [&](const sf::Event& other) {
                return other.type == sf::Event::KeyPressed && other.key.code == event.key.code;
            });
