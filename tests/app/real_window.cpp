@@ -103,7 +103,8 @@ VirtualDisplay::VirtualDisplay(const std::string& size) {
     setenv("DISPLAY", (":" + number).c_str(), 1);
     setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
     // The graphics driver leaks, and is unloaded before the leak sanitizer could be told to forgive it.
-    setenv("ASAN_OPTIONS", "detect_leaks=0", 1);
+    const char* const options = std::getenv("ASAN_OPTIONS");
+    setenv("ASAN_OPTIONS", (std::string(options == nullptr ? "" : options) + ":detect_leaks=0").c_str(), 1);
 }
 
 RealWindow::RealWindow(std::vector<std::string> arguments, const std::filesystem::path& state_home)
@@ -177,9 +178,9 @@ RealWindow::Json RealWindow::now() {
 }
 
 RealWindow::Json RealWindow::settled() {
-    // A click shows in a report only after the frame that is being drawn, that of the press and that of the
-    // release.
-    constexpr int frames = 5;
+    // A click shows in a report only after the frame that is being drawn, those of the movement, the press
+    // and the release, and that in which a tab comes up; what the tab holds has its place one later.
+    constexpr int frames = 8;
     Json state = now();
     for (int same = 0; same < frames; ++same) {
         Json next = now();

@@ -58,25 +58,32 @@ class WindowTest : public testing::Test {
         if (!state["controls"].contains(control)) throw std::runtime_error(control + " is not to be seen");
         window->click(state["controls"][control]);
     }
-    /// Turns the wheel over the panel, down to its end and up again, until a control is to be seen; then the
-    /// same in every other tab.
+    /// The state in which a control is to be seen: in this or any other tab as it stands, else with the wheel
+    /// turned over it.
     Json scroll_to(const std::string& control) {
         Json state = settled();
-        for (const char* tab : {"", "Table", "See", "Engines", "Numbers", "Lesson"}) {
-            if (*tab != '\0' && state["controls"].contains(tab)) window->click(state["controls"][tab]);
-            state = settled();
-            for (const char* wheel : {"5", "4"})  // down, up
-                for (Json before; !state["controls"].contains(control) && state["controls"] != before;) {
-                    before = state["controls"];
-                    const Json panel = state["layout"]["panel"];
-                    window->xdotool("mousemove " + std::to_string(panel[0].get<int>() + 4) + ' ' +
-                                    std::to_string(panel[1].get<int>() + panel[3].get<int>() / 2) +
-                                    " click " + wheel);
+        for (const bool turns : {false, true})
+            for (const char* tab : {"", "Table", "See", "Engines", "Numbers", "Lesson"}) {
+                if (*tab != '\0' && state["controls"].contains(tab)) {
+                    window->click(state["controls"][tab]);
                     state = settled();
                 }
-            if (state["controls"].contains(control)) break;
-        }
+                if (turns) turn_to(control, state);
+                if (state["controls"].contains(control)) return state;
+            }
         return state;
+    }
+    /// Turns the wheel over the panel, down to the end and up again, until the control is to be seen.
+    void turn_to(const std::string& control, Json& state) {
+        for (const char* wheel : {"5", "4"})  // down, up
+            for (Json before; !state["controls"].contains(control) && state["controls"] != before;) {
+                before = state["controls"];
+                const Json panel = state["layout"]["panel"];
+                window->xdotool("mousemove " + std::to_string(panel[0].get<int>() + 4) + ' ' +
+                                std::to_string(panel[1].get<int>() + panel[3].get<int>() / 2) + " click " +
+                                wheel);
+                state = settled();
+            }
     }
     Json settled() { return window->settled(); }
 
