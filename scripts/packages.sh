@@ -29,7 +29,7 @@ package_packages=(                                     # only scripts/package.sh
     desktop-file-utils appstream                       # what a desktop shows of it
 )
 gate_packages=(                                        # only ./test.sh --all
-    clang-format clang-tidy clang libclang-rt-dev llvm valgrind
+    clang-format clang-tidy clang libclang-rt-dev llvm valgrind ccache
     g++-aarch64-linux-gnu qemu-user                    # the golden test for another processor
 )
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command_line.hpp"
+#include "in_small.hpp"
 #include "places.hpp"
 
 namespace flipside::app {
@@ -75,8 +76,7 @@ TEST_F(CommandLine, ListsSayWhatThereIs) {
 TEST_F(CommandLine, EveryBadSceneIsRefusedByNameAndEveryGoodOneIsNot) {
     int bad = 0;
     for (const auto& entry : fs::directory_iterator(test::source("tests/world/bad"))) {
-        if (!entry.is_regular_file()) continue;
-        ++bad;
+        if (!entry.is_regular_file() || (++bad % 4 != 0 && test::in_small)) continue;
         expect_refused("check '" + entry.path().string() + "'", 2, entry.path().filename().string());
     }
     EXPECT_GE(bad, 60);

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command_line.hpp"
+#include "in_small.hpp"
 #include "lab/files/csv_table.hpp"
 
 namespace flipside::app {
@@ -194,6 +195,7 @@ TEST_F(HostileNames, InErrorsOfFilesStayInOneLine) {
 }
 
 TEST_F(HostileNames, OfArgumentsStayInOneLine) {
+    std::size_t tried = 0;
     for (const std::string& name : hostile_bytes()) {
         const std::string bad = word(name), option = word("--" + name);
         for (const std::string& arguments : {bad,
@@ -220,7 +222,7 @@ TEST_F(HostileNames, OfArgumentsStayInOneLine) {
                                              "render drop --engine custom --out x.png --view " + bad,
                                              "render drop --engine custom --out " + bad,
                                              "pairs --most " + word("x" + name)})
-            expect_ends(arguments, 2);
+            if (!test::in_small || ++tried % 5 == 0) expect_ends(arguments, 2);
         if (name.find(':') != std::string::npos) continue;  // before which stands a host to ask for
         environment = "env DISPLAY=" + bad;
         expect_ends("play drop", 1);

@@ -30,8 +30,8 @@ TEST_F(Certify, WritesWhatTheCheckerAccepts) {
 }
 
 TEST_F(Certify, EndsWhereTheReferenceRefuses) {
-    // A pile: the reference says so at 1.8 s.
-    const Result result = flipside("certify rain --balls 30 --seconds 3 --out " + file("run.json"));
+    // A pile: the reference says so at 1.2 s.
+    const Result result = flipside("certify rain --balls 12 --seconds 3 --out " + file("run.json"));
     EXPECT_EQ(result.code, 0);
     EXPECT_NE(result.err.find("the certificate ends after"), std::string::npos) << result.err;
     EXPECT_EQ(check(file("run.json")), 0);
