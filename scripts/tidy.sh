@@ -27,7 +27,7 @@ check() {
     if [[ ! -e $known ]]; then clang-tidy -p "$build" --quiet "$unit" 2> >(grep -v 'warnings generated' >&2); fi
     touch "$known"
 }
-common=$({ clang-tidy --version && cat .clang-tidy tests/.clang-tidy && sed "s|$PWD/||g" "$build/compile_commands.json"; } |
+common=$({ clang-tidy --version && cat .clang-tidy tests/.clang-tidy && sed "s|$PWD||g" "$build/compile_commands.json"; } |
     sha256sum)
 export -f check
 export build passed common
