@@ -203,8 +203,7 @@ TEST_F(Window, AClickCountsThatComesInTheFrameOfItsMovement) {
     const Json places = settled()["controls"];
     for (const auto& [tab, control] : {std::pair{"See", "Boxes"}, {"Table", "Launch"}, {"See", "Boxes"}}) {
         window->click(places[tab]);
-        window->wait(control,
-                     [&, control = control](const Json& s) { return s["controls"].contains(control); });
+        window->wait(control, [control = control](const Json& s) { return s["controls"].contains(control); });
     }
 }
 
