@@ -152,7 +152,8 @@ struct BroadPhaseOptions {
                                                                  const BroadPhaseOptions& options);
 
 /// A uniform grid of square cells, grid_cell wide; 0 fits the cells to the moving boxes. Boxes outside
-/// `world` belong to the cells at the border. At most 2^22 cells: too small a cell is enlarged.
+/// `world` belong to the cells at the border. At most 2^22 cells, and 1,024 for each moving box if they are
+/// fitted: too small a cell is enlarged.
 [[nodiscard]] std::unique_ptr<BroadPhase> make_grid(std::vector<Proxy> still,
                                                     const BroadPhaseOptions& options);
 

@@ -1,7 +1,7 @@
 // Uniform grid of square cells. A proxy is listed in every cell that its box overlaps. Still proxies are
 // listed once; moving ones are listed again for every search. Pairs are searched only in cells that list a
-// moving proxy. A box over more than `most_cells` cells is wide: it is in no list and is tested against all
-// others.
+// moving proxy. A box over more than `most_cells_listed` cells is wide: it is in no list and is tested
+// against all others.
 //
 // Finding the cells under a box needs its four coordinates once, and counts as one box test.
 // Cost: O(n · cells per box + pairs sharing a cell); wide boxes cost O(n) each.
@@ -23,7 +23,7 @@ class Grid final : public BroadPhase {
     Grid(std::vector<Proxy> still, const BroadPhaseOptions& options)
         : BroadPhase(std::move(still)), world_(options.world), fits_cells_(options.grid_cell == 0) {
         const Vec2 size = world_.max - world_.min;
-        set_cells(fits_cells_ ? std::max(size.x, size.y) : options.grid_cell);
+        set_cells(fits_cells_ ? std::max(size.x, size.y) : widened(options.grid_cell, most_cells));
     }
 
     [[nodiscard]] BroadPhaseFacts facts() const override {
@@ -45,7 +45,9 @@ class Grid final : public BroadPhase {
     }
 
   private:
-    static constexpr std::uint64_t most_cells = 64;  ///< under a box that is listed
+    static constexpr double most_cells = 0x1p22;
+    static constexpr double most_cells_per_box = 1024;      ///< of fitted cells
+    static constexpr std::uint64_t most_cells_listed = 64;  ///< under a box that is listed
 
     void search() override {
         clear_moving();
@@ -60,11 +62,16 @@ class Grid final : public BroadPhase {
         search_wide();
     }
 
-    /// Sets the width of the cells and lists the still proxies in them. There are at most 2^22 cells: too
-    /// narrow ones are widened.
+    /// A width of cells, m, at least `cell`, of which the world has at most so many.
+    [[nodiscard]] double widened(double cell, double most) const {
+        const Vec2 size = world_.max - world_.min;
+        return std::max({cell, std::sqrt(size.x * size.y / most), std::max(size.x, size.y) * 0x1p-16});
+    }
+
+    /// Sets the width of the cells and lists the still proxies in them.
     void set_cells(double cell) {
         const Vec2 size = world_.max - world_.min;
-        cell_ = std::max({cell, std::sqrt(size.x * size.y) * 0x1p-11, std::max(size.x, size.y) * 0x1p-16});
+        cell_ = cell;
         const auto cells_along = [&](double length) {
             return static_cast<std::uint32_t>(std::max(1.0, std::ceil(length / cell_)));
         };
@@ -74,7 +81,7 @@ class Grid final : public BroadPhase {
         wide_still_.clear();
         for (Handle i = 0; i < still_.size(); ++i) {
             still_cells_.push_back(cells_under(still_[i].box));
-            if (still_cells_.back().count() > most_cells)
+            if (still_cells_.back().count() > most_cells_listed)
                 wide_still_.push_back(i);
             else
                 still_cells_.back().each([&](std::uint32_t column, std::uint32_t row) {
@@ -83,7 +90,8 @@ class Grid final : public BroadPhase {
         }
     }
 
-    /// Fits the cells to the median size of the boxes, if their number has changed and the size differs.
+    /// Fits the cells to the median size of the boxes, if their number has changed and the size differs. Few
+    /// boxes in a large world get wider cells, since making each cell costs time and memory.
     void fit_cells() {
         if (!fits_cells_ || fitted_for_ == moving_.size() || moving_.empty()) return;
         fitted_for_ = moving_.size();
@@ -97,7 +105,8 @@ class Grid final : public BroadPhase {
         std::ranges::nth_element(sizes_, median);
         constexpr double wider = 1.25;  // than the median box; narrower cells list each box more often
         constexpr double alike = 1.5;
-        const double cell = wider * *median;
+        const double most = std::min(most_cells, most_cells_per_box * static_cast<double>(moving_.size()));
+        const double cell = widened(wider * *median, most);
         if (cell > alike * cell_ || cell_ > alike * cell) set_cells(cell);
     }
 
@@ -120,7 +129,7 @@ class Grid final : public BroadPhase {
         const CellRange range = cells_under(moving_[proxy].box);
         moving_cells_.push_back(range);
         ++tests_;
-        if (range.count() > most_cells) return wide_.push_back(proxy);
+        if (range.count() > most_cells_listed) return wide_.push_back(proxy);
         range.each([&](std::uint32_t column, std::uint32_t row) {
             const std::uint32_t cell = row * columns_ + column;
             if (moving_lists_.first[cell] == CellLists::none) occupied_.push_back(cell);
@@ -149,9 +158,9 @@ class Grid final : public BroadPhase {
             for (Handle b = 0; b < moving_.size(); ++b) test_still(a, b);
         for (const Handle b : wide_) {
             for (Handle a = 0; a < still_.size(); ++a)
-                if (still_cells_[a].count() <= most_cells) test_still(a, b);
+                if (still_cells_[a].count() <= most_cells_listed) test_still(a, b);
             for (Handle a = 0; a < moving_.size(); ++a)
-                if (a != b && (a < b || moving_cells_[a].count() <= most_cells)) test_moving(a, b);
+                if (a != b && (a < b || moving_cells_[a].count() <= most_cells_listed)) test_moving(a, b);
         }
     }
 

@@ -226,6 +226,16 @@ TEST(BroadPhase, GridFitsItsCellsOrTakesThemAsSet) {
     EXPECT_EQ(set->facts().leaves, 32 * 16);
 }
 
+TEST(BroadPhase, AGridOfFewBallsHasFewCellsHoweverLargeTheWorld) {
+    const Box large{{-1e4, -1e4}, {1e4, 1e4}};
+    const std::vector<Proxy> moving{ball_at({3, 3}, 0.2), ball_at({3.1, 3}, 0.2), ball_at({-9e3, 5}, 0.2)};
+    std::vector<Pair> pairs;
+    const auto grid = make_grid({}, {.world = large});
+    grid->find_pairs(moving, pairs);
+    EXPECT_LE(grid->facts().leaves, 1 << 13);
+    EXPECT_EQ(pairs, (std::vector<Pair>{{0, 1}}));
+}
+
 TEST(BroadPhase, AdaptiveQuadtreeSplitsWhereThingsCrowd) {
     std::vector<Proxy> moving;
     for (int i = 0; i < 4; ++i)
