@@ -22,13 +22,6 @@ Box touching_box(const Ball& ball) {
     return bounds_of(ball.position, ball.radius * (1 + touch_distance));
 }
 
-std::vector<Box> ranges_of(std::span<const Feature> features, const Layout& layout, const Table& table) {
-    std::vector<Box> ranges;
-    for (const Feature& feature : features)
-        ranges.push_back(range_of(feature, layout.primitive(feature.primitive), table));
-    return ranges;
-}
-
 std::shared_ptr<const State> without_gone(const State& start) {
     auto origin = std::make_shared<State>(start);
     Table::forget_gone(*origin);
@@ -47,7 +40,7 @@ ContinuousSolver::ContinuousSolver(Table& table, const Layout& layout, BroadPhas
       external_{scene_.gravity, scene_.damping},
       slow_(2 * (scene_.rest_speed + length(scene_.gravity) * tick_length)),
       features_(features_of(layout.primitives(), scene_)),
-      ranges_(scene_.bounds, ranges_of(features_, layout, table)),
+      ranges_(scene_.bounds, ranges_of(features_, layout.primitives(), table)),
       primitives_(scene_.parts.size()),
       sleep_(settings.sleep_speed, scene_.gravity),
       turnings_(scene_.parts.size()) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <utility>
 
 #include "custom/geometry/bounds.hpp"
 
@@ -197,6 +198,18 @@ Box bounds_in_scene(const Feature& feature, const Primitive& primitive) {
     return bounds_of(primitive);
 }
 
+bool is_solid(const Primitive& primitive) {
+    return std::holds_alternative<primitive::Polygon>(primitive.is) ||
+           std::holds_alternative<primitive::Taper>(primitive.is);
+}
+
+/// Bounds of a box that turns about a pivot.
+Box turned_about(Vec2 pivot, const Box& box) {
+    const double dx = std::max(box.max.x - pivot.x, pivot.x - box.min.x);
+    const double dy = std::max(box.max.y - pivot.y, pivot.y - box.min.y);
+    return bounds_of(pivot, std::sqrt(dx * dx + dy * dy));
+}
+
 }  // namespace
 
 Arc arc_of(const primitive::Arc& arc) {
@@ -283,13 +296,20 @@ Feature posed(const Feature& feature, const Pose& pose) {
     return turned;
 }
 
-Box range_of(const Feature& feature, const Primitive& primitive, const Table& table) {
-    const Box box = bounds_in_scene(feature, primitive);
-    if (!Table::moves(table.scene().parts[feature.part])) return box;
-    const Vec2 pivot = table.pose(feature.part).pivot;
-    const double dx = std::max(box.max.x - pivot.x, pivot.x - box.min.x);
-    const double dy = std::max(box.max.y - pivot.y, pivot.y - box.min.y);
-    return bounds_of(pivot, std::sqrt(dx * dx + dy * dy));
+std::vector<Box> ranges_of(std::span<const Feature> features, std::span<const Primitive> primitives,
+                           const Table& table) {
+    std::vector<Box> ranges;
+    std::uint32_t before = ~0U;
+    for (const Feature& feature : features) {
+        const Primitive& primitive = primitives[feature.primitive];
+        const bool stands_for_solid =
+            feature.primitive != std::exchange(before, feature.primitive) && is_solid(primitive);
+        const Box box = stands_for_solid ? bounds_of(primitive) : bounds_in_scene(feature, primitive);
+        ranges.push_back(Table::moves(table.scene().parts[feature.part])
+                             ? turned_about(table.pose(feature.part).pivot, box)
+                             : box);
+    }
+    return ranges;
 }
 
 }  // namespace flipside::custom

@@ -3,7 +3,8 @@
 /// corners and caps are circles. The second derivative of the distance from a feature is bounded along any
 /// smooth path. A disc of radius r touches a feature when the distance of its centre is r.
 ///
-/// Solid shapes are represented by their outlines: a disc outside can only enter through the outline.
+/// Solid shapes are represented by their outlines: a disc outside can only enter through the outline. A disc
+/// that begins deep inside is found by the range of the first feature, which is that of the whole solid.
 
 #include <array>
 #include <cstdint>
@@ -121,8 +122,10 @@ struct Closest {
 /// The feature in the given pose.
 [[nodiscard]] Feature posed(const Feature& feature, const Pose& pose);
 
-/// Bounds of all positions that a feature of this primitive can have.
-[[nodiscard]] Box range_of(const Feature& feature, const Primitive& primitive, const Table& table);
+/// Bounds of all positions that each feature can have; for the first feature of a polygon or taper, of all
+/// positions of the whole solid.
+[[nodiscard]] std::vector<Box> ranges_of(std::span<const Feature> features,
+                                         std::span<const Primitive> primitives, const Table& table);
 
 /// The straight static faces that a ball in free flight touches without a contact force.
 ///

@@ -297,6 +297,30 @@ TEST(ContinuousSolver, DeepOverlapsAreCorrectedInFlight) {
     }
 }
 
+// No outline is near a ball in the middle of a large solid.
+TEST(ContinuousSolver, ABallThatBeginsDeepInsideASolidIsOutAfterAStep) {
+    const Vec2 inside{0.2, 0.3};
+    const struct {
+        const char* name;
+        Shape solid;
+        Vec2 out;  // the nearest place
+    } solids[] = {{"polygon", shape::Polygon{{{-2, -1}, {2, -1}, {2, 1}, {-2, 1}}}, {0.2, 1.1}},
+                  {"circle", shape::Circle{{0, 0}, 1}, 1.1 / length(inside) * inside},
+                  {"capsule", shape::Capsule{{-2, 0}, {2, 0}, 1}, {0.2, 1.1}}};
+    for (const auto& [name, solid, out] : solids)
+        for (const bool turns : {false, true}) {
+            Scene scene = empty_scene({0, -g});
+            Part& part = add_part(scene, {solid});
+            if (turns) part.motion = motion::Turn{{0, 0}, 0.1, true};
+            add_ball(scene, inside);
+            const auto world = continuous(scene);
+            world->step(1.0 / 240);
+            EXPECT_LT(length(world->balls()[0].position - out), 1e-3) << name << ", turns: " << turns;
+            for (const Contact& contact : world->contacts())
+                EXPECT_GE(contact.separation, -1e-9) << name << ", turns: " << turns;
+        }
+}
+
 TEST(ContinuousSolver, EndlessImpactsAreLimited) {
     // The heavy ball, at a million radii per second, drives the light one against the wall. The light one
     // bounces between both: without a limit that step has a million impacts.
