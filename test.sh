@@ -29,7 +29,7 @@ build "$release"
 stage "tests"
 ctest --preset "$release" -j "$tests_at_once"
 if $gates; then
-    # clang without optimisation: the golden test is among those under the sanitizers
+    # clang with the checks of the sanitizers: the golden test is among those under the sanitizers
     for preset in debug clang aarch64; do
         stage "same bits: $preset"
         build "$preset" test_golden
