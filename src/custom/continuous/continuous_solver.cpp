@@ -101,6 +101,7 @@ void ContinuousSolver::reserve(std::size_t balls) {
     cells_.reserve(most);
     custom::reserve_for(pairs_, most, pairs_per_ball);
     found_features_.reserve(features_.size());
+    crossed_features_.reserve(features_.size());
     supports_.reserve(std::min(features_.size(), most_near));
     sleep_.reserve(balls);
     contacts_.reserve(layout_.size(), balls);

@@ -185,6 +185,7 @@ class ContinuousSolver {
     void stop_pushed_creep(double time);
     void collect_contacts(double time, double duration);
     void add_ball_contact(BallIndex i, BallIndex j, double time, double duration);
+    [[nodiscard]] double overlap_with_moving_parts(BallIndex i, double time);
     void add_part_contacts(BallIndex i, double time, double duration);
     void add_contact(ContactSolver::Contact& contact, const ForceCache& known, double duration);
     void remember_forces(double time, double duration);
@@ -218,6 +219,7 @@ class ContinuousSolver {
         double distance_left = 0;  ///< m, to the end of the feature in that direction
     };
     void push_out_of_parts(BallIndex i);
+    [[nodiscard]] bool pushes_through(PartIndex by, const Ball& ball, const Touch& touch);
     void start_path(BallIndex i, double time);
     void list_in_cell(BallIndex i, double time);
     [[nodiscard]] std::span<const FeatureIndex> features_near(BallIndex i, const Box& box);
@@ -308,7 +310,8 @@ class ContinuousSolver {
     std::vector<Candidates> candidates_;  ///< per ball: the features near it
     NextEvents next_events_;
     Cells cells_;
-    std::vector<FeatureIndex> found_features_;  ///< buffer of features_near()
+    std::vector<FeatureIndex> found_features_;    ///< buffer of features_near()
+    std::vector<FeatureIndex> crossed_features_;  ///< buffer of pushes_through()
     std::vector<Support> supports_;
     ContactSolver contact_solver_;
     /// Forces of the last tick in this window, of primitive a or ball a on ball b, by index.

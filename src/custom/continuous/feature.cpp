@@ -244,6 +244,31 @@ bool clear_of(const Feature& feature, Vec2 a, Vec2 b, double radius, double sag)
     return std::visit(ClearOf{a, b, radius, sag}, feature.is);
 }
 
+bool crosses(const Feature& feature, Vec2 a, Vec2 b) {
+    const Vec2 way = b - a;
+    if (const auto* line = std::get_if<Line>(&feature.is)) {
+        const Vec2 from = a - line->start, left = perp(line->along);
+        const double before = dot(from, left), after = dot(b - line->start, left);
+        if ((before < 0) == (after < 0)) return false;
+        const double at = dot(from, line->along) + before / (before - after) * dot(way, line->along);
+        return at >= 0 && at <= line->length;
+    }
+    const auto* arc = std::get_if<Arc>(&feature.is);
+    const auto* circle = std::get_if<Circle>(&feature.is);
+    const double radius = arc != nullptr ? arc->radius : circle->radius;
+    const Vec2 out = a - (arc != nullptr ? arc->center : circle->center);
+    // |out + t way| = radius
+    const double square = length_squared(way), half = dot(out, way);
+    const double discriminant = half * half - square * (length_squared(out) - radius * radius);
+    if (square == 0 || discriminant < 0) return false;
+    const auto is_crossed_at = [&](double t) {
+        return t >= 0 && t <= 1 &&
+               (arc == nullptr || arc->full || dot(unit(out + t * way), arc->middle) >= arc->half_cosine);
+    };
+    const double root = std::sqrt(discriminant);
+    return is_crossed_at((-half - root) / square) || is_crossed_at((root - half) / square);
+}
+
 bool continues_in(const Feature& face, Vec2 normal, const Feature& circle) {
     const auto* there = std::get_if<Circle>(&circle.is);
     if (there == nullptr) return false;

@@ -110,6 +110,9 @@ struct Closest {
 /// cannot touch the feature (in the pose of the scene file).
 [[nodiscard]] bool clear_of(const Feature& feature, Vec2 a, Vec2 b, double radius, double sag);
 
+/// Whether the straight way from a to b crosses the curve of the feature (in the pose of the scene file).
+[[nodiscard]] bool crosses(const Feature& feature, Vec2 a, Vec2 b);
+
 /// Whether the circle continues the face smoothly at one of its ends, so that a ball that slides off the face
 /// touches the circle without an approach speed. `normal` is that of the face towards the ball; both features
 /// are in the same pose.

@@ -177,9 +177,9 @@ void ContinuousSolver::add_ball_contact(BallIndex i, BallIndex j, double time, d
     const double reach = a.radius + b.radius,
                  slack = slow_ * duration + resting_distance * std::min(a.radius, b.radius);
     const double square = length_squared(between);
-    if (square >= (reach + slack) * (reach + slack) || square == 0 || !layers_meet(a, b)) return;
+    if (square >= (reach + slack) * (reach + slack) || !layers_meet(a, b)) return;
     const double distance = std::sqrt(square), gap = distance - reach;
-    const Vec2 normal = between / distance;
+    const Vec2 normal = distance > 0 ? between / distance : Vec2{0, 1};  // of balls at one point: any
     const bool deep = gap < -resting_distance * std::min(a.radius, b.radius);
     const Vec2 other_velocity = b.asleep ? Vec2{} : b.velocity;
     const double closing = -dot(a.velocity - other_velocity, normal);
@@ -215,11 +215,28 @@ void ContinuousSolver::add_contact(ContactSolver::Contact& contact, const ForceC
     contact_solver_.add(contact);
 }
 
+/// Depth of the deepest overlap of a ball with a moving part, m.
+double ContinuousSolver::overlap_with_moving_parts(BallIndex i, double time) {
+    const Ball& ball = bodies_[i];
+    const Box box = bounds_of(ball.position, ball.radius);
+    double deepest = 0;
+    for (const FeatureIndex f : features_near(i, box)) {
+        const Feature& feature = features_[f];
+        const Turning& turning = turnings_[feature.part];
+        if (turning.still() || !overlap(box, ranges_[f]) || ignores(feature, ball)) continue;
+        const Primitive& primitive = layout_.primitive(feature.primitive);
+        const Touch found = touch(ball.position, ball.radius, primitive, turning.pose(time));
+        if (!found.past_end) deepest = std::max(deepest, -found.separation);
+    }
+    return deepest;
+}
+
 void ContinuousSolver::add_part_contacts(BallIndex i, double time, double duration) {
     const Ball& ball = bodies_[i];
     Mover& mover = movers_[i];
-    // Includes the parts into which the position correction of overlapping balls could push this one.
-    const double slack = slow_ * duration + resting_distance * ball.radius + 2 * deepest_;
+    // Includes the parts into which the position correction of overlaps could push this ball.
+    const double deepest = std::max(deepest_, overlap_with_moving_parts(i, time));
+    const double slack = slow_ * duration + resting_distance * ball.radius + 2 * deepest;
     const Box box = bounds_of(ball.position, ball.radius + slack);
     PrimitiveIndex seen = layout_.size();
     for (const FeatureIndex f : features_near(i, box)) {

@@ -297,6 +297,20 @@ TEST(ContinuousSolver, DeepOverlapsAreCorrectedInFlight) {
     }
 }
 
+TEST(ContinuousSolver, BallsAtOnePointComeApart) {
+    for (const int balls : {2, 12})
+        for (const Vec2 gravity : {Vec2{0, -g}, Vec2{}}) {
+            Scene scene = empty_scene(gravity);
+            add_part(scene, segment({-9, -3}, {9, -3}));
+            for (int i = 0; i < balls; ++i) add_ball(scene, {0, 0});
+            const auto world = continuous(scene);
+            run(*world, 3);
+            EXPECT_EQ(std::ssize(world->balls()), balls);
+            for (const Contact& contact : world->contacts())
+                EXPECT_GT(contact.separation, -0.02 * 0.1) << balls << " balls, gravity " << gravity.y;
+        }
+}
+
 // No outline is near a ball in the middle of a large solid.
 TEST(ContinuousSolver, ABallThatBeginsDeepInsideASolidIsOutAfterAStep) {
     const Vec2 inside{0.2, 0.3};
@@ -304,13 +318,13 @@ TEST(ContinuousSolver, ABallThatBeginsDeepInsideASolidIsOutAfterAStep) {
         const char* name;
         Shape solid;
         Vec2 out;  // the nearest place
-    } solids[] = {{"polygon", shape::Polygon{{{-2, -1}, {2, -1}, {2, 1}, {-2, 1}}}, {0.2, 1.1}},
-                  {"circle", shape::Circle{{0, 0}, 1}, 1.1 / length(inside) * inside},
-                  {"capsule", shape::Capsule{{-2, 0}, {2, 0}, 1}, {0.2, 1.1}}};
+    } solids[] = {{"polygon", {shape::Polygon{{{-2, -1}, {2, -1}, {2, 1}, {-2, 1}}}}, {0.2, 1.1}},
+                  {"circle", {shape::Circle{{0, 0}, 1}}, 1.1 / length(inside) * inside},
+                  {"capsule", {shape::Capsule{{-2, 0}, {2, 0}, 1}}, {0.2, 1.1}}};
     for (const auto& [name, solid, out] : solids)
         for (const bool turns : {false, true}) {
             Scene scene = empty_scene({0, -g});
-            Part& part = add_part(scene, {solid});
+            Part& part = add_part(scene, solid);
             if (turns) part.motion = motion::Turn{{0, 0}, 0.1, true};
             add_ball(scene, inside);
             const auto world = continuous(scene);

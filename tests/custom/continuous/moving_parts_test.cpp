@@ -3,10 +3,12 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include <gtest/gtest.h>
 
 #include "custom/scenes.hpp"
+#include "in_small.hpp"
 
 namespace flipside::custom::test {
 namespace {
@@ -97,6 +99,53 @@ TEST(MovingParts, NothingPassesARaisedFlipper) {
     }
     std::printf("flipper: %d of 1000 hit\n", hits);
     EXPECT_EQ(hits, 1000);
+}
+
+/// A closed room of 2 m, of lines or of thick walls.
+void add_room(Scene& scene, bool thick) {
+    if (!thick) {
+        add_part(scene, {shape::Polyline{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, true}});
+        return;
+    }
+    for (int side = 0; side < 4; ++side) {
+        shape::Polygon wall{{{-1.2, -1.2}, {1.2, -1.2}, {1.2, -1}, {-1.2, -1}}};
+        for (Vec2& point : wall.points)
+            for (int turn = 0; turn < side; ++turn) point = perp(point);
+        add_part(scene, {wall});
+    }
+}
+
+// A bar that turns near a corner leaves no room for the ball, or holds it down on the floor.
+TEST(MovingParts, PressABallAgainstWallsButNotThroughThem) {
+    std::vector<unsigned> seeds{62, 149, 982, 1373, 1930, 2269, 2777};  // once wrong
+    for (unsigned seed = 0; seed < (flipside::test::in_small ? 5 : 60); ++seed) seeds.push_back(seed);
+    for (const bool thick : {false, true})
+        for (const unsigned seed : seeds) {
+            std::mt19937 random(seed);
+            const auto real = [&](double low, double high) {
+                return low + (high - low) * static_cast<double>(random() >> 8) * 0x1p-24;
+            };
+            Scene scene = empty_scene({0, -9.81});
+            add_room(scene, thick);
+            const double x = real(-0.95, -0.6), y = real(-0.95, -0.6);
+            const double half = real(0.1, 0.4), bar_radius = real(0.02, 0.1);
+            const Vec2 pivot{x, y}, to_end = half * from_angle(real(0, pi));
+            const double rate = (real(0, 1) < 0.5 ? -1 : 1) * real(1, 30);
+            const double restitution = real(0, 1), friction = real(0, 0.5);
+            add_part(scene, {shape::Capsule{pivot - to_end, pivot + to_end, bar_radius}},
+                     {"", restitution, friction, 0})
+                .motion = motion::Turn{pivot, rate, true};
+            const double radius = real(0.03, 0.1), left = real(-0.9, 0.3), low = real(-0.9, 0.3);
+            const double along = real(-3, 0), down = real(-3, 0);
+            add_ball(scene, {left, low}, {along, down}, radius);
+            const auto world = without_sleep(scene);
+            for (int k = 0; k < 240; ++k) {
+                world->step(1.0 / 60);
+                const Vec2 at = world->balls()[0].position;
+                ASSERT_LE(std::max(std::abs(at.x), std::abs(at.y)), 1)
+                    << (thick ? "thick" : "thin") << " walls, seed " << seed << ", " << world->time() << " s";
+            }
+        }
 }
 
 }  // namespace
