@@ -61,25 +61,20 @@ void ContinuousSolver::push_out_of_parts(BallIndex i) {
     }
 }
 
-/// Whether a part that overlaps a ball would push it through another part, as one that moves would where it
-/// presses the ball against a wall. Such a ball is left where it is. What lies on the face of the first part,
-/// where the ball comes out, is no obstacle: it may be an outline of that part.
+/// Whether a moving part that overlaps a ball would push it through another part, against which it presses
+/// the ball. Such a ball is left where it is.
 bool ContinuousSolver::pushes_through(PartIndex by, const Ball& ball, const Touch& touch) {
-    const Vec2 to = ball.position - touch.separation * touch.normal;
-    const Vec2 margin = deep_overlap * ball.radius * touch.normal;
-    const Vec2 inside = touch.point - margin, outside = touch.point + margin;
-    const bool begins_inside = dot(inside - ball.position, touch.normal) > 0;
+    if (!Table::moves(scene_.parts[by])) return false;
+    const Vec2 from = ball.position, to = from - touch.separation * touch.normal;
     crossed_features_.clear();
     record_->statistics.pair_tests +=
-        ranges_.find(united(bounds_of(ball.position, 0), bounds_of(to, 0)), crossed_features_);
+        ranges_.find(united(bounds_of(from, 0), bounds_of(to, 0)), crossed_features_);
     return std::ranges::any_of(crossed_features_, [&](FeatureIndex f) {
         const Feature& feature = features_[f];
         if (feature.part == by || feature.gate || ignores(feature, ball)) return false;
         const Pose pose = table_.pose(feature.part);
-        if (!should_collide(table_, layout_.primitive(feature.primitive), pose, ball)) return false;
-        const auto crossed = [&](Vec2 a, Vec2 b) { return crosses(feature, pose.undo(a), pose.undo(b)); };
-        return begins_inside ? crossed(ball.position, inside) || crossed(outside, to)
-                             : crossed(ball.position, to);
+        return should_collide(table_, layout_.primitive(feature.primitive), pose, ball) &&
+               crosses(feature, pose.undo(from), pose.undo(to));
     });
 }
 
@@ -178,8 +173,8 @@ void ContinuousSolver::find_supports(BallIndex i, double time) {
         const double gap = closest.distance - ball.radius;
         if (!closest.facing || gap > support_gap * ball.radius + gap_rounding(ball.position, ball.radius))
             continue;
-        // To begin on the surface of a part that moved into the ball would be a jump.
-        if (!turning.still() && gap < -deep_overlap * ball.radius) continue;
+        // To begin on the surface of a part that has moved into the ball would be a jump.
+        if (gap < -deep_overlap * ball.radius && Table::moves(scene_.parts[feature.part])) continue;
         const Vec2 normal = closest.normal;
         if (feature.gate && lets_through(feature.part, ball, time)) continue;
         RestingContact contact = resting_contact_at(feature, turning, ball, normal, time, external_);
