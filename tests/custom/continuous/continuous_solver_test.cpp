@@ -315,7 +315,7 @@ TEST(ContinuousSolver, BallsAtOnePointComeApart) {
 TEST(ContinuousSolver, ABallThatBeginsDeepInsideASolidIsOutAfterAStep) {
     const Vec2 inside{0.2, 0.3};
     const struct {
-        const char* name;
+        const char* name = "";
         Shape solid;
         Vec2 out;  // the nearest place
     } solids[] = {{"polygon", {shape::Polygon{{{-2, -1}, {2, -1}, {2, 1}, {-2, 1}}}}, {0.2, 1.1}},
