@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 source scripts/packages.sh
 case "${*:-}" in
     '') left_out='' examples=20 ;;
-    --quick) left_out='Allocations.*:Reference.BowlIsAPendulum*:ReferenceWorld.SlidesOverTheJoints*:Crowding.OfAMillionBoxes*'
+    --quick) left_out='Allocations.*:Reference.BowlIsAPendulum*:ReferenceWorld.SlidesOverTheJoints*:Crowding.OfAMillionBoxes*:MovingParts.Press*'
         left_out+=':ReferenceGates.AreSolidToWhatSlidesRoundTheirEnd:ReferenceWorld.AStepWithTooManySearchesIsRefused'
         left_out+=':ReferenceSmoothJoint.IsAStraightLineAtEveryStep:BroadPhase.AThousandBallsAtOnePoint'
         left_out+=':Math.SineAndCosine:Math.ArcTangent:Math.Expm1:Math.Log1p:Math.Root' examples=2 ;;
