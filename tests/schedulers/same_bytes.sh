@@ -38,7 +38,7 @@ untimed() {
                       { for (i = 1; i <= NF; ++i) if (timed[i]) $i = ""; print }' "$1"
 }
 
-sweep=(sweep toy pinball --quick --finest 30 --contenders custom-continuous,box2d)
+sweep=(sweep toy drop cradle --quick --finest 30 --contenders custom-continuous,box2d)
 "$program" "${sweep[@]}" --out one > /dev/null
 in_shards "${sweep[@]}" --out 'in eight' > /dev/null
 check_asked

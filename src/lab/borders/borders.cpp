@@ -219,11 +219,13 @@ std::span<const Border> borders() {
     return all;
 }
 
-std::vector<BorderPoint> find_borders(const Contender& contender, const std::function<void(double)>& watch) {
+std::vector<BorderPoint> find_borders(const Contender& contender, std::size_t most,
+                                      const std::function<void(double)>& watch) {
     std::vector<BorderPoint> points;
     const auto all = borders();
     for (std::size_t i = 0; i < all.size(); ++i) {
-        for (const double value : all[i].ladder) {
+        const std::span<const double> ladder = all[i].ladder;
+        for (const double value : ladder.first(std::min(most, ladder.size()))) {
             points.push_back({all[i].name, value, run_at(contender, all[i].make(value))});
             watch((static_cast<double>(i) + 0.5) / static_cast<double>(all.size()));
             if (!points.back().failure.empty()) break;

@@ -17,13 +17,13 @@ std::string borders_file(const Contender& contender) {
 }
 
 /// CSV: border,value,failure.
-Measurement border_measurement(const Contender& contender) {
+Measurement border_measurement(const Contender& contender, std::size_t most) {
     return measurement_of_file(borders_file(contender), 2, [=](const Watch& watch) {
         const lab::Contender at{&engine_named(contender.engine), settings_of(contender, Scene{})};
         TextStream file;
         CsvRow row;
         row.add("border").add("value").add("failure").write(file);
-        for (const BorderPoint& point : find_borders(at, watch))
+        for (const BorderPoint& point : find_borders(at, most, watch))
             row.add(point.border).add(point.value).add(point.failure).write(file);
         return file.str();
     });
@@ -148,7 +148,7 @@ Content show_borders(const Data& data) {
 
 }  // namespace
 
-Chapter border_chapter() {
+Chapter border_chapter(const Effort& effort) {
     Chapter chapter{
         "borders",
         "Borders of stability",
@@ -157,7 +157,7 @@ Chapter border_chapter() {
         {},
         show_borders};
     for (const Contender& contender : contenders())
-        chapter.measurements.push_back(border_measurement(contender));
+        chapter.measurements.push_back(border_measurement(contender, effort.most_border_values));
     return chapter;
 }
 

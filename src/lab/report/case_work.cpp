@@ -26,6 +26,15 @@ constexpr Story stories[] = {
     {"bowl", "period from 60 degrees", "Bowl: period from 60 degrees", "s"},
     {"incline", "way down in 1 s, slipping", "Incline: way of a slipping ball in 1 s", "m"}};
 
+/// Those of the cases that the report has.
+std::vector<Story> chosen_stories(const Effort& effort) {
+    std::vector<Story> chosen;
+    std::ranges::copy_if(stories, std::back_inserter(chosen), [&](const Story& story) {
+        return effort.cases.empty() || std::ranges::find(effort.cases, story.name) != effort.cases.end();
+    });
+    return chosen;
+}
+
 std::string work_file(const Contender& contender) {
     return "case-steps-" + contender.name + ".csv";
 }
@@ -50,8 +59,9 @@ Measurement work_measurement(const Contender& contender, const Effort& effort) {
         CsvRow row;
         row.add("case").add("dt").add("error").add("failure").add("cpu_seconds").write(file);
         double done = 0;
-        const double whole = static_cast<double>(std::size(stories) * effort.case_steps.size());
-        for (const Story& story : stories) {
+        const std::vector<Story> chosen = chosen_stories(effort);
+        const double whole = static_cast<double>(chosen.size() * effort.case_steps.size());
+        for (const Story& story : chosen) {
             const std::string name = story.name;
             const Case& which = *find_cases({&name, 1}).front();
             for (const double dt : effort.case_steps) {
@@ -69,9 +79,9 @@ Measurement work_measurement(const Contender& contender, const Effort& effort) {
                                measure);
 }
 
-Content show_case_work(const Data& data) {
+Content show_case_work(const Data& data, const std::vector<Story>& chosen) {
     Content content;
-    for (const Story& story : stories) {
+    for (const Story& story : chosen) {
         Figure figure{
             std::string("case-") + story.name,
             story.says,
@@ -107,7 +117,9 @@ Chapter case_work_chapter(const Effort& effort) {
                         step_text(effort.case_steps.front()) + " to " + step_text(effort.case_steps.back()) +
                         ": here the right answer is known in closed form.",
                     {},
-                    show_case_work};
+                    [chosen = chosen_stories(effort)](const Data& data) {
+                        return show_case_work(data, chosen);
+                    }};
     for (const Contender& contender : contenders())
         chapter.measurements.push_back(work_measurement(contender, effort));
     return chapter;

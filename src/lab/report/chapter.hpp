@@ -30,7 +30,7 @@ struct Chapter {
 /// Speed against error in some of them.
 [[nodiscard]] Chapter case_work_chapter(const Effort& effort);
 /// Where engines break: mass ratio, stack, speed and step.
-[[nodiscard]] Chapter border_chapter();
+[[nodiscard]] Chapter border_chapter(const Effort& effort);
 /// Energy where it must stay as it is.
 [[nodiscard]] Chapter energy_chapter(const Effort& effort);
 /// How fast the engines part on the pinball table.

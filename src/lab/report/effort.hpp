@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "lab/borders/borders.hpp"
 #include "lab/sweep/variants.hpp"
 
 namespace flipside::lab::report {
@@ -20,6 +21,7 @@ struct Effort {
     bool quick_cases;                   ///< as `flipside cases --quick`
     double case_seconds;                ///< CPU time they take on one engine, about
     std::vector<double> case_steps;     ///< s, at which some cases are repeated
+    std::size_t most_border_values;     ///< that are tried of each border (lab/borders)
     std::vector<sweep::Variant> tuned;  ///< for which settings are searched
     std::size_t tuning_windows;
     int tuning_finest;           ///< steps per second at most
@@ -51,6 +53,7 @@ struct Effort {
             .quick_cases = false,
             .case_seconds = 30,
             .case_steps = {1. / 30, 1. / 60, 1. / 120, 1. / 240, 1. / 480, 1. / 960, 1. / 1920},
+            .most_border_values = whole_ladders,
             .tuned = sweep::standard_variants(),
             .tuning_windows = 25,
             .tuning_finest = 480,
@@ -84,6 +87,7 @@ struct Effort {
         .quick_cases = true,
         .case_seconds = 2,
         .case_steps = {1. / 30, 1. / 120, 1. / 480},
+        .most_border_values = whole_ladders,
         .tuned = {sweep::standard_variants().front()},
         .tuning_windows = 25,
         .tuning_finest = 480,

@@ -145,7 +145,7 @@ std::vector<Chapter> chapters(const Effort& effort, const std::vector<fs::path>&
             regime_chapter(effort),
             hard_case_chapter(effort),
             case_work_chapter(effort),
-            border_chapter(),
+            border_chapter(effort),
             energy_chapter(effort),
             divergence_chapter(effort),
             penetration_chapter(effort),

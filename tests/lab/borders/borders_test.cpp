@@ -24,7 +24,7 @@ std::vector<BorderPoint> points_of(const std::vector<BorderPoint>& all, std::str
 
 TEST(Borders, EachClimbsItsLadderUntilTheFirstThatBreaks) {
     double last = 0;
-    const auto found = find_borders(contender("custom", {"solver=simple"}), [&](double share) {
+    const auto found = find_borders(contender("custom", {"solver=simple"}), whole_ladders, [&](double share) {
         EXPECT_GE(share, last);
         EXPECT_LE(share, 1);
         last = share;
@@ -46,11 +46,11 @@ TEST(Borders, EachClimbsItsLadderUntilTheFirstThatBreaks) {
 }
 
 TEST(Borders, SayWhatBreaks) {
-    const auto box2d = find_borders(contender("box2d"), [](double) {});
+    const auto box2d = find_borders(contender("box2d"), whole_ladders, [](double) {});
     EXPECT_NE(points_of(box2d, "heavy-on-light").back().failure.find("overlap of"), std::string::npos);
     // It moves nothing by more than two of its units in a step, and so slows fast balls down.
     EXPECT_NE(points_of(box2d, "wall-speed").back().failure.find("loses"), std::string::npos);
-    const auto exact = find_borders(contender("reference"), [](double) {});
+    const auto exact = find_borders(contender("reference"), whole_ladders, [](double) {});
     // It knows the forces in a stack that is at rest.
     EXPECT_EQ(points_of(exact, "stack").back().failure, "");
     EXPECT_EQ(points_of(exact, "wall-speed").back().failure, "");
@@ -59,7 +59,7 @@ TEST(Borders, SayWhatBreaks) {
 TEST(Borders, HeightCountsFromTheFloor) {
     // The balls of the hunted scene start at about the height 0, and fall below it: their energy is no gain.
     for (const char* engine : {"custom", "box2d"}) {
-        const auto points = points_of(find_borders(contender(engine), [](double) {}), "hunted");
+        const auto points = points_of(find_borders(contender(engine), 1, [](double) {}), "hunted");
         EXPECT_EQ(points.front().failure.find("energy"), std::string::npos) << engine;
     }
 }

@@ -8,8 +8,9 @@ namespace flipside::lab::report {
 inline Effort tiny_effort() {
     Effort effort = quick_effort();
     effort.name = "tiny";
-    effort.cases = {"zeno-drop", "galperin"};
+    effort.cases = {"zeno-drop", "galperin", "incline"};
     effort.case_steps = {1. / 30, 1. / 60};
+    effort.most_border_values = 2;
     effort.tuned.clear();
     effort.most_regime_balls = 1;
     effort.regime_repeats = 2;
