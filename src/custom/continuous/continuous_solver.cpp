@@ -197,6 +197,7 @@ void ContinuousSolver::assign_movers() {
         mover.last_event = -1;
         mover.last_slow = mover.last_hit = -INFINITY;
         mover.simultaneous_events = mover.idle_events = mover.hits = 0;
+        mover.events_until = 0;
         hot_[i] = {};
         near_[i] = {};
         hot_[i].radius = bodies_[i].radius;

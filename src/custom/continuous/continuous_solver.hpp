@@ -129,6 +129,7 @@ class ContinuousSolver {
         int simultaneous_events = 0;  ///< at the time last_event
         bool meets_balls = false;     ///< in one of these events
         int idle_events = 0;          ///< since its last significant impact
+        double events_until = 0;      ///< s: end of the time that its events take at least_interval each
         double cell_exit = 0;         ///< s: when it must be listed in another cell
         Box bounds;                   ///< swept bounds of its path until cell_exit, with touch_distance
         const Feature* resting_on = nullptr;      ///< its resting contact
@@ -164,6 +165,7 @@ class ContinuousSolver {
     void leave_island(BallIndex i);
     void solve_jammed(BallIndex first, double time);
     void freeze(BallIndex i, double time);
+    void stay_frozen(BallIndex i, Vec2 velocity, double time);
     void start_member_path(BallIndex i, const Flight& flight, double time, double until);
     void start_tick_path(BallIndex i, double time, const ContactSolver::Body& body);
     void start_creep_path(BallIndex i, double time, double until, const ContactSolver::Body& body);
@@ -196,6 +198,7 @@ class ContinuousSolver {
     void predict_together(std::span<const BallIndex> balls, double time);
     void predict_with(BallIndex i, double time, auto&& each_other);
     void predict_features(BallIndex i, double time);
+    void predict_sensors(BallIndex i, double time, std::span<const FeatureIndex> near);
     [[nodiscard]] bool slides_to(const Mover& mover, const Ball& ball, const Feature& feature) const;
     [[nodiscard]] static bool above_tangent_face(const Mover& mover, const Feature& feature,
                                                  const Pose& pose);
@@ -208,7 +211,7 @@ class ContinuousSolver {
     void offer(BallIndex i, double time, EventType next, std::uint32_t partner = 0,
                std::uint32_t partner_version = 0);
     [[nodiscard]] double sense_time(PartIndex part, const Ball& ball, const Path& path, double time,
-                                    bool inside) const;
+                                    double last, bool inside) const;
     [[nodiscard]] bool ignores(const Feature& feature, const Ball& ball) const;
 
     // Paths and resting contacts with parts (path.cpp).

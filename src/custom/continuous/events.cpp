@@ -25,6 +25,11 @@ constexpr int most_idle = 2000;
 constexpr double idle_impact = 1e-5;
 /// Events of this kind that a ball may have after it was jammed, before it is jammed again.
 constexpr int idle_after_jam = 20;
+/// A ball whose events follow each other faster than this for long is jammed too: a part that moves presses
+/// it against another one, and each impact gives it new speed (e > 1, or a kick). It may be ahead of that
+/// pace by most_ahead events.
+constexpr double least_interval = 1.0 / 240'000;  // s
+constexpr int most_ahead = 10'000;
 /// Limit on the steps of all root searches in one window: they take about a fifth of a second, and for each
 /// ball as long as 20 grazing contacts.
 constexpr std::uint64_t most_search_steps = 2'000'000, search_steps_per_ball = 1000;
@@ -58,11 +63,15 @@ void ContinuousSolver::handle(BallIndex i) {
     counted.simultaneous_events = at_once ? counted.simultaneous_events + 1 : 0;
     counted.meets_balls = with_ball || (at_once && counted.meets_balls);
     counted.last_event = time;
-    if (counted.simultaneous_events > (counted.meets_balls ? most_at_once : most_with_parts) ||
+    counted.events_until = std::max(counted.events_until, time) + least_interval;
+    if (counted.events_until - time > most_ahead * least_interval ||
+        counted.simultaneous_events > (counted.meets_balls ? most_at_once : most_with_parts) ||
         ++counted.idle_events > most_idle) {
         counted.idle_events = most_idle - idle_after_jam;
         counted.simultaneous_events = 0;
-        if (counted.jammed) return freeze(&counted == &mover ? i : mover.partner, time);
+        counted.events_until =
+            std::min(counted.events_until, time + (most_ahead - idle_after_jam) * least_interval);
+        if (counted.jammed) return freeze(&counted == &mover || counted.frozen ? i : mover.partner, time);
         return solve_jammed(i, time);
     }
     if (++events_ > settings_.max_impacts ||
@@ -195,9 +204,14 @@ void ContinuousSolver::hit_ball(BallIndex i, double time) {
             lasts = lasts || time - mover->last_slow < tick_length;
             mover->last_slow = time;
         }
-    if (impact.happened) leave_island(i), leave_island(j);
-    start_path(i, time);
-    start_path(j, time);
+    for (const BallIndex k : {i, j}) {
+        if (movers_[k].frozen) {
+            stay_frozen(k, impact.happened ? bodies_[k].velocity : movers_[k].velocity_end, time);
+            continue;
+        }
+        if (impact.happened) leave_island(k);
+        start_path(k, time);
+    }
     if (lasts || (!impact.happened && closing_acceleration(low, high, time) > 1e-9 * length(scene_.gravity)))
         join_island(i, time), join_island(j, time);
     predict(i, time);

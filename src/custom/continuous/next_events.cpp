@@ -125,13 +125,7 @@ void ContinuousSolver::predict_features(BallIndex i, double time) {
     if (near.empty() && inside_.empty() && table_.blocked().empty()) return;
     const Ball& ball = bodies_[i];
     const Path& path = mover.motion.path;
-    for (auto in = std::ranges::lower_bound(inside_, ball.number, {}, &Sensed::ball);
-         in != inside_.end() && in->ball == ball.number; ++in)
-        offer(i, sense_time(in->sensor, ball, path, time, true), EventType::sensor, in->sensor);
-    for (const Blocked& blocked : table_.blocked())
-        if (blocked.ball == ball.number)
-            offer(i, sense_time(blocked.gate, ball, path, time, true), EventType::sensor, blocked.gate);
-    PartIndex sensed = ~0U;
+    bool any_sensor = false;
     // Bound on the distance of the path from its chord, with a margin greater than touch_distance.
     const double end = std::min({end_, mover.motion.until, mover.cell_exit}), duration = end - time;
     const Vec2 from = time == path.start ? path.flight.position : path.position(time);
@@ -140,13 +134,7 @@ void ContinuousSolver::predict_features(BallIndex i, double time) {
     for (const FeatureIndex f : near) {
         if (!overlap(mover.bounds, ranges_[f])) continue;
         const Feature& feature = features_[f];
-        if (feature.sensor && inside(ball.number, feature.part)) continue;
-        if (feature.sensor) {
-            if (feature.part == sensed || !layers_meet(ball, feature)) continue;
-            sensed = feature.part;
-            offer(i, sense_time(sensed, ball, path, time, false), EventType::sensor, sensed);
-            continue;
-        }
+        any_sensor = any_sensor || feature.sensor;
         if (&feature == mover.resting_on || ignores(feature, ball)) continue;
         const Turning& turning = turnings_[feature.part];
         if (turning.still() && !ball.asleep && turning.begin.angle == 0 &&
@@ -160,6 +148,32 @@ void ContinuousSolver::predict_features(BallIndex i, double time) {
         const double last = std::min({mover.next_time, end_, mover.on_tick_path ? mover.motion.until : end_});
         offer(i, time_of_impact(feature, turning, path, ball.radius, time, last, &search_steps_),
               EventType::feature, f);
+    }
+    if (any_sensor || !inside_.empty() || !table_.blocked().empty()) predict_sensors(i, time, near);
+}
+
+/// Predicts when a ball enters or leaves a sensor, or leaves a gate, if that is before all else that is
+/// predicted so far: a search for more would be repeated after that event.
+void ContinuousSolver::predict_sensors(BallIndex i, double time, std::span<const FeatureIndex> near) {
+    const Ball& ball = bodies_[i];
+    const Mover& mover = movers_[i];
+    const auto predict_sensor = [&](PartIndex part, bool inside) {
+        const double last = std::min({end_, mover.motion.until, mover.cell_exit, mover.next_time});
+        offer(i, sense_time(part, ball, mover.motion.path, time, last, inside), EventType::sensor, part);
+    };
+    for (auto in = std::ranges::lower_bound(inside_, ball.number, {}, &Sensed::ball);
+         in != inside_.end() && in->ball == ball.number; ++in)
+        predict_sensor(in->sensor, true);
+    for (const Blocked& blocked : table_.blocked())
+        if (blocked.ball == ball.number) predict_sensor(blocked.gate, true);
+    PartIndex sensed = ~0U;
+    for (const FeatureIndex f : near) {
+        const Feature& feature = features_[f];
+        if (!feature.sensor || feature.part == sensed || !overlap(mover.bounds, ranges_[f]) ||
+            !layers_meet(ball, feature) || inside(ball.number, feature.part))
+            continue;
+        sensed = feature.part;
+        predict_sensor(sensed, false);
     }
 }
 
@@ -241,11 +255,12 @@ void ContinuousSolver::predict_loss(BallIndex i, double time) {
     offer(i, first_exit(mover.motion.path, bounds, time, last), EventType::leave_bounds);
 }
 
-/// Time at which a ball enters a sensor, or leaves a sensor or gate. Conservative advancement with a bound on
+/// Time at which a ball enters a sensor, or leaves a sensor or gate; never_touch if not before `last`, which
+/// the search passes by one step at most. Conservative advancement with a bound on
 /// the speed, in steps of at least sense_step, and then first_zero(). A contact shallower than sense_step may
 /// be missed.
 double ContinuousSolver::sense_time(PartIndex part, const Ball& ball, const Path& path, double time,
-                                    bool inside) const {
+                                    double last, bool inside) const {
     const Turning& turning = turnings_[part];
     const double own = path.max_speed(end_), w = std::abs(turning.rate);
     const double out = std::max(sense_gap * ball.radius, 4 * gap_rounding(ball.position, ball.radius));
@@ -264,7 +279,7 @@ double ContinuousSolver::sense_time(PartIndex part, const Ball& ball, const Path
         if (left <= 0) return first_zero(left_at, before, left_before, t, left, error);
         before = t;
         left_before = left;
-        if (t >= end_) return never_touch;
+        if (t >= last) return never_touch;
         t = std::min(end_, t + std::max(left, sense_step * ball.radius) / speed);
     }
     refuse_search(engine_name, ball.number, Other::part(part), start_ + time, scene_);

@@ -102,9 +102,9 @@ class ContactSolver {
     double correct_position(Contact& contact);
     double correct_positions(Vec2 gravity);
     void limit_corrections();
-    void for_each_static(auto&& visit);
+    void repeat_static(double enough, auto&& correct);
     void extrapolate(std::span<Contact> contacts, double norm, double norm_before);
-    void propagate_shock(const Contact& contact);
+    double propagate_shock(const Contact& contact);
 
     std::vector<Body> bodies_;
     /// Sort key of a contact.

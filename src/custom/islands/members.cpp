@@ -130,11 +130,8 @@ void ContinuousSolver::solve_jammed(BallIndex first, double time) {
 void ContinuousSolver::freeze(BallIndex i, double time) {
     advance_to(i, time);
     join_island(i, time);
-    Mover& mover = movers_[i];
-    mover.frozen = true;
     hot_[i].creeps = false;
-    mover.velocity_begin = mover.velocity_end = bodies_[i].velocity;
-    start_member_path(i, {bodies_[i].position, {}, {}, 0}, time, next_tick(time));
+    stay_frozen(i, bodies_[i].velocity, time);
     predict(i, time);
     // It predicts no events of its own, so its neighbours must predict theirs with it.
     cells_.query_neighbours(i, [&](BallIndex j) {
@@ -142,12 +139,22 @@ void ContinuousSolver::freeze(BallIndex i, double time) {
     });
 }
 
+/// Holds a ball in place until the next tick; then it moves on with this velocity. An impact changes the
+/// velocity alone: a ball that could be pushed away again would have events without end.
+void ContinuousSolver::stay_frozen(BallIndex i, Vec2 velocity, double time) {
+    Mover& mover = movers_[i];
+    mover.frozen = true;
+    mover.velocity_begin = mover.velocity_end = velocity;
+    start_member_path(i, {bodies_[i].position, {}, {}, 0}, time, next_tick(time));
+}
+
 /// Velocity of a ball that was advanced along its path to this time. The velocity of a member is interpolated
 /// linearly between ticks; that of its parabola serves only to reach the solved position.
 Vec2 ContinuousSolver::true_velocity(BallIndex i, double time) const {
     const Mover& mover = movers_[i];
     if (!mover.on_tick_path) return bodies_[i].velocity;
-    const double start = mover.motion.path.start, part = (time - start) / (mover.motion.until - start);
+    const double start = mover.motion.path.start, duration = mover.motion.until - start;
+    const double part = duration > 0 ? (time - start) / duration : 1;  // 0 at the end of the window
     return mover.velocity_begin + part * (mover.velocity_end - mover.velocity_begin);
 }
 

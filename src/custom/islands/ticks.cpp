@@ -44,8 +44,9 @@ void ContinuousSolver::solve_islands(double time) {
         Mover& mover = movers_[i];
         if (!hot_[i].in_island || hot_[i].lost) continue;
         ++members;
-        if (hot_[i].creeps && !mover.jammed && mover.motion.until > time) {
-            any_in_island_ = any_creeps_ = true;
+        if ((mover.frozen || (hot_[i].creeps && !mover.jammed)) && mover.motion.until > time) {
+            any_in_island_ = true;
+            any_creeps_ = any_creeps_ || hot_[i].creeps;
             continue;
         }
         if (regular) mover.jammed = false;

@@ -1,0 +1,161 @@
+// The continuous solver in random rooms with everything that a scene may have: gates, sensors, targets and
+// layers, parts that turn and flip, kicks, and balls whose sizes differ by a factor of up to 40 and whose
+// masses by up to 10,000. Parts that move press balls against walls and against each other. No ball gets out,
+// no step takes long, the result depends neither on the step nor on whether it was saved meanwhile, and the
+// events tell all changes of the contacts.
+
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include "in_small.hpp"
+#include "lab/contenders/engines.hpp"
+#include "lab/hunt/random_scene.hpp"
+#include "lab/scenes/clear_starts.hpp"
+
+namespace flipside {
+namespace {
+
+Scene crowded_room(unsigned seed, int most_balls) {
+    lab::RandomScene random(seed);
+    Scene scene = random.make();
+    scene.balls.clear();
+    const auto vector = [&](double shortest, double longest) {
+        const double length = random.real(shortest, longest);
+        return length * random.direction();
+    };
+    if (random.whole(0, 2) == 0) scene.gravity = vector(0, 30);
+    if (random.whole(0, 5) == 0) scene.rest_speed = 0;
+    const auto maybe_turning = [&](Part& part) {
+        if (random.whole(0, 2) == 0) part.motion = motion::Turn{random.place(), random.real(-3, 3), true};
+    };
+    for (int k = random.whole(0, 3); k > 0; --k) {
+        const Vec2 a = random.place(), b = a + vector(0.2, 0.6);
+        maybe_turning(add_part(scene, {shape::Gate{a, b, unit(perp(b - a))}}, random.material()));
+    }
+    for (int k = random.whole(0, 3); k > 0; --k) {
+        const Shape shape = random.shape();
+        Part& part = add_part(scene, shape, random.material());
+        part.sensor = true;
+        maybe_turning(part);
+    }
+    for (int k = random.whole(0, 2); k > 0; --k) {
+        const Shape shape = random.shape();
+        add_part(scene, shape, random.material()).target = true;
+    }
+    for (int k = random.whole(0, 2); k > 0; --k) {
+        const Shape shape = random.shape();
+        Part& part = add_part(scene, shape, random.material());
+        part.layer = part.collides_with = 2;
+    }
+    const int balls = random.whole(1, most_balls);
+    const bool sizes_differ = random.whole(0, 1) == 1;
+    for (int k = 0; k < balls; ++k) {
+        const double radius =
+            sizes_differ ? 0.004 * std::pow(37.5, random.real(0, 1)) : random.real(0.02, 0.08);
+        const Vec2 position{random.real(-0.9, 0.9), random.real(-0.9, 0.9)};
+        const Vec2 velocity = vector(0, 6);
+        add_ball(scene, position, velocity, radius, 1e-2 * std::pow(1e4, random.real(0, 1)));
+        scene.balls.back().spin = random.pick({0.0, random.real(-30, 30)});
+        if (random.whole(0, 6) == 0) scene.balls.back().layer = 3;
+    }
+    lab::clear_starts(scene);
+    return scene;
+}
+
+std::unique_ptr<World> world_of(const Scene& scene) {
+    const Engine& engine = lab::engine_named("custom");
+    return engine.make(std::make_shared<const Scene>(scene), Settings(engine.settings));
+}
+
+/// Raises and lowers the flippers in the course of the steps.
+void work_flippers(World& world, int step) {
+    if (step % 40 == 12) world.apply(control::Flip{Side::left, true});
+    if (step % 40 == 30) world.apply(control::Flip{Side::left, false});
+}
+
+bool has_balls_of(const World& world, const World& other) {
+    return std::ranges::equal(world.balls(), other.balls());
+}
+
+using ContactPairs = std::set<std::tuple<BallNumber, bool, std::uint32_t>>;
+
+ContactPairs contact_pairs(const World& world) {
+    ContactPairs pairs;
+    for (const Contact& contact : world.contacts())
+        pairs.emplace(contact.ball, contact.other.is_ball, contact.other.index);
+    return pairs;
+}
+
+void follow_events(const World& world, ContactPairs& pairs) {
+    for (const Event& event : world.events()) {
+        const auto pair = std::make_tuple(event.ball, event.other.is_ball, event.other.index);
+        if (event.kind == EventKind::begin) {
+            EXPECT_TRUE(pairs.insert(pair).second) << "begins twice at " << event.time;
+        }
+        if (event.kind == EventKind::end) {
+            EXPECT_EQ(pairs.erase(pair), 1U) << "ends before it begins at " << event.time;
+        }
+    }
+}
+
+void expect_all_is_well(unsigned seed, int most_balls) {
+    constexpr int steps = 120, saved_after = 40;
+    /// Far less than a step took where events of a ball had no end: 450,000 impacts, or 30 million tests of
+    /// pairs.
+    constexpr std::uint64_t most_impacts = 30'000, most_tests = 1'000'000;
+    const Scene scene = crowded_room(seed, most_balls);
+    const auto world = world_of(scene), in_long_steps = world_of(scene), in_short_steps = world_of(scene);
+    std::unique_ptr<World> restored;
+    const std::size_t balls = world->balls().size();
+    ContactPairs pairs = contact_pairs(*world);
+    for (int step = 0; step < steps && !::testing::Test::HasFailure(); ++step) {
+        for (World* each : {world.get(), in_short_steps.get(), restored.get()})
+            if (each != nullptr) work_flippers(*each, step);
+        world->step(1.0 / 60);
+        const Statistics& statistics = world->statistics();
+        EXPECT_LE(statistics.impacts, most_impacts) << "step " << step;
+        EXPECT_LE(statistics.pair_tests + statistics.narrow_tests, most_tests) << "step " << step;
+        for (int part = 0; part < 4; ++part) in_short_steps->step(1.0 / 240);
+        EXPECT_TRUE(has_balls_of(*in_short_steps, *world)) << "step " << step;
+        if (step % 2 == 1) {
+            work_flippers(*in_long_steps, step - 1);
+            in_long_steps->step(1.0 / 30);
+            EXPECT_TRUE(has_balls_of(*in_long_steps, *world)) << "step " << step;
+        }
+        if (restored) {
+            restored->step(1.0 / 60);
+            EXPECT_TRUE(has_balls_of(*restored, *world)) << "step " << step;
+        }
+        if (step == saved_after) {
+            const State state = world->save();
+            restored = world_of(scene);
+            restored->restore(state);
+        }
+        follow_events(*world, pairs);
+        EXPECT_EQ(contact_pairs(*world), pairs) << "step " << step;
+        EXPECT_EQ(world->balls().size(), balls) << "step " << step;
+    }
+}
+
+struct Room {
+    unsigned seed;
+    int most_balls;
+};
+/// In these rooms a step once took seconds, or a ball got out.
+constexpr Room once_endless[] = {{140, 12}, {364, 12}, {498, 12},  {512, 12},  {529, 12},  {829, 12},
+                                 {917, 12}, {921, 12}, {1248, 12}, {1255, 12}, {2013, 40}, {2167, 40}};
+
+TEST(CrowdedRooms, KeepTheirBallsAndTheirPace) {
+    std::vector<Room> rooms(std::begin(once_endless), std::end(once_endless));
+    for (unsigned seed = 0; seed < (test::in_small ? 5 : 100); ++seed) rooms.push_back({seed, 12});
+    for (const auto& [seed, most_balls] : rooms) {
+        SCOPED_TRACE("room " + std::to_string(seed));
+        expect_all_is_well(seed, most_balls);
+    }
+}
+
+}  // namespace
+}  // namespace flipside
