@@ -237,6 +237,7 @@ class ContinuousSolver {
     void rest_between(BallIndex i, double time);
 
     // Events (events.cpp).
+    [[nodiscard]] bool exceeds_limits(Mover& mover, double time, bool with_ball) const;
     void handle(BallIndex i);
     static void advance(Ball& ball, const ConstrainedPath& motion, double time);
     [[nodiscard]] bool is_significant(const Impact& impact, const Ball& ball) const;

@@ -23,13 +23,13 @@ constexpr int most_at_once = 200, most_with_parts = 1000;
 /// resting contact can repeat them forever.
 constexpr int most_idle = 2000;
 constexpr double idle_impact = 1e-5;
-/// Events of this kind that a ball may have after it was jammed, before it is jammed again.
-constexpr int idle_after_jam = 20;
 /// A ball whose events follow each other faster than this for long is jammed too: a part that moves presses
 /// it against another one, and each impact gives it new speed (e > 1, or a kick). It may be ahead of that
 /// pace by most_ahead events.
 constexpr double least_interval = 1.0 / 240'000;  // s
 constexpr int most_ahead = 10'000;
+/// Events of the last two kinds that a ball may have after it was jammed, before it is jammed again.
+constexpr int events_after_jam = 20;
 /// Limit on the steps of all root searches in one window: they take about a fifth of a second, and for each
 /// ball as long as 20 grazing contacts.
 constexpr std::uint64_t most_search_steps = 2'000'000, search_steps_per_ball = 1000;
@@ -49,6 +49,24 @@ void ContinuousSolver::advance(Ball& ball, const ConstrainedPath& motion, double
     ball.spin = spin;
 }
 
+/// Counts an event of a ball, and tells whether that exceeds a limit: then its events have no end.
+bool ContinuousSolver::exceeds_limits(Mover& mover, double time, bool with_ball) const {
+    const bool at_once = time <= mover.last_event + instant * end_;
+    mover.simultaneous_events = at_once ? mover.simultaneous_events + 1 : 0;
+    mover.meets_balls = with_ball || (at_once && mover.meets_balls);
+    mover.last_event = time;
+    mover.events_until = std::max(mover.events_until, time) + least_interval;
+    if (mover.events_until - time <= most_ahead * least_interval &&
+        mover.simultaneous_events <= (mover.meets_balls ? most_at_once : most_with_parts) &&
+        ++mover.idle_events <= most_idle)
+        return false;
+    mover.simultaneous_events = 0;
+    mover.idle_events = most_idle - events_after_jam;
+    const double soon = time + (most_ahead - events_after_jam) * least_interval;
+    mover.events_until = std::min(mover.events_until, soon);
+    return true;
+}
+
 /// Handles the next event of a ball.
 void ContinuousSolver::handle(BallIndex i) {
     Mover& mover = movers_[i];
@@ -58,19 +76,7 @@ void ContinuousSolver::handle(BallIndex i) {
     Mover& counted = mover.next == EventType::ball && !bodies_[mover.partner].asleep
                          ? movers_[std::min(i, mover.partner)]
                          : mover;
-    const bool at_once = time <= counted.last_event + instant * end_,
-               with_ball = mover.next == EventType::ball;
-    counted.simultaneous_events = at_once ? counted.simultaneous_events + 1 : 0;
-    counted.meets_balls = with_ball || (at_once && counted.meets_balls);
-    counted.last_event = time;
-    counted.events_until = std::max(counted.events_until, time) + least_interval;
-    if (counted.events_until - time > most_ahead * least_interval ||
-        counted.simultaneous_events > (counted.meets_balls ? most_at_once : most_with_parts) ||
-        ++counted.idle_events > most_idle) {
-        counted.idle_events = most_idle - idle_after_jam;
-        counted.simultaneous_events = 0;
-        counted.events_until =
-            std::min(counted.events_until, time + (most_ahead - idle_after_jam) * least_interval);
+    if (exceeds_limits(counted, time, mover.next == EventType::ball)) {
         if (counted.jammed) return freeze(&counted == &mover || counted.frozen ? i : mover.partner, time);
         return solve_jammed(i, time);
     }
