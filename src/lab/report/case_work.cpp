@@ -111,15 +111,14 @@ Content show_case_work(const Data& data, const std::vector<Story>& chosen) {
 }  // namespace
 
 Chapter case_work_chapter(const Effort& effort) {
-    Chapter chapter{"case-work",
-                    "Work and precision in hard cases",
-                    "Some of the hard cases again, in their short form, at steps from " +
-                        step_text(effort.case_steps.front()) + " to " + step_text(effort.case_steps.back()) +
-                        ": here the right answer is known in closed form.",
-                    {},
-                    [chosen = chosen_stories(effort)](const Data& data) {
-                        return show_case_work(data, chosen);
-                    }};
+    Chapter chapter{
+        "case-work",
+        "Work and precision in hard cases",
+        "Some of the hard cases again, in their short form, at steps from " +
+            step_text(effort.case_steps.front()) + " to " + step_text(effort.case_steps.back()) +
+            ": here the right answer is known in closed form.",
+        {},
+        [chosen = chosen_stories(effort)](const Data& data) { return show_case_work(data, chosen); }};
     for (const Contender& contender : contenders())
         chapter.measurements.push_back(work_measurement(contender, effort));
     return chapter;
