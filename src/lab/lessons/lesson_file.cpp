@@ -68,7 +68,7 @@ ContenderRequest contender_in(const Node& node) {
         try {
             settings.set(name, value);
         } catch (const InputError& error) {
-            node.at("set").fail(name.c_str(), error.what());
+            node.at("set").at(name).fail(error.what());
         }
     }
     return found;

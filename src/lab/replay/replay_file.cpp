@@ -125,7 +125,7 @@ move::Change read_change(const Node& node) {
         try {
             settings.set(entry.key(), entry.value().get_ref<const std::string&>());
         } catch (const InputError& error) {
-            given.fail(entry.key().c_str(), error.what());
+            given.at(entry.key()).fail(error.what());
         }
     }
     return {&engine, std::move(settings), node.vector("gravity")};
