@@ -162,7 +162,7 @@ struct Room {
     unsigned seed;
     int most_balls;
 };
-/// In these rooms a step once took seconds, or a ball got out.
+/// In these rooms a step once took up to nine seconds, or a ball got out.
 constexpr Room once_endless[] = {{140, 12}, {364, 12}, {498, 12},  {512, 12},  {529, 12},  {829, 12},
                                  {917, 12}, {921, 12}, {1248, 12}, {1255, 12}, {2013, 40}, {2167, 40}};
 
