@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Runs the tests of world, custom and reference under valgrind's memcheck: scripts/valgrind.sh [--quick]
 # It finds every use of a value that was never written, also in memory that is allocated, where the address sanitizer
-# sees nothing wrong. --quick leaves out the longest tests and takes about 2 minutes on two hardware threads. Tests may fail for their limits of time here (the plain run judges them): exit code 1 is
-# for what memcheck found and for crashes.
+# sees nothing wrong. --quick leaves out the longest tests and takes about 2 minutes on two hardware threads. Tests may
+# fail for their limits of time here (the plain run judges them): exit code 1 is for what memcheck found and for crashes.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/packages.sh

@@ -77,8 +77,9 @@ void ContinuousSolver::handle(BallIndex i) {
                          ? movers_[std::min(i, mover.partner)]
                          : mover;
     if (exceeds_limits(counted, time, mover.next == EventType::ball)) {
-        if (counted.jammed) return freeze(&counted == &mover || counted.frozen ? i : mover.partner, time);
-        return solve_jammed(i, time);
+        if (!counted.jammed) return solve_jammed(i, time);
+        // Of two balls the counted one, or the other if that is frozen already.
+        return freeze(&counted == &mover || counted.frozen ? i : mover.partner, time);
     }
     if (++events_ > settings_.max_impacts ||
         search_steps_ > most_search_steps + search_steps_per_ball * movers_.size()) {

@@ -196,8 +196,9 @@ void ContactSolver::repeat_static(double enough, auto&& correct) {
         error = 0;
         for (Contact& contact : contacts_) {
             if (contact.with != With::still_part) continue;
-            Contact again = contact;  // the contact keeps the gap before all passes
-            error = std::max(error, correct(pass == 0 ? contact : again));
+            const double gap = contact.gap;
+            error = std::max(error, correct(contact));
+            if (pass > 0) contact.gap = gap;  // converge_squeezed() needs the gap before all passes
         }
     }
 }

@@ -41,9 +41,10 @@ struct BorderPoint {
     double value = 0;
     std::string failure;  ///< "" where it holds
 };
+/// As `most` of find_borders(): no limit.
 inline constexpr std::size_t whole_ladders = ~std::size_t{0};
-/// Border by border, value by value until the first at which the contender does not hold, or until `most`
-/// values. Steps are those of the experiments. `watch` is called after each with the part done, 0 … 1.
+/// Border by border, value by value until the first at which the contender does not hold, `most` of them at
+/// most. Steps are those of the experiments. `watch` is called after each with the part done, 0 … 1.
 [[nodiscard]] std::vector<BorderPoint> find_borders(const Contender& contender, std::size_t most,
                                                     const std::function<void(double)>& watch);
 

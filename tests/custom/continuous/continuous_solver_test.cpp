@@ -358,5 +358,18 @@ TEST(ContinuousSolver, EndlessImpactsAreLimited) {
     EXPECT_LT(most, 100'000U);
 }
 
+TEST(ContinuousSolver, ABallThatIsFrozenAtTheEndOfAWindowKeepsItsVelocity) {
+    Scene scene = empty_scene();
+    add_part(scene, segment({1, -5}, {1, 5}));
+    add_ball(scene, {0.625, 2}, {1, 0}, 0.25);  // meets the wall after an eighth of a second
+    add_ball(scene, {0.5, -2}, {1, 0}, 0.25);   // at the end of the window, after a quarter
+    const auto world = make_world(scene, {{"max_impacts", "1"}});
+    world->step(0.25);
+    EXPECT_EQ(world->balls()[0].velocity, (Vec2{-1, 0}));
+    EXPECT_EQ(world->balls()[1].velocity, (Vec2{1, 0}));
+    world->step(0.25);
+    EXPECT_EQ(world->balls()[1].velocity, (Vec2{-1, 0}));
+}
+
 }  // namespace
 }  // namespace flipside::custom::test

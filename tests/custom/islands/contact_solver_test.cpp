@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "custom/between.hpp"
+#include "custom/tolerances.hpp"
 
 namespace flipside::custom::test {
 namespace {
@@ -142,6 +143,26 @@ RC_GTEST_PROP(ContactSolver, HeapsGainNoEnergy, ()) {
     for (ContactSolver::Index i = 0; i < std::min(balls, ContactSolver::Index{5}); ++i) {
         const Body& body = solver.bodies()[i];
         RC_ASSERT(body.position.y + tick * body.velocity.y >= radius - 1e-9);
+    }
+}
+
+// Something must overlap: the part that moves, and not the walls.
+TEST(ContactSolver, APartThatMovesDoesNotPressABallIntoTheWallsOfAWedge) {
+    const Vec2 left{1, 0}, right{-0.8, 0.6}, down{0, -1};
+    ContactSolver solver;
+    solver.start();
+    const ContactSolver::Index ball = solver.add(disc({}));
+    solver.add(on_ground(solver, ball, -radius * left, left));
+    solver.add(on_ground(solver, ball, -radius * right, right));
+    ContactSolver::Contact part = on_ground(solver, ball, -radius * down, down, -0.5 * radius);
+    part.with = ContactSolver::With::moving_part;
+    part.lower = solver.add({-radius * down, 20 * down, {}, 0, 0, 0, 0});
+    solver.add(part);
+    solver.solve(tick, gravity);
+    const Body& body = solver.bodies()[ball];
+    for (const Vec2 normal : {left, right}) {
+        EXPECT_GE(dot(body.position, normal), -corrected_overlap * radius);
+        EXPECT_GE(dot(body.velocity, normal), -length(gravity) * tick);
     }
 }
 

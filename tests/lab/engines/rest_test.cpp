@@ -12,6 +12,7 @@
 #include "in_small.hpp"
 #include "lab/contenders/engines.hpp"
 #include "lab/engines/every_solver.hpp"
+#include "lab/engines/touching.hpp"
 #include "world/refusal.hpp"
 #include "world/scene_builder.hpp"
 
@@ -48,14 +49,6 @@ HeapBound heap_bound(const Engine& engine, const Settings& settings) {
 
 double in_range(std::mt19937_64& random, double low, double high) {
     return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
-}
-
-using Pairs = std::set<std::pair<BallNumber, Other>>;
-
-Pairs touching(const World& world) {
-    Pairs pairs;
-    for (const Contact& contact : world.contacts()) pairs.insert({contact.ball, contact.other});
-    return pairs;
 }
 
 /// Steps among the next sixty in which the contacts are not these.

@@ -8,7 +8,7 @@ namespace flipside::lab::report {
 inline Effort tiny_effort() {
     Effort effort = quick_effort();
     effort.name = "tiny";
-    effort.cases = {"zeno-drop", "galperin", "incline"};
+    effort.cases = {"zeno-drop", "galperin", "column", "bowl", "incline"};
     effort.case_steps = {1. / 30, 1. / 60};
     effort.most_border_values = 2;
     effort.tuned.clear();
