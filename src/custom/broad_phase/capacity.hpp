@@ -13,6 +13,7 @@ namespace flipside::custom {
 inline constexpr std::size_t pairs_per_ball = 16;    ///< candidate pairs of a ball at rest
 inline constexpr std::size_t contacts_per_ball = 8;  ///< boxes that overlap during one flight
 inline constexpr std::size_t touches_per_ball = 4;
+inline constexpr std::size_t most_near = 512;        ///< features near one ball
 inline constexpr std::size_t events_per_ball = 64;   ///< in a step in which a heap lands
 inline constexpr std::size_t least_capacity = 1024;  ///< for a few balls of any speed
 

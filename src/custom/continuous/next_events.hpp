@@ -1,20 +1,24 @@
 #pragma once
-/// Event queue: the next event of every ball, in a tournament tree whose root is the earliest event (Knuth,
-/// "The Art of Computer Programming", vol. 3, 5.4.1). A match is replayed only when one of its players has
-/// changed. Events at the same time are ordered by their `order`. Cost: log₂ n matches per change; the queue
-/// holds no outdated events.
+/// Predicts the next event of each ball, and keeps them in a queue.
 
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
+
+#include "custom/continuous/gates.hpp"
+#include "custom/continuous/paths.hpp"
+#include "custom/continuous/simulation.hpp"
 
 namespace flipside::custom {
 
-class NextEvents {
+/// The next event of every ball, in a tournament tree whose root is the earliest event (Knuth, "The Art of
+/// Computer Programming", vol. 3, 5.4.1). A match is replayed only when one of its players has changed.
+/// Events at the same time are ordered by their `order`. Cost: log₂ n matches per change; the queue holds no
+/// outdated events.
+class EventQueue {
   public:
-    using BallIndex = std::uint32_t;
-
     void reserve(std::size_t balls) {
         const std::size_t players = std::bit_ceil(balls + 1);
         events_.reserve(players);
@@ -65,6 +69,53 @@ class NextEvents {
     std::vector<Event> events_;       ///< per ball, a power of two of them
     std::vector<BallIndex> winners_;  ///< of each match; node k plays under node k/2
     BallIndex soon_ = 0;
+};
+
+class Predictions {
+  public:
+    /// Keeps references to all arguments.
+    Predictions(Simulation& sim, Gates& gates, Paths& paths) : sim_(sim), gates_(gates), paths_(paths) {}
+
+    /// Reserves memory for so many balls.
+    void reserve(std::size_t balls);
+    /// Starts a window: no ball has a next event.
+    void clear() { queue_.reset(sim_.balls.size()); }
+    [[nodiscard]] const EventQueue& queue() const { return queue_; }
+
+    /// Predicts the next event of a ball on its path.
+    void predict(BallIndex i, double time);
+    /// The same for several balls whose paths all start now. Each pair of them is predicted once.
+    void predict_together(std::span<const BallIndex> balls, double time);
+    /// Lists a ball in the cell in which it is now, and predicts its events with the neighbours there.
+    void enter_cell(BallIndex i);
+    /// A lost ball has no events.
+    void forget(BallIndex i) { queue_.set(i, INFINITY, 0); }
+
+  private:
+    /// Order of events at the same time, whichever ball predicted them: first those without a second ball,
+    /// then by the lower ball, then by the higher.
+    [[nodiscard]] static std::uint64_t order_of(BallIndex i, EventType next, std::uint32_t partner);
+    void predict_with(BallIndex i, double time, auto&& each_other);
+    void predict_features(BallIndex i, double time);
+    void predict_sensors(BallIndex i, double time, std::span<const FeatureIndex> near);
+    void predict_ball(BallIndex i, BallIndex j, double time);
+    void predict_flying(BallIndex i, BallIndex j, double time);
+    void predict_loss(BallIndex i, double time);
+    [[nodiscard]] bool slides_to(const Particle& particle, const Ball& ball, const Feature& feature) const;
+    [[nodiscard]] static bool above_tangent_face(const Particle& particle, const Feature& feature,
+                                                 const Pose& pose);
+    [[nodiscard]] bool in_slow_contact(BallIndex i, BallIndex j, double time) const;
+    [[nodiscard]] bool rests_on(BallIndex i, const Feature& feature, const Pose& pose, double time) const;
+    void note_near(BallIndex i, BallIndex j, double until, double from);
+    void offer(BallIndex i, double time, EventType next, std::uint32_t partner = 0,
+               std::uint32_t partner_version = 0);
+    void schedule(BallIndex i);
+
+    Simulation& sim_;
+    Gates& gates_;
+    Paths& paths_;
+    EventQueue queue_;
+    std::uint32_t batch_ = 0;  ///< counts the calls of predict_together()
 };
 
 }  // namespace flipside::custom

@@ -19,7 +19,7 @@
 
 #include "custom/continuous/feature.hpp"
 #include "custom/continuous/path.hpp"
-#include "custom/continuous/roots.hpp"
+#include "custom/geometry/roots.hpp"
 
 namespace flipside::custom {
 

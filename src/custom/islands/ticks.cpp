@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "custom/continuous/continuous_solver.hpp"
+#include "custom/broad_phase/capacity.hpp"
+#include "custom/geometry/narrow_phase.hpp"
+#include "custom/islands/islands.hpp"
+#include "custom/trace/continuous_trace.hpp"
 
 namespace flipside::custom {
 
@@ -15,47 +18,53 @@ constexpr std::size_t members_per_creeping = 4;
 
 }  // namespace
 
-/// Next point after `time` on the grid of spacing `length` that ends with the window, s.
-double ContinuousSolver::next_on_grid(double time, double length) const {
-    double left = std::ceil((end_ - time) / length) - 1;
-    while (left > 0 && end_ - left * length <= time + 1e-3 * tick_length) --left;
-    return left > 0 ? end_ - left * length : end_;
+void Islands::reserve(std::size_t balls) {
+    part_forces_.reserve(balls * contacts_per_ball);
+    ball_forces_.reserve(balls * contacts_per_ball);
+    contact_solver_.reserve(balls);
+    reserve_for(members_, balls);
+    reserve_for(creeping_, balls);
+    reserve_for(overlapped_, balls, contacts_per_ball);
+    if (rank_.size() < balls) rank_.resize(balls);
 }
 
-double ContinuousSolver::next_tick(double time) const {
-    return next_on_grid(time, tick_length);
+void Islands::start_window() {
+    part_forces_.clear(), ball_forces_.clear();
+    creeping_.clear();
+    find_members();
+    solve(0);
 }
 
-void ContinuousSolver::tick(double time) {
-    solve_islands(time);
-    predict_together(members_, time);
+void Islands::tick(double time) {
+    solve(time);
+    predictions_.predict_together(members_, time);
 }
 
 /// Solves the contacts of all members and starts their paths until the next tick, without their next events.
 /// Members without a load leave the island. Creeping members are solved at every fourth tick; in between they
 /// are static obstacles.
-void ContinuousSolver::solve_islands(double time) {
+void Islands::solve(double time) {
     members_.clear(), creeping_.clear();
-    const bool regular = time == next_tick_;
-    next_tick_ = next_tick(time);
-    any_in_island_ = any_creeps_ = false;
+    const bool regular = time == sim_.tick_at;
+    sim_.tick_at = sim_.next_tick(time);
+    sim_.any_in_island = any_creeps_ = false;
     std::uint64_t members = 0;
-    for (BallIndex i = 0; i < movers_.size(); ++i) {
-        Mover& mover = movers_[i];
-        if (!hot_[i].in_island || hot_[i].lost) continue;
+    for (BallIndex i = 0; i < sim_.particles.size(); ++i) {
+        Particle& particle = sim_.particles[i];
+        if (!sim_.hot[i].in_island || sim_.hot[i].lost) continue;
         ++members;
-        if ((mover.frozen || (hot_[i].creeps && !mover.jammed)) && mover.motion.until > time) {
-            any_in_island_ = true;
-            any_creeps_ = any_creeps_ || hot_[i].creeps;
+        if ((particle.frozen || (sim_.hot[i].creeps && !particle.jammed)) && particle.motion.until > time) {
+            sim_.any_in_island = true;
+            any_creeps_ = any_creeps_ || sim_.hot[i].creeps;
             continue;
         }
-        if (regular) mover.jammed = false;
-        mover.frozen = hot_[i].creeps = false;
-        advance_to(i, time);
+        if (regular) particle.jammed = false;
+        particle.frozen = sim_.hot[i].creeps = false;
+        sim_.advance_to(i, time);
         members_.push_back(i);
     }
-    record_->statistics.handed_over = std::max(record_->statistics.handed_over, members);
-    const double duration = next_tick_ - time;
+    sim_.record->statistics.handed_over = std::max(sim_.record->statistics.handed_over, members);
+    const double duration = sim_.tick_at - time;
     if (members_.empty() || !(duration > 0)) return members_.clear();
     start_creep(time);
     if (!members_.empty()) {
@@ -64,34 +73,34 @@ void ContinuousSolver::solve_islands(double time) {
             start_tick_path(members_[k], time, contact_solver_.bodies()[k]);
     }
     std::ranges::copy_if(creeping_, std::back_inserter(members_),
-                         [&](BallIndex i) { return hot_[i].creeps; });
+                         [&](BallIndex i) { return sim_.hot[i].creeps; });
     store_forces();
 }
 
 /// Solves the contacts of all members over a tick of this duration, s. Balls that members overlap become
 /// members too.
-void ContinuousSolver::solve_members(double time, double duration) {
-    for (const BallIndex i : members_) hot_[i].in_solve = true;
+void Islands::solve_members(double time, double duration) {
+    for (const BallIndex i : members_) sim_.hot[i].in_solve = true;
     stop_pushed_creep(time);
     collect_contacts(time, duration);
     while (!overlapped_.empty()) {
         for (const BallIndex j : overlapped_) add_member(j, time);
         collect_contacts(time, duration);
     }
-    contact_solver_.solve(duration, scene_.gravity);
-    if (record_->trace) trace_tick(time, duration);
+    contact_solver_.solve(duration, sim_.scene.gravity);
+    if (sim_.record->trace) trace_tick(sim_, contact_solver_, members_, time, duration);
     remember_forces(time, duration);
-    for (const BallIndex i : members_) hot_[i].in_solve = false;
+    for (const BallIndex i : members_) sim_.hot[i].in_solve = false;
 }
 
 /// At the start of a long tick, solves all members over it. Members that are slow before and after this solve
 /// creep until its end; all others are solved again over short ticks.
-void ContinuousSolver::start_creep(double time) {
-    const double until = next_on_grid(time, long_tick_length), duration = until - time;
+void Islands::start_creep(double time) {
+    const double until = sim_.next_on_grid(time, long_tick_length), duration = until - time;
     const bool on_grid = time == 0 || std::abs(until - time - long_tick_length) < 1e-3 * tick_length;
     if (!on_grid || duration < 1.5 * tick_length) return;
     const auto may_creep = [&](BallIndex i) {
-        return !movers_[i].jammed && creeps_at(length(bodies_[i].velocity), bodies_[i]);
+        return !sim_.particles[i].jammed && creeps_at(length(sim_.balls[i].velocity), sim_.balls[i]);
     };
     const auto count = static_cast<std::size_t>(std::ranges::count_if(members_, may_creep));
     if (members_per_creeping * count < members_.size()) return;
@@ -100,7 +109,8 @@ void ContinuousSolver::start_creep(double time) {
     for (BallIndex k = 0; k < members_.size(); ++k) {
         const BallIndex i = members_[k];
         const ContactSolver::Body& body = contact_solver_.bodies()[k];
-        if (may_creep(i) && creeps_at(length(body.velocity), bodies_[i]) && movers_[i].last_loaded == time) {
+        if (may_creep(i) && creeps_at(length(body.velocity), sim_.balls[i]) &&
+            sim_.particles[i].last_loaded == time) {
             start_creep_path(i, time, until, body);
             creeping_.push_back(i);
         } else {
@@ -112,43 +122,43 @@ void ContinuousSolver::start_creep(double time) {
 }
 
 /// Adds a ball to the members of the current solve.
-void ContinuousSolver::add_member(BallIndex i, double time) {
-    if (hot_[i].in_solve) return;
-    advance_to(i, time);
-    join_island(i, time);
-    hot_[i].creeps = false;
-    hot_[i].in_solve = true;
+void Islands::add_member(BallIndex i, double time) {
+    if (sim_.hot[i].in_solve) return;
+    sim_.advance_to(i, time);
+    sim_.join_island(i, time);
+    sim_.hot[i].creeps = false;
+    sim_.hot[i].in_solve = true;
     members_.push_back(i);
 }
 
 /// Adds each creeping member that a member of this solve pushes faster than it may creep.
-void ContinuousSolver::stop_pushed_creep(double time) {
+void Islands::stop_pushed_creep(double time) {
     if (!any_creeps_) return;
     for (std::size_t seen = 0; seen < members_.size();) {
         const BallIndex i = members_[seen++];
-        const Ball& ball = bodies_[i];
-        cells_.query_neighbours(i, [&](BallIndex j) {
-            if (!hot_[j].creeps || !layers_meet(ball, bodies_[j])) return;
-            const Ball& other = bodies_[j];
-            const Vec2 between = ball.position - movers_[j].motion.path.position(time);
+        const Ball& ball = sim_.balls[i];
+        sim_.cells.query_neighbours(i, [&](BallIndex j) {
+            if (!sim_.hot[j].creeps || !layers_meet(ball, sim_.balls[j])) return;
+            const Ball& other = sim_.balls[j];
+            const Vec2 between = ball.position - sim_.particles[j].motion.path.position(time);
             const double distance = length(between), gap = distance - ball.radius - other.radius;
             const double near = resting_distance * std::min(ball.radius, other.radius);
             const double closing = -dot(ball.velocity - other.velocity, between) / distance;
-            if (gap < -near || (gap < near + slow_ * tick_length && !creeps_at(closing, other)))
+            if (gap < -near || (gap < near + sim_.slow * tick_length && !creeps_at(closing, other)))
                 add_member(j, time);
         });
     }
 }
 
 /// Collects the bodies of all members, and the contacts that may carry a force within the tick.
-void ContinuousSolver::collect_contacts(double time, double duration) {
+void Islands::collect_contacts(double time, double duration) {
     std::ranges::sort(members_);
     contact_solver_.start();
-    const TimeInterval interval(external_.drag, duration);
+    const TimeInterval interval(sim_.external.drag, duration);
     for (const BallIndex i : members_) {
-        const Ball& ball = bodies_[i];
+        const Ball& ball = sim_.balls[i];
         const Vec2 external =
-            Flight{{}, ball.velocity, external_.gravity}.velocity_after(interval) - ball.velocity;
+            Flight{{}, ball.velocity, sim_.external.gravity}.velocity_after(interval) - ball.velocity;
         rank_[i] = contact_solver_.add({ball.position, ball.velocity, external, ball.spin, ball.radius,
                                         1 / ball.mass, 1 / inertia(ball)});
     }
@@ -157,7 +167,7 @@ void ContinuousSolver::collect_contacts(double time, double duration) {
     ball_forces_.rewind(), part_forces_.rewind();
     for (const BallIndex i : members_) {
         ball_forces_.advance_to(i);
-        cells_.query_neighbours(i, [&](BallIndex j) { add_ball_contact(i, j, time, duration); });
+        sim_.cells.query_neighbours(i, [&](BallIndex j) { add_ball_contact(i, j, time, duration); });
     }
     for (const BallIndex i : members_) {
         part_forces_.advance_to(i);
@@ -167,16 +177,16 @@ void ContinuousSolver::collect_contacts(double time, double duration) {
 
 /// Adds the contact of two balls that touch, or will touch slowly within the tick. A faster approach is an
 /// event.
-void ContinuousSolver::add_ball_contact(BallIndex i, BallIndex j, double time, double duration) {
-    const Ball &a = bodies_[i], &b = bodies_[j];
-    ++record_->statistics.pair_tests;
-    const HotState& hot = hot_[j];
+void Islands::add_ball_contact(BallIndex i, BallIndex j, double time, double duration) {
+    const Ball &a = sim_.balls[i], &b = sim_.balls[j];
+    ++sim_.record->statistics.pair_tests;
+    const HotState& hot = sim_.hot[j];
     if (hot.lost || (hot.in_solve && j > i)) return;
     const bool flies = !b.asleep && !hot.in_island, creeps = hot.creeps;
-    const Vec2 there = flies || creeps ? movers_[j].motion.path.position(time) : b.position;
+    const Vec2 there = flies || creeps ? sim_.particles[j].motion.path.position(time) : b.position;
     const Vec2 between = a.position - there;
     const double reach = a.radius + b.radius,
-                 slack = slow_ * duration + resting_distance * std::min(a.radius, b.radius);
+                 slack = sim_.slow * duration + resting_distance * std::min(a.radius, b.radius);
     const double square = length_squared(between);
     if (square >= (reach + slack) * (reach + slack) || !layers_meet(a, b)) return;
     const double distance = std::sqrt(square), gap = distance - reach;
@@ -189,26 +199,26 @@ void ContinuousSolver::add_ball_contact(BallIndex i, BallIndex j, double time, d
         return;
     }
     deepest_ = std::max(deepest_, -gap);
-    const bool jammed = movers_[i].jammed || movers_[j].jammed;
-    if (!deep && !jammed && closing > slow_) return;
-    ++record_->statistics.narrow_tests;
-    ++record_->statistics.contacts;
-    const bool i_above = dot(normal, scene_.gravity) <= 0;
+    const bool jammed = sim_.particles[i].jammed || sim_.particles[j].jammed;
+    if (!deep && !jammed && closing > sim_.slow) return;
+    ++sim_.record->statistics.narrow_tests;
+    ++sim_.record->statistics.contacts;
+    const bool i_above = dot(normal, sim_.scene.gravity) <= 0;
     ContactSolver::Contact contact;
-    const auto other = hot_[j].in_solve ? rank_[j] : contact_solver_.add({there, {}, {}, 0, b.radius, 0, 0});
+    const auto other =
+        sim_.hot[j].in_solve ? rank_[j] : contact_solver_.add({there, {}, {}, 0, b.radius, 0, 0});
     contact.upper = i_above ? rank_[i] : other;
     contact.lower = i_above ? other : rank_[i];
     contact.normal = i_above ? normal : -normal;
     contact.detected_gap = gap;
-    contact.friction = layout_.mixed(a.material, b.material).friction;
-    contact.height = -dot(a.position + there, scene_.gravity);
+    contact.friction = sim_.layout.mixed(a.material, b.material).friction;
+    contact.height = -dot(a.position + there, sim_.scene.gravity);
     contact.a = std::min(i, j), contact.b = std::max(i, j);
     add_contact(contact, ball_forces_, duration);
 }
 
 /// Adds a contact with its warm-start impulse: the force of the previous tick times the duration.
-void ContinuousSolver::add_contact(ContactSolver::Contact& contact, const ForceCache& known,
-                                   double duration) {
+void Islands::add_contact(ContactSolver::Contact& contact, const ForceCache& known, double duration) {
     if (const ContactForce* force = known.find(contact.a, contact.b)) {
         contact.impulse.normal = force->normal * duration;
         contact.impulse.tangent = force->tangent * duration;
@@ -217,52 +227,54 @@ void ContinuousSolver::add_contact(ContactSolver::Contact& contact, const ForceC
 }
 
 /// Depth of the deepest overlap of a ball with a moving part, m.
-double ContinuousSolver::overlap_with_moving_parts(BallIndex i, double time) {
-    const Ball& ball = bodies_[i];
+double Islands::overlap_with_moving_parts(BallIndex i, double time) {
+    const Ball& ball = sim_.balls[i];
     const Box box = bounds_of(ball.position, ball.radius);
     double deepest = 0;
-    for (const FeatureIndex f : features_near(i, box)) {
-        const Feature& feature = features_[f];
-        const Turning& turning = turnings_[feature.part];
-        if (turning.still() || !overlap(box, ranges_[f]) || ignores(feature, ball)) continue;
-        const Primitive& primitive = layout_.primitive(feature.primitive);
+    for (const FeatureIndex f : sim_.features_near(i, box)) {
+        const Feature& feature = sim_.features[f];
+        const Turning& turning = sim_.turnings[feature.part];
+        if (turning.still() || !overlap(box, sim_.ranges[f]) || gates_.ignores(feature, ball)) continue;
+        const Primitive& primitive = sim_.layout.primitive(feature.primitive);
         const Touch found = touch(ball.position, ball.radius, primitive, turning.pose(time));
         if (!found.past_end) deepest = std::max(deepest, -found.separation);
     }
     return deepest;
 }
 
-void ContinuousSolver::add_part_contacts(BallIndex i, double time, double duration) {
-    const Ball& ball = bodies_[i];
-    Mover& mover = movers_[i];
+void Islands::add_part_contacts(BallIndex i, double time, double duration) {
+    const Ball& ball = sim_.balls[i];
+    Particle& particle = sim_.particles[i];
     // Includes the parts into which the position correction of overlaps could push this ball.
     const double deepest = std::max(deepest_, overlap_with_moving_parts(i, time));
-    const double slack = slow_ * duration + resting_distance * ball.radius + 2 * deepest;
+    const double slack = sim_.slow * duration + resting_distance * ball.radius + 2 * deepest;
     const Box box = bounds_of(ball.position, ball.radius + slack);
-    PrimitiveIndex seen = layout_.size();
-    for (const FeatureIndex f : features_near(i, box)) {
-        if (!overlap(box, ranges_[f]) || ignores(features_[f], ball) || features_[f].primitive == seen)
+    PrimitiveIndex seen = sim_.layout.size();
+    for (const FeatureIndex f : sim_.features_near(i, box)) {
+        if (!overlap(box, sim_.ranges[f]) || gates_.ignores(sim_.features[f], ball) ||
+            sim_.features[f].primitive == seen)
             continue;
-        seen = features_[f].primitive;
-        const Primitive& primitive = layout_.primitive(seen);
-        const Turning& turning = turnings_[primitive.part];
+        seen = sim_.features[f].primitive;
+        const Primitive& primitive = sim_.layout.primitive(seen);
+        const Turning& turning = sim_.turnings[primitive.part];
         const Pose pose = turning.pose(time);
-        if (!layout_.should_collide(table_, seen, pose, ball)) continue;
-        ++record_->statistics.narrow_tests;
+        if (!sim_.layout.should_collide(sim_.table, seen, pose, ball)) continue;
+        ++sim_.record->statistics.narrow_tests;
         const Touch found = touch(ball.position, ball.radius, primitive, pose);
         if (found.past_end || found.separation > slack) continue;
         const Vec2 surface = cross(turning.rate_at(time), found.point - pose.pivot);
         const double closing = -dot(ball.velocity - surface, found.normal);
-        ++record_->statistics.contacts;
+        ++sim_.record->statistics.contacts;
         ContactSolver::Contact contact;
         contact.bounces =
-            !mover.jammed && found.separation > -resting_distance * ball.radius && closing > slow_;
+            !particle.jammed && found.separation > -resting_distance * ball.radius && closing > sim_.slow;
         contact.upper = rank_[i];
         contact.lower = contact_solver_.add({found.point, surface, {}, 0, 0, 0, 0});
         contact.normal = found.normal;
         contact.detected_gap = found.separation;
-        contact.friction = layout_.mixed(ball.material, scene_.parts[primitive.part].material).friction;
-        contact.height = -2 * dot(found.point, scene_.gravity);
+        contact.friction =
+            sim_.layout.mixed(ball.material, sim_.scene.parts[primitive.part].material).friction;
+        contact.height = -2 * dot(found.point, sim_.scene.gravity);
         contact.with =
             turning.rate_at(time) == 0 ? ContactSolver::With::still_part : ContactSolver::With::moving_part;
         contact.a = seen, contact.b = i;
@@ -271,21 +283,22 @@ void ContinuousSolver::add_part_contacts(BallIndex i, double time, double durati
 }
 
 /// Stores the forces for the next tick, and notes which members have a load: from a ball, or from two sides.
-void ContinuousSolver::remember_forces(double time, double duration) {
+void Islands::remember_forces(double time, double duration) {
     const auto members = static_cast<BallIndex>(members_.size());
     // Forces on creeping members stay until these are solved again.
     ball_forces_.forget_if([&](const ContactForce& force) {
-        const bool creep_a = hot_[force.a].creeps, creep_b = hot_[force.b].creeps;
-        return !(creep_a && (creep_b || bodies_[force.b].asleep)) && !(creep_b && bodies_[force.a].asleep);
+        const bool creep_a = sim_.hot[force.a].creeps, creep_b = sim_.hot[force.b].creeps;
+        return !(creep_a && (creep_b || sim_.balls[force.b].asleep)) &&
+               !(creep_b && sim_.balls[force.a].asleep);
     });
-    part_forces_.forget_if([&](const ContactForce& force) { return !hot_[force.b].creeps; });
-    for (const BallIndex i : members_) movers_[i].loads = 0;
+    part_forces_.forget_if([&](const ContactForce& force) { return !sim_.hot[force.b].creeps; });
+    for (const BallIndex i : members_) sim_.particles[i].loads = 0;
     for (const ContactSolver::Contact& contact : contact_solver_.contacts()) {
         if (contact.impulse.normal <= 0) continue;
         const auto add_load = [&](BallIndex body, int loads) {
             if (body >= members) return;
-            Mover& mover = movers_[members_[body]];
-            if ((mover.loads += loads) >= 2) mover.last_loaded = time;
+            Particle& particle = sim_.particles[members_[body]];
+            if ((particle.loads += loads) >= 2) particle.last_loaded = time;
         };
         add_load(contact.upper, contact.with == ContactSolver::With::ball ? 2 : 1);
         add_load(contact.lower, contact.with == ContactSolver::With::ball ? 2 : 0);
@@ -297,11 +310,12 @@ void ContinuousSolver::remember_forces(double time, double duration) {
 }
 
 /// Writes the forces between balls into the engine's memory, which saved states contain.
-void ContinuousSolver::store_forces() {
-    std::vector<ContactForce>& known = table_.memory().forces;
+void Islands::store_forces() {
+    std::vector<ContactForce>& known = sim_.table.memory().forces;
     known.clear();
     for (const ContactForce& force : ball_forces_.all())
-        known.push_back({movers_[force.a].number, movers_[force.b].number, force.normal, force.tangent});
+        known.push_back(
+            {sim_.particles[force.a].number, sim_.particles[force.b].number, force.normal, force.tangent});
 }
 
 }  // namespace flipside::custom

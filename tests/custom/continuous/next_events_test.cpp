@@ -9,9 +9,9 @@
 namespace flipside::custom::test {
 namespace {
 
-RC_GTEST_PROP(NextEvents, TheFirstIsTheEarliestAfterAnyChanges, ()) {
+RC_GTEST_PROP(EventQueue, TheFirstIsTheEarliestAfterAnyChanges, ()) {
     const auto balls = *rc::gen::inRange<std::size_t>(1, 40);
-    NextEvents events;
+    EventQueue events;
     events.reset(balls);
     std::vector<std::pair<double, std::uint64_t>> known(balls, {INFINITY, 0});
     for (int change = 0; change < 200; ++change) {
@@ -19,7 +19,7 @@ RC_GTEST_PROP(NextEvents, TheFirstIsTheEarliestAfterAnyChanges, ()) {
         // Few different times, so that many are equal; no two events have the same order.
         const double time = *rc::gen::element(0.0, 1.0, 2.0, static_cast<double>(INFINITY));
         const auto order = std::uint64_t{i} + 100 * *rc::gen::inRange<std::uint64_t>(0, 3);
-        events.set(static_cast<NextEvents::BallIndex>(i), time, order);
+        events.set(static_cast<BallIndex>(i), time, order);
         known[i] = {time, order};
         const auto least = std::ranges::min_element(known);
         RC_ASSERT(events.time() == least->first);
@@ -27,12 +27,12 @@ RC_GTEST_PROP(NextEvents, TheFirstIsTheEarliestAfterAnyChanges, ()) {
     }
 }
 
-RC_GTEST_PROP(NextEvents, WhoeverComesFirstWasSaidToComeSoon, ()) {
-    const auto balls = *rc::gen::inRange<NextEvents::BallIndex>(17, 200);
-    NextEvents events;
+RC_GTEST_PROP(EventQueue, WhoeverComesFirstWasSaidToComeSoon, ()) {
+    const auto balls = *rc::gen::inRange<BallIndex>(17, 200);
+    EventQueue events;
     events.reset(balls);
-    std::set<NextEvents::BallIndex> said;
-    for (NextEvents::BallIndex change = 0; change < 400; ++change) {
+    std::set<BallIndex> said;
+    for (BallIndex change = 0; change < 400; ++change) {
         const auto i = change < balls ? change : events.first();
         events.set(i, change * 1e-3 + *rc::gen::inRange(1, 100), i);
         said.insert(events.soon());
@@ -42,8 +42,8 @@ RC_GTEST_PROP(NextEvents, WhoeverComesFirstWasSaidToComeSoon, ()) {
     }
 }
 
-TEST(NextEvents, AreEmptyAtFirst) {
-    NextEvents events;
+TEST(EventQueue, AreEmptyAtFirst) {
+    EventQueue events;
     for (const std::size_t balls : {0U, 1U, 2U, 3U, 64U}) {
         events.reset(balls);
         EXPECT_EQ(events.time(), INFINITY);

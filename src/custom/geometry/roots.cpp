@@ -1,4 +1,4 @@
-#include "custom/continuous/roots.hpp"
+#include "custom/geometry/roots.hpp"
 
 #include "custom/flight.hpp"
 

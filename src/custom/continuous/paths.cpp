@@ -1,8 +1,9 @@
-// Starts the path of a ball: in flight, or in resting contact with a part.
+#include "custom/continuous/paths.hpp"
 
 #include <algorithm>
 
-#include "custom/continuous/continuous_solver.hpp"
+#include "custom/broad_phase/capacity.hpp"
+#include "custom/geometry/narrow_phase.hpp"
 
 namespace flipside::custom {
 
@@ -29,27 +30,31 @@ double direction_rounding(const Feature& feature) {
 
 }  // namespace
 
-/// Moves a ball that deeply overlaps a part at the start of the window out of it, by position only. Gates are
-/// ignored: such a ball passes through them. Each round corrects the deepest overlap; what four rounds leave
-/// remains for later windows.
-void ContinuousSolver::push_out_of_parts(BallIndex i) {
-    Ball& ball = bodies_[i];
+void Paths::reserve() {
+    supports_.reserve(std::min(sim_.features.size(), most_near));
+    crossed_features_.reserve(sim_.features.size());
+}
+
+void Paths::push_out_of_parts(BallIndex i) {
+    Ball& ball = sim_.balls[i];
     for (int round = 0; round < 4; ++round) {
         const Box here = bounds_of(ball.position, ball.radius);
         Touch deepest;
         deepest.separation = -deep_overlap * ball.radius;
         bool found = false;
-        PrimitiveIndex seen = layout_.size();
-        for (const FeatureIndex f : features_near(i, here)) {
-            if (!overlap(here, ranges_[f]) || features_[f].gate || ignores(features_[f], ball)) continue;
-            if (features_[f].primitive == seen) continue;
-            const Primitive& primitive = layout_.primitive(features_[f].primitive);
-            const Pose pose = table_.pose(primitive.part);
-            if (std::holds_alternative<Arc>(features_[f].is) &&
-                closest_point(features_[f], pose.undo(ball.position), ball.radius).distance > ball.radius)
+        PrimitiveIndex seen = sim_.layout.size();
+        for (const FeatureIndex f : sim_.features_near(i, here)) {
+            if (!overlap(here, sim_.ranges[f]) || sim_.features[f].gate ||
+                gates_.ignores(sim_.features[f], ball))
                 continue;
-            seen = features_[f].primitive;
-            if (!should_collide(table_, primitive, pose, ball)) continue;
+            if (sim_.features[f].primitive == seen) continue;
+            const Primitive& primitive = sim_.layout.primitive(sim_.features[f].primitive);
+            const Pose pose = sim_.table.pose(primitive.part);
+            if (std::holds_alternative<Arc>(sim_.features[f].is) &&
+                closest_point(sim_.features[f], pose.undo(ball.position), ball.radius).distance > ball.radius)
+                continue;
+            seen = sim_.features[f].primitive;
+            if (!should_collide(sim_.table, primitive, pose, ball)) continue;
             const Touch touch_now = touch(ball.position, ball.radius, primitive, pose);
             if (touch_now.past_end || touch_now.separation >= deepest.separation) continue;
             if (pushes_through(primitive.part, ball, touch_now)) continue;
@@ -63,33 +68,33 @@ void ContinuousSolver::push_out_of_parts(BallIndex i) {
 
 /// Whether a moving part that overlaps a ball would push it through another part, against which it presses
 /// the ball. Such a ball is left where it is.
-bool ContinuousSolver::pushes_through(PartIndex by, const Ball& ball, const Touch& touch) {
-    if (!Table::moves(scene_.parts[by])) return false;
+bool Paths::pushes_through(PartIndex by, const Ball& ball, const Touch& touch) {
+    if (!Table::moves(sim_.scene.parts[by])) return false;
     const Vec2 from = ball.position, to = from - touch.separation * touch.normal;
     crossed_features_.clear();
-    record_->statistics.pair_tests +=
-        ranges_.find(united(bounds_of(from, 0), bounds_of(to, 0)), crossed_features_);
+    sim_.record->statistics.pair_tests +=
+        sim_.ranges.find(united(bounds_of(from, 0), bounds_of(to, 0)), crossed_features_);
     return std::ranges::any_of(crossed_features_, [&](FeatureIndex f) {
-        const Feature& feature = features_[f];
-        if (feature.part == by || feature.gate || ignores(feature, ball)) return false;
-        const Pose pose = table_.pose(feature.part);
-        return should_collide(table_, layout_.primitive(feature.primitive), pose, ball) &&
+        const Feature& feature = sim_.features[f];
+        if (feature.part == by || feature.gate || gates_.ignores(feature, ball)) return false;
+        const Pose pose = sim_.table.pose(feature.part);
+        return should_collide(sim_.table, sim_.layout.primitive(feature.primitive), pose, ball) &&
                crosses(feature, pose.undo(from), pose.undo(to));
     });
 }
 
-/// Starts the path of a ball at its position: along a part in resting contact, or in free flight.
-void ContinuousSolver::start_path(BallIndex i, double time) {
-    Ball& ball = bodies_[i];
-    Mover& mover = movers_[i];
-    mover.on_tick_path = mover.frozen = hot_[i].creeps = false;
+void Paths::start_path(BallIndex i, double time) {
+    Ball& ball = sim_.balls[i];
+    Particle& particle = sim_.particles[i];
+    particle.on_tick_path = particle.frozen = sim_.hot[i].creeps = false;
     if (ball.asleep && beside_moving_part(i)) ball.asleep = false;
-    mover.resting_on = nullptr;
-    mover.tangent_faces.clear();
-    mover.motion.fly(ball.asleep ? Flight{ball.position, ball.velocity, {}, 0}
-                                 : Flight{ball.position, ball.velocity, external_.gravity, external_.drag},
-                     time);
-    HotState& hot = hot_[i];
+    particle.resting_on = nullptr;
+    particle.tangent_faces.clear();
+    particle.motion.fly(ball.asleep
+                            ? Flight{ball.position, ball.velocity, {}, 0}
+                            : Flight{ball.position, ball.velocity, sim_.external.gravity, sim_.external.drag},
+                        time);
+    HotState& hot = sim_.hot[i];
     ++hot.version;
     hot.position = ball.position;
     hot.velocity = ball.velocity;
@@ -100,85 +105,77 @@ void ContinuousSolver::start_path(BallIndex i, double time) {
     find_supports(i, time);
     if (supports_.empty()) return;
     choose_support(i, time);
-    hot.ballistic = mover.resting_on == nullptr;
-    if (hot.ballistic) return note_tangent_faces(mover);
+    hot.ballistic = particle.resting_on == nullptr;
+    if (hot.ballistic) return note_tangent_faces(particle);
     list_in_cell(i, time);
 }
 
-/// Lists a ball in the cell at its position. Fast balls use wide cells, so that no ball changes its cell more
-/// than a thousand times a second.
-void ContinuousSolver::list_in_cell(BallIndex i, double time) {
-    const Ball& ball = bodies_[i];
+void Paths::list_in_cell(BallIndex i, double time) {
+    const Ball& ball = sim_.balls[i];
     constexpr double soon = 1e-3;  // s
-    cells_.choose_level(
-        i, std::max(Cells::width_for(ball.radius), movers_[i].motion.path.max_speed(end_) * soon));
-    cells_.insert(i, ball.position);
+    sim_.cells.choose_level(
+        i, std::max(Cells::width_for(ball.radius), sim_.particles[i].motion.path.max_speed(sim_.end) * soon));
+    sim_.cells.insert(i, ball.position);
     update_swept_bounds(i, time);
 }
 
-/// Finds when the ball leaves its cell, its swept bounds until then, and the features within them.
-void ContinuousSolver::update_swept_bounds(BallIndex i, double time) {
-    Mover& mover = movers_[i];
-    const Path& path = mover.motion.path;
+void Paths::update_swept_bounds(BallIndex i, double time) {
+    Particle& particle = sim_.particles[i];
+    const Path& path = particle.motion.path;
     Vec2 at = path.flight.position;
-    if (bodies_[i].asleep) {
-        mover.cell_exit = never_touch;
-        mover.bounds = bounds_of(at, bodies_[i].radius);
+    if (sim_.balls[i].asleep) {
+        particle.cell_exit = never_touch;
+        particle.bounds = bounds_of(at, sim_.balls[i].radius);
         return;
     }
     const auto [here, velocity] = path.at(time);
-    const double left = end_ - time;
+    const double left = sim_.end - time;
     Vec2 top{std::abs(path.flight.acceleration.x), std::abs(path.flight.acceleration.y)};
     if (path.is_taylor() || path.flight.drag > 0) {
-        const double most = path.max_acceleration(end_);
+        const double most = path.max_acceleration(sim_.end);
         top = {most, most};
     }
-    const double duration = std::min(cells_.time_in_cell(i, here, velocity, top), left);
-    mover.cell_exit = duration < left ? time + duration : never_touch;
+    const double duration = std::min(sim_.cells.time_in_cell(i, here, velocity, top), left);
+    particle.cell_exit = duration < left ? time + duration : never_touch;
     // How far the acceleration alone can take the ball, and with its velocity.
     const Vec2 drift = 0.5 * duration * duration * top;
     const Vec2 far = Vec2{std::abs(velocity.x), std::abs(velocity.y)} * duration + drift;
-    mover.bounds = {here - Vec2{velocity.x > 0 ? drift.x : far.x, velocity.y > 0 ? drift.y : far.y},
-                    here + Vec2{velocity.x > 0 ? far.x : drift.x, velocity.y > 0 ? far.y : drift.y}};
-    mover.bounds = grown(mover.bounds, (1 + touch_distance) * bodies_[i].radius);
+    particle.bounds = {here - Vec2{velocity.x > 0 ? drift.x : far.x, velocity.y > 0 ? drift.y : far.y},
+                       here + Vec2{velocity.x > 0 ? far.x : drift.x, velocity.y > 0 ? far.y : drift.y}};
+    particle.bounds = grown(particle.bounds, (1 + touch_distance) * sim_.balls[i].radius);
 }
 
-/// All features whose ranges overlap the box, and some others, in rising order. Valid until the next call.
-std::span<const FeatureIndex> ContinuousSolver::features_near(BallIndex i, const Box& box) {
-    return candidates_[i].near(box, ranges_, found_features_, record_->statistics.pair_tests);
-}
-
-bool ContinuousSolver::beside_moving_part(BallIndex i) {
-    const Ball& ball = bodies_[i];
+bool Paths::beside_moving_part(BallIndex i) {
+    const Ball& ball = sim_.balls[i];
     const Box here = bounds_of(ball.position, ball.radius * (1 + touch_distance));
-    return std::ranges::any_of(features_near(i, here), [&](FeatureIndex f) {
-        return !turnings_[features_[f].part].still() && overlap(here, ranges_[f]);
+    return std::ranges::any_of(sim_.features_near(i, here), [&](FeatureIndex f) {
+        return !sim_.turnings[sim_.features[f].part].still() && overlap(here, sim_.ranges[f]);
     });
 }
 
 /// Finds the features that the ball touches without moving along their normals.
-void ContinuousSolver::find_supports(BallIndex i, double time) {
+void Paths::find_supports(BallIndex i, double time) {
     supports_.clear();
-    const Ball& ball = bodies_[i];
-    const Mover& mover = movers_[i];
+    const Ball& ball = sim_.balls[i];
+    const Particle& particle = sim_.particles[i];
     const Box here = bounds_of(ball.position, ball.radius * (1 + 1e-6));
-    for (const FeatureIndex f : features_near(i, here)) {
-        if (!overlap(here, ranges_[f])) continue;
-        const Feature& feature = features_[f];
-        if (&feature == mover.separated_from || ignores(feature, ball)) continue;
-        const Turning& turning = turnings_[feature.part];
+    for (const FeatureIndex f : sim_.features_near(i, here)) {
+        if (!overlap(here, sim_.ranges[f])) continue;
+        const Feature& feature = sim_.features[f];
+        if (&feature == particle.separated_from || gates_.ignores(feature, ball)) continue;
+        const Turning& turning = sim_.turnings[feature.part];
         const Pose pose = turning.pose(time);
-        ++record_->statistics.narrow_tests;
+        ++sim_.record->statistics.narrow_tests;
         const Closest closest = closest_point(feature, pose, ball.position, ball.radius);
         const double gap = closest.distance - ball.radius;
         if (!closest.facing || gap > support_gap * ball.radius + gap_rounding(ball.position, ball.radius))
             continue;
         // To begin on the surface of a part that has moved into the ball would be a jump.
-        if (gap < -deep_overlap * ball.radius && Table::moves(scene_.parts[feature.part])) continue;
+        if (gap < -deep_overlap * ball.radius && Table::moves(sim_.scene.parts[feature.part])) continue;
         const Vec2 normal = closest.normal;
-        if (feature.gate && lets_through(feature.part, ball, time)) continue;
-        RestingContact contact = resting_contact_at(feature, turning, ball, normal, time, external_);
-        const Mixed mixed = layout_.mixed(ball.material, scene_.parts[feature.part].material);
+        if (feature.gate && gates_.lets_through(feature.part, ball, time)) continue;
+        RestingContact contact = resting_contact_at(feature, turning, ball, normal, time, sim_.external);
+        const Mixed mixed = sim_.layout.mixed(ball.material, sim_.scene.parts[feature.part].material);
         contact.friction = mixed.friction;
         const Vec2 relative = ball.velocity - contact.surface_velocity;
         const double force = std::max(0.0, contact.force);
@@ -187,24 +184,24 @@ void ContinuousSolver::find_supports(BallIndex i, double time) {
             shortest_bounce * std::sqrt(ball.radius * force) +
             unending_bounce(feature, force, gap_rounding(ball.position, ball.radius), mixed.restitution);
         if (std::abs(dot(relative, normal)) > still) continue;
-        if (feature.gate) table_.set_blocked(feature.part, ball.number, true);
-        const double scale = length(external_.gravity) + length_squared(relative) / ball.radius;
+        if (feature.gate) sim_.table.set_blocked(feature.part, ball.number, true);
+        const double scale = length(sim_.external.gravity) + length_squared(relative) / ball.radius;
         supports_.push_back({contact, contact.force > 1e-12 * scale});
     }
 }
 
 /// Notes the straight static faces that the ball touches and that carry no force.
-void ContinuousSolver::note_tangent_faces(Mover& mover) const {
+void Paths::note_tangent_faces(Particle& particle) const {
     for (const auto& [contact, loaded, direction, distance_left] : supports_) {
         const auto* line = std::get_if<Line>(&contact.feature->is);
         if (line == nullptr || loaded || !contact.turning->still()) continue;
-        mover.tangent_faces.add(contact.turning->begin.apply(line->start), contact.normal);
+        particle.tangent_faces.add(contact.turning->begin.apply(line->start), contact.normal);
     }
 }
 
 /// Finds in which direction the ball moves along each support: that of its velocity, or of the force if it is
 /// at rest.
-void ContinuousSolver::find_directions(const Ball& ball, double time) {
+void Paths::find_directions(const Ball& ball, double time) {
     for (Support& support : supports_) {
         const RestingContact& contact = support.contact;
         const Vec2 tangent = perp(contact.normal);
@@ -219,7 +216,7 @@ void ContinuousSolver::find_directions(const Ball& ball, double time) {
 /// Whether, of two faces that meet smoothly, this one supports the ball. Forces do not decide this, since a
 /// curve needs a greater one. The face that does not lead into the other does; if both or neither do, the
 /// longer one.
-bool ContinuousSolver::takes_precedence(const Support& support, const Support& other) {
+bool Paths::takes_precedence(const Support& support, const Support& other) {
     const bool clear = dot(support.direction, other.contact.normal) >= -speed_rounding / 2;
     const bool other_clear = dot(other.direction, support.contact.normal) >= -speed_rounding / 2;
     if (clear != other_clear) return clear;
@@ -228,7 +225,7 @@ bool ContinuousSolver::takes_precedence(const Support& support, const Support& o
 }
 
 /// Whether one support carries the ball alone: its normal force and friction keep the ball off all others.
-bool ContinuousSolver::supports_alone(const Support& support, const Ball& ball) const {
+bool Paths::supports_alone(const Support& support, const Ball& ball) const {
     const RestingContact& contact = support.contact;
     const Vec2 motion = contact.force * contact.normal + friction_of(contact, ball) * perp(contact.normal);
     return std::ranges::all_of(supports_, [&](const Support& other) {
@@ -240,29 +237,31 @@ bool ContinuousSolver::supports_alone(const Support& support, const Ball& ball) 
 }
 
 /// Chooses the support on which the ball rests, or two between which it lies still.
-void ContinuousSolver::choose_support(BallIndex i, double time) {
-    const Ball& ball = bodies_[i];
-    Mover& mover = movers_[i];
+void Paths::choose_support(BallIndex i, double time) {
+    const Ball& ball = sim_.balls[i];
+    Particle& particle = sim_.particles[i];
     if (supports_.size() > 1) find_directions(ball, time);
     for (const Support& support : supports_) {
         if (!support.loaded || !supports_alone(support, ball)) continue;
-        mover.resting_on = support.contact.feature;
-        if (!constrain(support.contact, ball, time, end_, external_, mover.motion)) join_island(i, time);
+        particle.resting_on = support.contact.feature;
+        if (!constrain(support.contact, ball, time, sim_.end, sim_.external, particle.motion))
+            sim_.join_island(i, time);
         return;
     }
-    const double slow = 1e-6 * std::sqrt(ball.radius * length(external_.gravity));
+    const double slow = 1e-6 * std::sqrt(ball.radius * length(sim_.external.gravity));
     const bool moving = std::ranges::any_of(
         supports_, [&](const Support& support) { return support.contact.turning->rate_at(time) != 0; });
     if (!moving && length(ball.velocity) <= slow) rest_between(i, time);
     // Pressed between supports, one of which moves: no path of its own leads on from here.
-    if (mover.resting_on == nullptr && std::ranges::any_of(supports_, &Support::loaded)) join_island(i, time);
+    if (particle.resting_on == nullptr && std::ranges::any_of(supports_, &Support::loaded))
+        sim_.join_island(i, time);
 }
 
 /// Holds a ball still between two static supports, if their forces balance gravity. While it spins, Coulomb
 /// friction of both slows it; a third support is ignored.
-void ContinuousSolver::rest_between(BallIndex i, double time) {
-    Ball& ball = bodies_[i];
-    if (std::abs(ball.spin) <= 1e-12 * std::sqrt(length(external_.gravity) / ball.radius)) ball.spin = 0;
+void Paths::rest_between(BallIndex i, double time) {
+    Ball& ball = sim_.balls[i];
+    if (std::abs(ball.spin) <= 1e-12 * std::sqrt(length(sim_.external.gravity) / ball.radius)) ball.spin = 0;
     const double turning = ball.spin > 0 ? 1 : ball.spin < 0 ? -1 : 0;
     const auto direction = [&](const RestingContact& contact) {
         return contact.normal + turning * contact.friction * perp(contact.normal);
@@ -271,15 +270,15 @@ void ContinuousSolver::rest_between(BallIndex i, double time) {
         for (const Support& second : supports_) {
             if (&first == &second || !first.loaded) continue;
             const Vec2 u = direction(first.contact), v = direction(second.contact);
-            const double across = cross(u, v), none = 1e-12 * length(external_.gravity);
+            const double across = cross(u, v), none = 1e-12 * length(sim_.external.gravity);
             if (std::abs(across) < 1e-12) continue;
-            const double force_u = -cross(external_.gravity, v) / across,
-                         force_v = -cross(u, external_.gravity) / across;
+            const double force_u = -cross(sim_.external.gravity, v) / across,
+                         force_v = -cross(u, sim_.external.gravity) / across;
             if (force_u < -none || force_v < -none) continue;
             const double rubbed =
                 2 * (first.contact.friction * force_u + second.contact.friction * force_v) / ball.radius;
-            ConstrainedPath& motion = movers_[i].motion;
-            movers_[i].resting_on = first.contact.feature;
+            ConstrainedPath& motion = sim_.particles[i].motion;
+            sim_.particles[i].resting_on = first.contact.feature;
             motion.path.flight = {ball.position, {}, {}, 0};
             motion.spin_rate = -turning * rubbed;
             if (ball.spin != 0 && rubbed > 0) motion.until = time + std::abs(ball.spin) / rubbed;

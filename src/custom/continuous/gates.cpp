@@ -1,0 +1,146 @@
+#include "custom/continuous/gates.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "custom/broad_phase/capacity.hpp"
+#include "custom/engine.hpp"
+#include "custom/geometry/narrow_phase.hpp"
+#include "world/gate.hpp"
+#include "world/refusal.hpp"
+
+namespace flipside::custom {
+
+namespace {
+
+/// Radii: a ball has left a sensor or gate when it is this far outside.
+constexpr double sense_gap = gate_clearance;
+/// Radii: least distance that a ball moves between two evaluations of its distance from a sensor.
+constexpr double sense_step = 1e-2;
+
+}  // namespace
+
+Gates::Gates(Simulation& sim) : sim_(sim), primitives_(sim.scene.parts.size()) {
+    for (PrimitiveIndex i = 0; i < sim.layout.size(); ++i) {
+        const PartIndex part = sim.layout.primitive(i).part;
+        if (sim.scene.parts[part].sensor || gate_of(sim.scene.parts[part]) != nullptr)
+            primitives_[part].push_back(i);
+    }
+}
+
+void Gates::reserve(std::size_t balls) {
+    reserve_for(inside_, balls, touches_per_ball);
+}
+
+void Gates::find_sensed(std::span<const Ball> balls) {
+    inside_.clear();
+    for (PartIndex part = 0; part < primitives_.size(); ++part) {
+        if (!sim_.scene.parts[part].sensor) continue;
+        for (const Ball& ball : balls)
+            if (layers_meet(ball, sim_.scene.parts[part]) &&
+                distance_to(part, ball.position, ball.radius, sim_.table.pose(part)) <= 0)
+                set_inside(ball.number, part, true);
+    }
+}
+
+bool Gates::inside(BallNumber ball, PartIndex part) const {
+    return std::ranges::binary_search(inside_, Sensed{ball, part});
+}
+
+void Gates::set_inside(BallNumber ball, PartIndex part, bool is_inside) {
+    const Sensed sensed{ball, part};
+    const auto at = std::ranges::lower_bound(inside_, sensed);
+    const bool was = at != inside_.end() && *at == sensed;
+    if (is_inside && !was) inside_.insert(at, sensed);
+    if (!is_inside && was) inside_.erase(at);
+}
+
+bool Gates::any_inside(PartIndex part) const {
+    return std::ranges::any_of(inside_, [&](const Sensed& sensed) { return sensed.sensor == part; });
+}
+
+std::span<const Sensed> Gates::around(BallNumber ball) const {
+    const auto [first, last] = std::ranges::equal_range(inside_, ball, {}, &Sensed::ball);
+    return {first, last};
+}
+
+/// Distance of a ball's surface from a sensor or gate, m; negative inside.
+double Gates::distance_to(PartIndex part, Vec2 center, double radius, const Pose& pose) const {
+    double least = INFINITY;
+    for (const PrimitiveIndex primitive : primitives_[part])
+        least = std::min(least, touch(center, radius, sim_.layout.primitive(primitive), pose).separation);
+    return least;
+}
+
+void Gates::settle() {
+    for (const PartIndex part : sim_.layout.gates()) settle(part);
+}
+
+void Gates::settle(PartIndex part) {
+    const Pose pose = sim_.turnings[part].pose(0);
+    const auto is_near = [&](const Ball& ball) {
+        const double out =
+            std::max(gate_clearance * ball.radius, 4 * gap_rounding(ball.position, ball.radius));
+        return layers_meet(ball, sim_.scene.parts[part]) &&
+               distance_to(part, ball.position, ball.radius, pose) < out;
+    };
+    const auto passes = [&](const Ball& ball) {
+        return inside(ball.number, part) || lets_through(part, ball, 0) ||
+               (!sim_.table.is_blocked(part, ball.number) &&
+                begins_deep(*gate_of(sim_.scene.parts[part]), pose.undo(ball.position), ball.radius));
+    };
+    const bool open =
+        std::ranges::any_of(sim_.balls, [&](const Ball& ball) { return is_near(ball) && passes(ball); });
+    sim_.table.set_open(part, open);
+    for (Ball& ball : sim_.balls) {
+        const bool near = is_near(ball);
+        const bool was_blocked = sim_.table.is_blocked(part, ball.number);
+        set_inside(ball.number, part, open && near);
+        sim_.table.set_blocked(part, ball.number, !open && near);
+        if (open && was_blocked) ball.asleep = false;
+    }
+}
+
+bool Gates::lets_through(PartIndex part, const Ball& ball, double time) const {
+    if (sim_.table.parts()[part].open) return true;
+    if (sim_.table.is_blocked(part, ball.number)) return false;
+    const Turning& turning = sim_.turnings[part];
+    const Pose pose = turning.pose(time);
+    const Vec2 relative = ball.velocity - cross(turning.rate_at(time), ball.position - pose.pivot);
+    return flipside::lets_through(*gate_of(sim_.scene.parts[part]), pose.undo(ball.position),
+                                  rotated(relative, -pose.angle), ball.radius);
+}
+
+bool Gates::ignores(const Feature& feature, const Ball& ball) const {
+    return feature.sensor || sim_.table.parts()[feature.part].down || !layers_meet(ball, feature) ||
+           (feature.gate && inside(ball.number, feature.part));
+}
+
+double Gates::sense_time(PartIndex part, const Ball& ball, const Path& path, double time, double last,
+                         bool inside) const {
+    const Turning& turning = sim_.turnings[part];
+    const double own = path.max_speed(sim_.end), w = std::abs(turning.rate);
+    const double out = std::max(sense_gap * ball.radius, 4 * gap_rounding(ball.position, ball.radius));
+    const auto left_at = [&](double t) {
+        const double distance = distance_to(part, path.position(t), ball.radius, turning.pose(t));
+        return inside ? out - distance : distance;
+    };
+    const double far =
+        w == 0 ? 0 : length(path.position(time) - turning.begin.pivot) + own * (sim_.end - time);
+    const double speed = own + w * far;
+    const double error = std::max(gap_rounding(ball.position, ball.radius) / speed, 4 * 0x1p-53 * sim_.end);
+    double before = time, left_before = 0;
+    constexpr int most_steps = 100'000;  // some hundred for a ball that rolls along the border of a sensor
+    double t = time;
+    for (int step = 0; step < most_steps; ++step) {
+        const double left = left_at(t);
+        if (left <= 0) return first_zero(left_at, before, left_before, t, left, error);
+        before = t;
+        left_before = left;
+        if (t >= last) return never_touch;
+        t = std::min(sim_.end, t + std::max(left, sense_step * ball.radius) / speed);
+    }
+    refuse_search(engine_name, ball.number, Other::part(part), sim_.start + time, sim_.scene);
+}
+
+}  // namespace flipside::custom

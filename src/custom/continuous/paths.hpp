@@ -1,0 +1,53 @@
+#pragma once
+/// Starts the paths of balls, in flight or in resting contact with a part, and lists them in their cells.
+
+#include <vector>
+
+#include "custom/continuous/gates.hpp"
+#include "custom/continuous/simulation.hpp"
+
+namespace flipside::custom {
+
+class Paths {
+  public:
+    /// Keeps references to both arguments.
+    Paths(Simulation& sim, Gates& gates) : sim_(sim), gates_(gates) {}
+
+    /// Reserves memory.
+    void reserve();
+    /// Moves a ball that deeply overlaps a part at the start of the window out of it, by position only. Gates
+    /// are ignored: such a ball passes through them. Each round corrects the deepest overlap; what four
+    /// rounds leave remains for later windows.
+    void push_out_of_parts(BallIndex i);
+    /// Starts the path of a ball at its position: along a part in resting contact, or in free flight.
+    void start_path(BallIndex i, double time);
+    /// Lists a ball in the cell at its position. Fast balls use wide cells, so that no ball changes its cell
+    /// more than a thousand times a second.
+    void list_in_cell(BallIndex i, double time);
+    /// Finds when the ball leaves its cell, its swept bounds until then, and the features within them.
+    void update_swept_bounds(BallIndex i, double time);
+
+  private:
+    struct Support {
+        RestingContact contact;
+        bool loaded = false;       ///< a force keeps the ball on it
+        Vec2 direction{};          ///< unit, in which the ball moves along it
+        double distance_left = 0;  ///< m, to the end of the feature in that direction
+    };
+    [[nodiscard]] bool pushes_through(PartIndex by, const Ball& ball, const Touch& touch);
+    [[nodiscard]] bool beside_moving_part(BallIndex i);
+    void find_supports(BallIndex i, double time);
+    void find_directions(const Ball& ball, double time);
+    void note_tangent_faces(Particle& particle) const;
+    [[nodiscard]] static bool takes_precedence(const Support& support, const Support& other);
+    [[nodiscard]] bool supports_alone(const Support& support, const Ball& ball) const;
+    void choose_support(BallIndex i, double time);
+    void rest_between(BallIndex i, double time);
+
+    Simulation& sim_;
+    Gates& gates_;
+    std::vector<Support> supports_;
+    std::vector<FeatureIndex> crossed_features_;  ///< buffer of pushes_through()
+};
+
+}  // namespace flipside::custom

@@ -1,0 +1,109 @@
+#include "custom/continuous/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "custom/broad_phase/capacity.hpp"
+
+namespace flipside::custom {
+
+Simulation::Simulation(Table& table_of, const Layout& layout_of, const SolverSettings& with)
+    : table(table_of),
+      scene(table_of.scene()),
+      layout(layout_of),
+      settings(with),
+      external{scene.gravity, scene.damping},
+      slow(2 * (scene.rest_speed + length(scene.gravity) * tick_length)),
+      features(features_of(layout.primitives(), scene)),
+      ranges(scene.bounds, ranges_of(features, layout.primitives(), table)),
+      turnings(scene.parts.size()) {}
+
+void Simulation::reserve(std::size_t most) {
+    if (pool_.size() < most) {
+        const std::size_t used = particles.size();
+        pool_.resize(most);
+        particles = std::span(pool_).first(used);
+        for (Particle& particle : pool_) particle.motion.path.taylor.reserve(1);
+    }
+    reserve_for(balls, most);
+    reserve_for(pending, most, events_per_ball);
+    if (hot.size() < most) {
+        hot.resize(most), near.resize(most), candidates.resize(most);
+        for (Candidates& near_ball : candidates) near_ball.reserve(std::min(features.size(), most_near));
+    }
+    cells.reserve(most);
+    found_features_.reserve(features.size());
+}
+
+void Simulation::start_with(std::span<const Ball> now) {
+    balls.assign(now.begin(), now.end());
+    particles = std::span(pool_).first(balls.size());
+    for (BallIndex i = 0; i < balls.size(); ++i) {
+        Particle& particle = particles[i];
+        if (particle.number != balls[i].number) candidates[i].forget();
+        particle.number = balls[i].number;
+        particle.jammed = particle.frozen = particle.on_tick_path = false;
+        particle.resting_on = particle.separated_from = nullptr;
+        particle.last_event = -1;
+        particle.last_slow = particle.last_hit = -INFINITY;
+        particle.simultaneous_events = particle.idle_events = particle.hits = 0;
+        particle.events_until = 0;
+        hot[i] = {};
+        near[i] = {};
+        hot[i].radius = balls[i].radius;
+    }
+}
+
+void advance(Ball& ball, const ConstrainedPath& motion, double time) {
+    const auto [position, velocity] = motion.path.at(time);
+    ball.position = position;
+    ball.velocity = velocity;
+    const double spin = motion.spin_at(ball.spin, time);
+    ball.angle +=
+        (ball.spin + spin) / 2 * (time - motion.path.start);  // exact for a constant angular acceleration
+    ball.spin = spin;
+}
+
+Vec2 Simulation::true_velocity(BallIndex i, double time) const {
+    const Particle& particle = particles[i];
+    if (!particle.on_tick_path) return balls[i].velocity;
+    const double begin = particle.motion.path.start, duration = particle.motion.until - begin;
+    const double part = duration > 0 ? (time - begin) / duration : 1;  // 0 at the end of the window
+    return particle.velocity_begin + part * (particle.velocity_end - particle.velocity_begin);
+}
+
+void Simulation::advance_to(BallIndex i, double time) {
+    advance(balls[i], particles[i].motion, time);
+    balls[i].velocity = true_velocity(i, time);
+}
+
+Ball Simulation::ball_at(BallIndex i, double time) const {
+    Ball ball = balls[i];
+    if (ball.asleep) return ball;
+    advance(ball, particles[i].motion, time);
+    if (particles[i].on_tick_path) ball.velocity = true_velocity(i, time);
+    return ball;
+}
+
+std::span<const FeatureIndex> Simulation::features_near(BallIndex i, const Box& box) {
+    return candidates[i].near(box, ranges, found_features_, record->statistics.pair_tests);
+}
+
+double Simulation::next_on_grid(double time, double length) const {
+    double left = std::ceil((end - time) / length) - 1;
+    while (left > 0 && end - left * length <= time + 1e-3 * tick_length) --left;
+    return left > 0 ? end - left * length : end;
+}
+
+void Simulation::join_island(BallIndex i, double time) {
+    Particle& particle = particles[i];
+    if (balls[i].asleep || hot[i].lost || hot[i].in_island) return;
+    if (!any_in_island) tick_at = next_tick(time);
+    hot[i].in_island = any_in_island = true;
+    std::uint64_t& counted = record->statistics.handed_over;
+    counted = std::max<std::uint64_t>(counted, 1);
+    particle.on_tick_path = false;
+    particle.last_loaded = time;
+}
+
+}  // namespace flipside::custom

@@ -1,0 +1,152 @@
+#pragma once
+/// What the parts of the continuous solver share: the table, the clock of the current window, and each ball
+/// with its path and its next event. Gates, Paths, Predictions, Islands and Events each work on it, and each
+/// knows only those named before it.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "custom/continuous/neighbours.hpp"
+#include "custom/continuous/resting_contact.hpp"
+#include "custom/layout.hpp"
+#include "custom/settings.hpp"
+#include "custom/step_record.hpp"
+
+namespace flipside::custom {
+
+using BallIndex = std::uint32_t;  ///< of a ball in Simulation::balls
+
+enum class EventType : std::uint8_t { none, feature, ball, path_end, sensor, leave_bounds };
+
+/// s: time step of the island solver.
+inline constexpr double tick_length = 1.0 / 240;
+inline constexpr double long_tick_length = 4 * tick_length;  ///< time step of creeping members, s
+/// Radii: a member that moves no farther than this in a long tick creeps.
+inline constexpr double creep_distance = 0.02;
+
+/// The data of a ball that predictions of other balls read, in one cache line.
+struct alignas(64) HotState {
+    Vec2 position, velocity;  ///< at the start of its path
+    double start = 0;         ///< of its path, s
+    double radius = 0;
+    std::uint32_t version = 0;  ///< incremented whenever its path changes
+    std::uint32_t batch = 0;    ///< in which it was predicted last
+    bool ballistic = false;     ///< its path is a flight under gravity and drag alone
+    bool in_island = false;     ///< in resting contact with another ball, or jammed
+    bool lost = false;          ///< has left the bounds
+    bool creeps = false;        ///< in an island, and hardly moves until its next long tick
+    bool in_solve = false;      ///< is a body of the current solve
+};
+
+/// When a ball may be within touch_distance of others, on its path and theirs.
+struct NearTimes {
+    double until = -INFINITY;  ///< s: so long it may be near a ball that it leaves
+    double from = INFINITY;    ///< s: from then on it may be near a ball that it approaches
+    bool part = false;         ///< it may be near a part before cell_exit
+
+    [[nodiscard]] bool ball_at(double time) const { return time <= until || time >= from; }
+};
+
+/// All other data that the solver keeps of a ball beside the Ball itself; first what a read-out needs.
+struct Particle {
+    ConstrainedPath motion;     ///< since its last event
+    bool on_tick_path = false;  ///< in an island, on the path that the last tick gave it
+    BallNumber number = 0;
+    bool jammed = false;     ///< since the last regular tick: Islands::solve_jammed()
+    bool frozen = false;     ///< stays in place without events until the next tick: Islands::freeze()
+    double last_loaded = 0;  ///< s: when it last had a load from a ball, or from two sides
+    int loads = 0;           ///< contacts that carry a force; those with balls count twice
+    Vec2 velocity_begin, velocity_end;  ///< m/s, at the ends of a tick; the parabola between has others
+    EventType next = EventType::none;
+    double next_time = 0;
+    std::uint32_t partner = 0;          ///< FeatureIndex, BallIndex or PartIndex, according to `next`
+    std::uint32_t partner_version = 0;  ///< version of the partner's path in this prediction
+    double last_event = -1;             ///< s
+    double last_slow = -INFINITY;       ///< s, of its last slow contact with a ball
+    double last_hit = -INFINITY;        ///< s, of its last contact with a ball
+    int hits = 0;                 ///< contacts with balls in a row, each within a tick of the one before
+    int simultaneous_events = 0;  ///< at the time last_event
+    bool meets_balls = false;     ///< in one of these events
+    int idle_events = 0;          ///< since its last significant impact
+    double events_until = 0;      ///< s: end of the time that its events take at least_interval each
+    double cell_exit = 0;         ///< s: when it must be listed in another cell
+    Box bounds;                   ///< swept bounds of its path until cell_exit, with touch_distance
+    const Feature* resting_on = nullptr;      ///< its resting contact
+    const Feature* separated_from = nullptr;  ///< the resting contact that has just ended
+    TangentFaces tangent_faces;               ///< faces along which it flies
+};
+
+struct Simulation {
+    /// Keeps references to table and layout.
+    Simulation(Table& table, const Layout& layout, const SolverSettings& settings);
+    Simulation(const Simulation&) = delete;
+    Simulation& operator=(const Simulation&) = delete;
+
+    /// Reserves memory for so many balls.
+    void reserve(std::size_t most);
+    /// Starts a window with these balls: assigns a particle to each, and clears what it holds of the ball
+    /// that had it before.
+    void start_with(std::span<const Ball> balls);
+
+    /// Moves a ball along its path to `time`, with its true velocity.
+    void advance_to(BallIndex i, double time);
+    /// The ball at this time.
+    [[nodiscard]] Ball ball_at(BallIndex i, double time) const;
+    /// Velocity of a ball that was advanced along its path to this time. The velocity of a member is
+    /// interpolated linearly between ticks; that of its parabola serves only to reach the solved position.
+    [[nodiscard]] Vec2 true_velocity(BallIndex i, double time) const;
+    /// All features whose ranges overlap the box, and some others, in rising order. Valid until the next
+    /// call.
+    [[nodiscard]] std::span<const FeatureIndex> features_near(BallIndex i, const Box& box);
+
+    /// Next point after `time` on the grid of spacing `length` that ends with the window, s.
+    [[nodiscard]] double next_on_grid(double time, double length) const;
+    [[nodiscard]] double next_tick(double time) const { return next_on_grid(time, tick_length); }
+    /// Makes a ball a member of an island. It keeps its path until the next tick, but has no slow contacts
+    /// with other members.
+    void join_island(BallIndex i, double time);
+    void leave_island(BallIndex i) { hot[i].in_island = false; }
+
+    Table& table;
+    const Scene& scene;
+    const Layout& layout;
+    SolverSettings settings;
+    ExternalForces external;
+    double slow;  ///< m/s: slower approaches inside an island are resting contacts, not impacts
+    std::vector<Feature> features;
+    BoxIndex ranges;  ///< of features
+
+    // The current window. All times are relative to its start, unless they are on the table's clock.
+    StepRecord* record = nullptr;    ///< of the current step
+    double start = 0;                ///< s, on the table's clock
+    double end = 0;                  ///< s
+    double after_end = 0;            ///< the next number after `end`
+    std::vector<Event> pending;      ///< not recorded yet
+    std::uint64_t search_steps = 0;  ///< of all root searches
+    double tick_at = 0;              ///< s: the next tick, if any_in_island
+    bool any_in_island = false;
+
+    // Per ball.
+    std::vector<Ball> balls;        ///< each at the start of its path
+    std::span<Particle> particles;  ///< the first of the pool
+    std::vector<HotState> hot;
+    std::vector<NearTimes> near;
+    std::vector<Candidates> candidates;  ///< the features near it
+
+    std::vector<Turning> turnings;  ///< per part
+    Cells cells;
+
+  private:
+    std::vector<Particle> pool_;                ///< keeps the memory of their Taylor polynomials
+    std::vector<FeatureIndex> found_features_;  ///< buffer of features_near()
+};
+
+/// Whether a ball of this speed, m/s, moves less than creep_distance in a long tick.
+[[nodiscard]] inline bool creeps_at(double speed, const Ball& ball) {
+    return speed * long_tick_length <= creep_distance * ball.radius;
+}
+/// Moves a ball along a path to `time`.
+void advance(Ball& ball, const ConstrainedPath& motion, double time);
+
+}  // namespace flipside::custom
