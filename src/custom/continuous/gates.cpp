@@ -60,8 +60,8 @@ bool Gates::any_inside(PartIndex part) const {
 }
 
 std::span<const Sensed> Gates::around(BallNumber ball) const {
-    const auto [first, last] = std::ranges::equal_range(inside_, ball, {}, &Sensed::ball);
-    return {first, last};
+    const auto first = std::ranges::lower_bound(inside_, ball, {}, &Sensed::ball);
+    return {first, std::ranges::upper_bound(first, inside_.end(), ball, {}, &Sensed::ball)};
 }
 
 /// Distance of a ball's surface from a sensor or gate, m; negative inside.
