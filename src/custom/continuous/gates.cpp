@@ -7,7 +7,7 @@
 #include "custom/engine.hpp"
 #include "custom/geometry/narrow_phase.hpp"
 #include "world/gate.hpp"
-#include "world/refusal.hpp"
+#include "world/limits.hpp"
 
 namespace flipside::custom {
 

@@ -4,6 +4,7 @@
 
 #include "custom/broad_phase/capacity.hpp"
 #include "custom/geometry/narrow_phase.hpp"
+#include "custom/response.hpp"
 
 namespace flipside::custom {
 
