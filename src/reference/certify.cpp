@@ -24,18 +24,19 @@ R isolate(const R& time, R half, const R& margin, auto&& gap) {
 /// Half the width of an interval around now that isolates the impact of a ball.
 /// `digit` is what times are rounded to, relative, and `margin` what counts as no gap, m.
 template <class R>
-R Simulation<R>::isolated_within(const Mover& mover, const R& digit, const R& margin) const {
+R Simulation<R>::isolated_within(const Particle& particle, const R& digit, const R& margin) const {
     const R half = digit * std::max(R(1), magnitude(now_));
-    if (mover.next == Next::feature) {
-        const View<R> seen{mover.path, turning(features_[mover.next_index].part)};
+    if (particle.next == Next::feature) {
+        const View<R> seen{particle.path, turning(features_[particle.next_index].part)};
         return isolate(now_, half, margin, [&](const R& t) {
-            return closest_point(shape(mover.next_index), seen.at(t).position, mover.radius).gap;
+            return closest_point(shape(particle.next_index), seen.at(t).position, particle.radius).gap;
         });
     }
-    if (mover.next != Next::ball) return infinity<R>();
-    const Mover& other = movers_[mover.next_index];
+    if (particle.next != Next::ball) return infinity<R>();
+    const Particle& other = particles_[particle.next_index];
     return isolate(now_, half, margin, [&](const R& t) {
-        return length(mover.path.at(t).position - other.path.at(t).position) - mover.radius - other.radius;
+        return length(particle.path.at(t).position - other.path.at(t).position) - particle.radius -
+               other.radius;
     });
 }
 
@@ -44,48 +45,50 @@ template <class R>
 void Simulation<R>::note_impact(BallIndex i) {
     constexpr double longest = 1e-6;  // s; over a longer time the ball may have reversed
     // Wide enough for numbers rounded to double.
-    const R size = length(movers_[i].path.at(now_).position) + movers_[i].radius;
-    const R half = isolated_within(movers_[i], R(0x1p-48), R(0x1p-48 * size));
-    const auto note = [&](Mover& mover, Beginning::Why why, std::uint32_t index, std::size_t other_leg,
+    const R size = length(particles_[i].path.at(now_).position) + particles_[i].radius;
+    const R half = isolated_within(particles_[i], R(0x1p-48), R(0x1p-48 * size));
+    const auto note = [&](Particle& particle, Beginning::Why why, std::uint32_t index, std::size_t other_leg,
                           const V<R>& normal) {
-        Beginning& begins = mover.begins;
+        Beginning& begins = particle.begins;
         begins = {why,
                   index,
                   other_leg,
                   {},
-                  narrow(mover.path.at(now_).velocity),
-                  static_cast<double>(mover.path.spinning_at(now_).spin),
+                  narrow(particle.path.at(now_).velocity),
+                  static_cast<double>(particle.path.spinning_at(now_).spin),
                   narrow(normal)};
         if (half < longest) begins.within = static_cast<double>(half);
     };
-    Mover& mover = movers_[i];
-    const V<R> position = mover.path.at(now_).position;
-    if (mover.next == Next::feature)
-        return note(mover, Beginning::Why::hits_part, mover.next_index, 0,
-                    closest(mover.next_index, position, mover.radius).normal);
-    Mover& other = movers_[mover.next_index];
+    Particle& particle = particles_[i];
+    const V<R> position = particle.path.at(now_).position;
+    if (particle.next == Next::feature)
+        return note(particle, Beginning::Why::hits_part, particle.next_index, 0,
+                    closest(particle.next_index, position, particle.radius).normal);
+    Particle& other = particles_[particle.next_index];
     const V<R> normal = unit(V<R>(position - other.path.at(now_).position));
-    const auto next_leg = [&](const Mover& one) { return certificate_->balls[one.ball.number].legs.size(); };
-    note(mover, Beginning::Why::hits_ball, other.ball.number, next_leg(other), normal);
-    note(other, Beginning::Why::hits_ball, mover.ball.number, next_leg(mover), -normal);
+    const auto next_leg = [&](const Particle& one) {
+        return certificate_->balls[one.ball.number].legs.size();
+    };
+    note(particle, Beginning::Why::hits_ball, other.ball.number, next_leg(other), normal);
+    note(other, Beginning::Why::hits_ball, particle.ball.number, next_leg(particle), -normal);
 }
 
 template <class R>
-void Simulation<R>::note_leg(Mover& mover, bool given) {
-    const Path<R>& path = mover.path;
-    CertifiedBall& certified = certificate_->balls[mover.ball.number];
-    if (certified.legs.empty()) certified.ball = mover.ball;
+void Simulation<R>::note_leg(Particle& particle, bool given) {
+    const Path<R>& path = particle.path;
+    CertifiedBall& certified = certificate_->balls[particle.ball.number];
+    if (certified.legs.empty()) certified.ball = particle.ball;
     Leg& leg = certified.legs.emplace_back();
-    leg.begins = mover.begins;
-    mover.begins = {};
+    leg.begins = particle.begins;
+    particle.begins = {};
     if (given) leg.begins.why = Beginning::Why::given;
     leg.start = static_cast<double>(since_certificate_ + path.start);
     leg.position = narrow(path.position);
     leg.velocity = narrow(path.velocity);
     leg.spin = static_cast<double>(path.spin);
-    note_pair_of_parts(mover, leg.start);
+    note_pair_of_parts(particle, leg.start);
     if (path.is_series) {
-        leg.held = mover.support[0];
+        leg.held = particle.support[0];
         for (std::size_t k = 1; k <= taylor_order<R>; ++k) {
             if (k > 1) leg.displacements.push_back(narrow(path.displacements[k]));
             leg.spins.push_back(static_cast<double>(path.spins[k]));
@@ -94,7 +97,7 @@ void Simulation<R>::note_leg(Mover& mover, bool given) {
     }
     if (path.spin_rate != 0) leg.spins.push_back(static_cast<double>(path.spin_rate));
     if (path.rests) return;
-    if (mover.support[0] != nothing) leg.held = mover.support[0];
+    if (particle.support[0] != nothing) leg.held = particle.support[0];
     leg.acceleration = narrow(path.acceleration);
     leg.drag = static_cast<double>(path.drag);
     leg.roll = narrow(path.roll);
@@ -120,29 +123,30 @@ void Simulation<R>::note_input(std::optional<BallNumber> ball, Vec2 velocity) {
 }
 
 template <class R>
-void Simulation<R>::note_passage(const Mover& mover, PartIndex gate, bool begins) {
+void Simulation<R>::note_passage(const Particle& particle, PartIndex gate, bool begins) {
     const auto time = static_cast<double>(since_certificate_ + now_);
     auto& passages = certificate_->passages;
-    if (begins) return passages.push_back({mover.ball.number, gate, time, {}});
+    if (begins) return passages.push_back({particle.ball.number, gate, time, {}});
     for (Passage& passage : passages)
-        if (passage.ball == mover.ball.number && passage.gate == gate && !passage.until) passage.until = time;
+        if (passage.ball == particle.ball.number && passage.gate == gate && !passage.until)
+            passage.until = time;
 }
 
 /// Notes a ball that begins or ends to rest on two parts.
 template <class R>
-void Simulation<R>::note_pair_of_parts(Mover& mover, double start) {
-    if (mover.noted_rest) certificate_->rests[*mover.noted_rest].until = start;
-    mover.noted_rest.reset();
-    if (mover.support[1] == nothing) return;
-    mover.noted_rest = certificate_->rests.size();
+void Simulation<R>::note_pair_of_parts(Particle& particle, double start) {
+    if (particle.noted_rest) certificate_->rests[*particle.noted_rest].until = start;
+    particle.noted_rest.reset();
+    if (particle.support[1] == nothing) return;
+    particle.noted_rest = certificate_->rests.size();
     Rest& rest = certificate_->rests.emplace_back();
     rest.from = start;
     for (int k = 0; k < 2; ++k)
-        rest.forces.push_back({mover.ball.number,
+        rest.forces.push_back({particle.ball.number,
                                {},
-                               mover.support[k],
-                               static_cast<double>(mover.support_force[k]),
-                               static_cast<double>(mover.support_friction[k])});
+                               particle.support[k],
+                               static_cast<double>(particle.support_force[k]),
+                               static_cast<double>(particle.support_friction[k])});
 }
 
 template <class R>
@@ -150,7 +154,7 @@ void Simulation<R>::note_rest(Heap& heap) {
     heap.noted = certificate_->rests.size();
     Rest& rest = certificate_->rests.emplace_back();
     rest.from = static_cast<double>(since_certificate_ + now_);
-    const auto number = [&](std::uint32_t k) { return movers_[heap.balls[k]].ball.number; };
+    const auto number = [&](std::uint32_t k) { return particles_[heap.balls[k]].ball.number; };
     for (std::size_t k = 0; k < heap.supports.size(); ++k) {
         const Support& support = heap.supports[k];
         RestingForce& force = rest.forces.emplace_back();
@@ -176,26 +180,26 @@ void Simulation<R>::certify(Certificate* certificate) {
         if (parts_[part].moves) note_motion(part);
         if (parts_[part].down) certificate_->targets.push_back({part, 0, true});
     }
-    for (Mover& mover : movers_) {
-        mover.noted_rest.reset();
-        if (mover.gone) continue;
-        note_leg(mover, true);
-        for (const PartIndex part : mover.inside)
-            if (!scene_->parts[part].sensor) note_passage(mover, part, true);
+    for (Particle& particle : particles_) {
+        particle.noted_rest.reset();
+        if (particle.gone) continue;
+        note_leg(particle, true);
+        for (const PartIndex part : particle.inside)
+            if (!scene_->parts[part].sensor) note_passage(particle, part, true);
     }
     for (auto& [id, heap] : heaps_) note_rest(heap);
 }
 
-#define FLIPSIDE_CERTIFY(R)                                                            \
-    template R Simulation<R>::isolated_within(const Mover&, const R&, const R&) const; \
-    template void Simulation<R>::note_impact(BallIndex);                               \
-    template void Simulation<R>::note_leg(Mover&, bool);                               \
-    template void Simulation<R>::note_input(std::optional<BallNumber>, Vec2);          \
-    template void Simulation<R>::note_target(PartIndex);                               \
-    template void Simulation<R>::note_motion(PartIndex);                               \
-    template void Simulation<R>::note_passage(const Mover&, PartIndex, bool);          \
-    template void Simulation<R>::note_rest(Heap&);                                     \
-    template void Simulation<R>::note_rest_ends(const Heap&);                          \
+#define FLIPSIDE_CERTIFY(R)                                                               \
+    template R Simulation<R>::isolated_within(const Particle&, const R&, const R&) const; \
+    template void Simulation<R>::note_impact(BallIndex);                                  \
+    template void Simulation<R>::note_leg(Particle&, bool);                               \
+    template void Simulation<R>::note_input(std::optional<BallNumber>, Vec2);             \
+    template void Simulation<R>::note_target(PartIndex);                                  \
+    template void Simulation<R>::note_motion(PartIndex);                                  \
+    template void Simulation<R>::note_passage(const Particle&, PartIndex, bool);          \
+    template void Simulation<R>::note_rest(Heap&);                                        \
+    template void Simulation<R>::note_rest_ends(const Heap&);                             \
     template void Simulation<R>::certify(Certificate*);
 FLIPSIDE_CERTIFY(double)
 FLIPSIDE_CERTIFY(Real113)

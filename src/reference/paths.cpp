@@ -40,14 +40,15 @@ Closest<R> Simulation<R>::closest(FeatureIndex f, const V<R>& position, const R&
 
 /// Whether a centre is inside a polygon or taper; outlines alone do not tell.
 template <class R>
-void Simulation<R>::refuse_inside(const Mover& mover) const {
+void Simulation<R>::refuse_inside(const Particle& particle) const {
     for (const Primitive& primitive : primitives_) {
         const bool solid = std::holds_alternative<primitive::Polygon>(primitive.is) ||
                            std::holds_alternative<primitive::Taper>(primitive.is);
-        if (!solid || scene_->parts[primitive.part].sensor || ignores(primitive.part, mover)) continue;
+        if (!solid || scene_->parts[primitive.part].sensor || ignores(primitive.part, particle)) continue;
         const auto regions = regions_of<R>({primitive}, primitive.part);
-        if (!inside(regions, view(mover, primitive.part), R(mover.radius * epsilon<R>()), now_)) continue;
-        throw Refusal("reference: ball " + std::to_string(mover.ball.number) + " begins inside " +
+        if (!inside(regions, view(particle, primitive.part), R(particle.radius * epsilon<R>()), now_))
+            continue;
+        throw Refusal("reference: ball " + std::to_string(particle.ball.number) + " begins inside " +
                       scene_->parts[primitive.part].name + at_time(now_));
     }
 }
@@ -55,77 +56,78 @@ void Simulation<R>::refuse_inside(const Mover& mover) const {
 /// Moves a ball that starts inside a part, or across a line, out of it; corrects the deepest overlap first.
 template <class R>
 void Simulation<R>::correct_overlap(BallIndex i) {
-    Mover& mover = movers_[i];
+    Particle& particle = particles_[i];
     // Radii; smaller overlaps remain.
     const double deep = rests_on_ball(i) ? heap_overlap : 1e-3;
     constexpr int most_rounds = 8;
     for (int round = 0; round < most_rounds; ++round) {
         Closest<R> deepest;
-        deepest.gap = -deep * mover.radius;
+        deepest.gap = -deep * particle.radius;
         bool found = false;
-        for (const FeatureIndex f : cells_.features(mover.cell)) {
+        for (const FeatureIndex f : cells_.features(particle.cell)) {
             const PartIndex part = features_[f].part;
-            if (ignores(part, mover) || gate_of(scene_->parts[part]) != nullptr) continue;
-            const Closest<R> seen = closest(f, mover.body.position, mover.radius);
+            if (ignores(part, particle) || gate_of(scene_->parts[part]) != nullptr) continue;
+            const Closest<R> seen = closest(f, particle.body.position, particle.radius);
             if (!seen.facing || !(seen.gap < deepest.gap)) continue;
             deepest = seen;
             found = true;
         }
         if (!found) return;
-        mover.body.position -= deepest.gap * deepest.normal;
-        mover.path.position = mover.body.position;
+        particle.body.position -= deepest.gap * deepest.normal;
+        particle.path.position = particle.body.position;
     }
 }
 
 /// Finds the features that the ball touches without an approach speed.
 template <class R>
-void Simulation<R>::find_touching(Mover& mover) {
+void Simulation<R>::find_touching(Particle& particle) {
     using std::sqrt;
     touching_.clear();
     // In a wider type, what touches to the rounding of what was given still touches.
-    const R given = mover.given && !std::is_same_v<R, double> ? R(64 * 0x1p-53) : R(0);
-    const R snap = contact_gap<R>() * mover.radius + given * (length(mover.body.position) + mover.radius);
-    for (const FeatureIndex f : cells_.features(mover.cell)) {
+    const R given = particle.given && !std::is_same_v<R, double> ? R(64 * 0x1p-53) : R(0);
+    const R snap =
+        contact_gap<R>() * particle.radius + given * (length(particle.body.position) + particle.radius);
+    for (const FeatureIndex f : cells_.features(particle.cell)) {
         const PartIndex part = features_[f].part;
-        if (f == mover.left || ignores(part, mover)) continue;
-        const Closest<R> seen = closest(f, mover.body.position, mover.radius);
+        if (f == particle.left || ignores(part, particle)) continue;
+        const Closest<R> seen = closest(f, particle.body.position, particle.radius);
         if (!seen.facing || seen.gap > snap) continue;
         const bool is_gate = gate_of(scene_->parts[part]) != nullptr;
-        if (is_gate && passes(part, mover)) continue;
-        const R friction(mixed(mover.ball.material, scene_->parts[part].material).friction);
+        if (is_gate && passes(part, particle)) continue;
+        const R friction(mixed(particle.ball.material, scene_->parts[part].material).friction);
         const RestingContact<R> contact =
-            resting_contact_at(shape(f), turning(part), mover.body, now_, friction, external_, snap);
-        const R lowest_bounce = sqrt(2 * epsilon<R>() * mover.radius * std::max(R(0), contact.force));
-        const R speed = length(mover.body.velocity) + magnitude(contact.tangential_speed);
+            resting_contact_at(shape(f), turning(part), particle.body, now_, friction, external_, snap);
+        const R lowest_bounce = sqrt(2 * epsilon<R>() * particle.radius * std::max(R(0), contact.force));
+        const R speed = length(particle.body.velocity) + magnitude(contact.tangential_speed);
         const R turned = (16 * epsilon<R>() + given) * direction_scale(shape(f));
         if (magnitude(contact.separating_speed) > (4096 * epsilon<R>() + turned) * speed + lowest_bounce)
             continue;
-        if (is_gate && std::ranges::find(mover.blocked, part) == mover.blocked.end())
-            mover.blocked.push_back(part);
+        if (is_gate && std::ranges::find(particle.blocked, part) == particle.blocked.end())
+            particle.blocked.push_back(part);
         touching_.push_back({f, contact, friction});
     }
 }
 
 /// Notes the straight static faces that the ball touches without a contact force.
 template <class R>
-void Simulation<R>::note_tangent_faces(Mover& mover) {
+void Simulation<R>::note_tangent_faces(Particle& particle) {
     for (const auto& [face, contact, friction] : touching_)
         if (contact.straight && contact.turning == nullptr &&
-            mover.tangent_count < mover.tangent_faces.size())
-            mover.tangent_faces[mover.tangent_count++] = {contact.pivot, contact.normal};
+            particle.tangent_count < particle.tangent_faces.size())
+            particle.tangent_faces[particle.tangent_count++] = {contact.pivot, contact.normal};
 }
 
 /// Chooses the path along one of the touching surfaces, if that surface keeps the ball off all others.
 template <class R>
-bool Simulation<R>::rest_on_one(Mover& mover) {
+bool Simulation<R>::rest_on_one(Particle& particle) {
     for (const Touching& one : touching_) {
         const RestingContact<R>& contact = one.contact;
         const R scale = length(external_.gravity) + magnitude(contact.force) + magnitude(contact.tangential);
         const R none = no_force<R>() * scale;
         if (!(contact.force > none)) continue;
-        const ContactFriction<R> rub = friction_of(contact, mover.body);
+        const ContactFriction<R> rub = friction_of(contact, particle.body);
         const V<R> added = contact.force * contact.normal + rub.force * contact.tangent;
-        const R slow = rounding_speed(length(mover.body.velocity));
+        const R slow = rounding_speed(length(particle.body.velocity));
         const bool keeps_off = std::ranges::all_of(touching_, [&](const Touching& other) {
             if (&other == &one) return true;
             const R cosine = dot(contact.normal, other.contact.normal);
@@ -135,18 +137,18 @@ bool Simulation<R>::rest_on_one(Mover& mover) {
         if (!keeps_off) continue;
         ConstrainedPath<R> found;
         try {
-            found = constrain(contact, rub, mover.body, now_, R(now_ + 1), external_);
+            found = constrain(contact, rub, particle.body, now_, R(now_ + 1), external_);
         } catch (const EndlessSearch&) {
-            refuse_search("reference", mover.ball.number, Other::part(features_[one.feature].part),
+            refuse_search("reference", particle.ball.number, Other::part(features_[one.feature].part),
                           clock(now_), *scene_);
         }
-        mover.path = found.path;
-        mover.until = found.until;
-        mover.separates = found.separates;
-        mover.support[0] = one.feature;
-        mover.support_normal = contact.normal;
+        particle.path = found.path;
+        particle.until = found.until;
+        particle.separates = found.separates;
+        particle.support[0] = one.feature;
+        particle.support_normal = contact.normal;
         if (contact.turning != nullptr)
-            mover.support_normal = unrotated(contact.normal, from_angle(contact.turning->angle_at(now_)));
+            particle.support_normal = unrotated(contact.normal, from_angle(contact.turning->angle_at(now_)));
         return true;
     }
     return false;
@@ -155,13 +157,13 @@ bool Simulation<R>::rest_on_one(Mover& mover) {
 /// Holds a ball still between two static surfaces. If it spins, the friction of both slows it, and normal
 /// forces and friction together balance its weight.
 template <class R>
-bool Simulation<R>::rest_on_two(Mover& mover) {
+bool Simulation<R>::rest_on_two(Particle& particle) {
     const R scale = length(external_.gravity), none = no_force<R>() * scale;
     for (const Touching& a : touching_)
         for (const Touching& b : touching_) {
             if (&a == &b || a.contact.turning != nullptr || b.contact.turning != nullptr) continue;
             if (!(a.contact.force > none)) continue;
-            const R& spin = mover.body.spin;
+            const R& spin = particle.body.spin;
             const auto push = [&](const Touching& one) {
                 const R sign(spin > 0 ? 1 : spin < 0 ? -1 : 0);
                 return one.contact.normal + sign * one.friction * perp(one.contact.normal);
@@ -171,23 +173,23 @@ bool Simulation<R>::rest_on_two(Mover& mover) {
             if (magnitude(across) < no_force<R>()) continue;
             const R first = -cross(weight, v) / across, second = -cross(u, weight) / across;
             if (first < -none || second < -none) continue;
-            mover.path = {};
-            mover.path.rests = true;
-            mover.path.start = now_;
-            mover.path.position = mover.body.position;
-            mover.path.angle = mover.body.angle;
-            mover.path.spin = spin;
-            mover.support[0] = a.feature;
-            mover.support[1] = b.feature;
-            mover.support_force[0] = mover.mass * std::max(R(0), first);
-            mover.support_force[1] = mover.mass * std::max(R(0), second);
+            particle.path = {};
+            particle.path.rests = true;
+            particle.path.start = now_;
+            particle.path.position = particle.body.position;
+            particle.path.angle = particle.body.angle;
+            particle.path.spin = spin;
+            particle.support[0] = a.feature;
+            particle.support[1] = b.feature;
+            particle.support_force[0] = particle.mass * std::max(R(0), first);
+            particle.support_force[1] = particle.mass * std::max(R(0), second);
             const R sense(spin > 0 ? 1 : spin < 0 ? -1 : 0);
-            mover.support_friction[0] = sense * a.friction * mover.support_force[0];
-            mover.support_friction[1] = sense * b.friction * mover.support_force[1];
-            const R rubbed = 2 * (a.friction * first + b.friction * second) / mover.radius;
+            particle.support_friction[0] = sense * a.friction * particle.support_force[0];
+            particle.support_friction[1] = sense * b.friction * particle.support_force[1];
+            const R rubbed = 2 * (a.friction * first + b.friction * second) / particle.radius;
             if (spin != 0 && rubbed > 0) {
-                mover.path.spin_rate = spin > 0 ? R(-rubbed) : rubbed;
-                mover.until = now_ + magnitude(spin) / rubbed;
+                particle.path.spin_rate = spin > 0 ? R(-rubbed) : rubbed;
+                particle.until = now_ + magnitude(spin) / rubbed;
             }
             return true;
         }
@@ -196,26 +198,26 @@ bool Simulation<R>::rest_on_two(Mover& mover) {
 
 /// Finds the path of a ball from its position: in free flight, or along a surface.
 template <class R>
-void Simulation<R>::find_path(Mover& mover) {
-    ++mover.changes;
-    mover.support[0] = mover.support[1] = nothing;
-    mover.tangent_count = 0;
-    mover.until = infinity<R>();
-    mover.separates = false;
-    Path<R>& path = mover.path;
+void Simulation<R>::find_path(Particle& particle) {
+    ++particle.changes;
+    particle.support[0] = particle.support[1] = nothing;
+    particle.tangent_count = 0;
+    particle.until = infinity<R>();
+    particle.separates = false;
+    Path<R>& path = particle.path;
     path.start = now_;
-    path.position = mover.body.position;
-    path.velocity = mover.body.velocity;
+    path.position = particle.body.position;
+    path.velocity = particle.body.velocity;
     path.acceleration = external_.gravity;
     path.drag = external_.drag;
-    path.angle = mover.body.angle;
-    path.spin = mover.body.spin;
+    path.angle = particle.body.angle;
+    path.spin = particle.body.spin;
     path.spin_rate = R(0);
     path.roll = {};
     path.is_series = path.rests = false;
-    find_touching(mover);
-    mover.left = nothing;
-    mover.given = false;
+    find_touching(particle);
+    particle.left = nothing;
+    particle.given = false;
     const R scale = length(external_.gravity);
     const auto is_pressed = [&] {
         return std::ranges::any_of(touching_, [&](const Touching& one) {
@@ -224,42 +226,42 @@ void Simulation<R>::find_path(Mover& mover) {
                    no_force<R>() * (scale + magnitude(contact.force) + magnitude(contact.tangential));
         });
     };
-    if (!is_pressed()) return note_tangent_faces(mover);
-    if (rest_on_one(mover)) return;
+    if (!is_pressed()) return note_tangent_faces(particle);
+    if (rest_on_one(particle)) return;
     using std::sqrt;
-    const R speed = length(mover.body.velocity);
+    const R speed = length(particle.body.velocity);
     // Between two surfaces, bounces lower than the rounding of its position (see find_touching) are rest.
-    if (speed <= 4 * sqrt(2 * epsilon<R>() * mover.radius * scale) && rest_on_two(mover)) return;
+    if (speed <= 4 * sqrt(2 * epsilon<R>() * particle.radius * scale) && rest_on_two(particle)) return;
     // A surface from which the ball separates does not support it.
     const auto recedes = [&](const Touching& one) {
         return one.contact.separating_speed > rounding_speed(speed);
     };
     if (std::erase_if(touching_, recedes) > 0) {
-        if (!is_pressed()) return note_tangent_faces(mover);
-        if (rest_on_one(mover)) return;
+        if (!is_pressed()) return note_tangent_faces(particle);
+        if (rest_on_one(particle)) return;
     }
-    const R slow = 65536 * sqrt(epsilon<R>() * mover.radius * scale);
-    if (speed <= slow && rest_on_two(mover)) return;
+    const R slow = 65536 * sqrt(epsilon<R>() * particle.radius * scale);
+    if (speed <= slow && rest_on_two(particle)) return;
     std::string names;
     for (const Touching& one : touching_)
         names += (names.empty() ? "" : " and ") + scene_->parts[features_[one.feature].part].name;
-    throw Refusal("reference: ball " + std::to_string(mover.ball.number) + " is held between " + names +
+    throw Refusal("reference: ball " + std::to_string(particle.ball.number) + " is held between " + names +
                   at_time(now_) + ", and not at rest: no closed motion for that");
 }
 
 /// Starts a path from the present position, or puts the ball to rest in a heap.
 template <class R>
 void Simulation<R>::start_path(BallIndex i) {
-    if (movers_[i].heap != 0 || find_heap(i)) return;
-    const bool given = movers_[i].given;
-    find_path(movers_[i]);
-    if (certificate_) note_leg(movers_[i], given);
+    if (particles_[i].heap != 0 || find_heap(i)) return;
+    const bool given = particles_[i].given;
+    find_path(particles_[i]);
+    if (certificate_) note_leg(particles_[i], given);
 }
 
-#define FLIPSIDE_PATHS(R)                                           \
-    template void Simulation<R>::start_path(BallIndex);             \
-    template void Simulation<R>::correct_overlap(BallIndex);        \
-    template void Simulation<R>::refuse_inside(const Mover&) const; \
+#define FLIPSIDE_PATHS(R)                                              \
+    template void Simulation<R>::start_path(BallIndex);                \
+    template void Simulation<R>::correct_overlap(BallIndex);           \
+    template void Simulation<R>::refuse_inside(const Particle&) const; \
     template Closest<R> Simulation<R>::closest(FeatureIndex, const V<R>&, const R&) const;
 FLIPSIDE_PATHS(double)
 FLIPSIDE_PATHS(Real113)

@@ -8,38 +8,38 @@ namespace flipside::reference {
 
 template <class R>
 void Simulation<R>::restart_path(BallIndex i) {
-    if (movers_[i].heap != 0) return;
-    advance(movers_[i]);
+    if (particles_[i].heap != 0) return;
+    advance(particles_[i]);
     start_path(i);
 }
 
 /// Handles a change of the parts that a ball may touch.
 template <class R>
 void Simulation<R>::refresh(BallIndex i) {
-    movers_[i].heap != 0 ? test_heap_again(movers_[i].heap) : restart_path(i);
+    particles_[i].heap != 0 ? test_heap_again(particles_[i].heap) : restart_path(i);
 }
 
 template <class R>
 void Simulation<R>::refresh_all() {
     while (!heaps_.empty()) end_heap(heaps_.begin()->first);
-    for (BallIndex i = 0; i < movers_.size(); ++i)
-        if (!movers_[i].gone) restart_path(i);
-    for (BallIndex i = 0; i < movers_.size(); ++i)
-        if (!movers_[i].gone) predict(i);
+    for (BallIndex i = 0; i < particles_.size(); ++i)
+        if (!particles_[i].gone) restart_path(i);
+    for (BallIndex i = 0; i < particles_.size(); ++i)
+        if (!particles_[i].gone) predict(i);
 }
 
 /// Handles a change of the motion of a part: predicts the balls near it again.
 template <class R>
 void Simulation<R>::refresh_beside(PartIndex part) {
-    const auto near = [&](const Mover& mover) {
-        const auto& features = cells_.features(mover.cell);
-        const auto& sensors = cells_.sensors(mover.cell);
+    const auto near = [&](const Particle& particle) {
+        const auto& features = cells_.features(particle.cell);
+        const auto& sensors = cells_.sensors(particle.cell);
         return std::ranges::any_of(features, [&](FeatureIndex f) { return features_[f].part == part; }) ||
                std::ranges::find(sensors, part) != sensors.end();
     };
     test_heaps_on(part);
-    for (BallIndex i = 0; i < movers_.size(); ++i)
-        if (!movers_[i].gone && near(movers_[i])) {
+    for (BallIndex i = 0; i < particles_.size(); ++i)
+        if (!particles_[i].gone && near(particles_[i])) {
             restart_path(i);
             predict(i);
         }
@@ -69,8 +69,8 @@ template <class R>
 void Simulation<R>::release(PartIndex part) {
     test_heaps_on(part);
     const auto on_it = [&](FeatureIndex f) { return f != nothing && features_[f].part == part; };
-    for (BallIndex j = 0; j < movers_.size(); ++j) {
-        Mover& other = movers_[j];
+    for (BallIndex j = 0; j < particles_.size(); ++j) {
+        Particle& other = particles_[j];
         if (other.gone || !(on_it(other.support[0]) || on_it(other.support[1]))) continue;
         refresh(j);
         predict(j);

@@ -49,7 +49,7 @@ Simulation<R>::Simulation(std::shared_ptr<const Scene> scene)
 
 template <class R>
 void Simulation<R>::load(const State& state) {
-    movers_.clear();
+    particles_.clear();
     heaps_.clear();
     queue_.clear();
     events_.clear();
@@ -71,12 +71,12 @@ void Simulation<R>::load(const State& state) {
     }
     for (const Ball& ball : state.balls) join(ball);
     for (const Blocked& blocked : state.blocked)
-        if (const auto i = find(blocked.ball)) movers_[*i].blocked.push_back(blocked.gate);
+        if (const auto i = find(blocked.ball)) particles_[*i].blocked.push_back(blocked.gate);
     rebuild_cells();
-    for (BallIndex i = 0; i < movers_.size(); ++i) {
-        refuse_inside(movers_[i]);
+    for (BallIndex i = 0; i < particles_.size(); ++i) {
+        refuse_inside(particles_[i]);
         correct_overlap(i);
-        begin_inside(movers_[i]);
+        begin_inside(particles_[i]);
     }
     settle_gates();
     refresh_all();
@@ -84,19 +84,19 @@ void Simulation<R>::load(const State& state) {
 
 template <class R>
 void Simulation<R>::join(const Ball& ball) {
-    Mover& mover = movers_.emplace_back();
-    mover.ball = ball;
-    mover.radius = R(ball.radius);
-    mover.mass = R(ball.mass);
-    mover.reported_lost = std::ranges::find(reported_lost_, ball.number) != reported_lost_.end();
-    mover.body = {V<R>(ball.position), V<R>(ball.velocity), R(ball.angle), R(ball.spin), R(ball.radius)};
-    mover.path.start = now_;
-    mover.path.position = mover.body.position;
-    mover.path.velocity = mover.body.velocity;
-    mover.path.angle = mover.body.angle;
-    mover.path.spin = mover.body.spin;
-    mover.inside.reserve(8);
-    mover.blocked.reserve(2);
+    Particle& particle = particles_.emplace_back();
+    particle.ball = ball;
+    particle.radius = R(ball.radius);
+    particle.mass = R(ball.mass);
+    particle.reported_lost = std::ranges::find(reported_lost_, ball.number) != reported_lost_.end();
+    particle.body = {V<R>(ball.position), V<R>(ball.velocity), R(ball.angle), R(ball.spin), R(ball.radius)};
+    particle.path.start = now_;
+    particle.path.position = particle.body.position;
+    particle.path.velocity = particle.body.velocity;
+    particle.path.angle = particle.body.angle;
+    particle.path.spin = particle.body.spin;
+    particle.inside.reserve(8);
+    particle.blocked.reserve(2);
 }
 
 template <class R>
@@ -116,23 +116,24 @@ void Simulation<R>::rebuild_cells() {
                                  primitive.part, true});
         }
     double radius = scene_->launcher ? scene_->launcher->ball.radius : 0;
-    for (const Mover& mover : movers_) radius = std::max(radius, mover.ball.radius);
-    cells_.build(scene_->bounds, items, movers_.size(), radius);
-    for (BallIndex i = 0; i < movers_.size(); ++i) {
-        Mover& mover = movers_[i];
-        if (mover.gone) continue;
-        mover.cell = cells_.at(narrow(mover.path.at(now_).position));
-        cells_.link(i, mover.cell);
+    for (const Particle& particle : particles_) radius = std::max(radius, particle.ball.radius);
+    cells_.build(scene_->bounds, items, particles_.size(), radius);
+    for (BallIndex i = 0; i < particles_.size(); ++i) {
+        Particle& particle = particles_[i];
+        if (particle.gone) continue;
+        particle.cell = cells_.at(narrow(particle.path.at(now_).position));
+        cells_.link(i, particle.cell);
     }
 }
 
 template <class R>
-void Simulation<R>::begin_inside(Mover& mover) {
-    mover.inside.clear();
+void Simulation<R>::begin_inside(Particle& particle) {
+    particle.inside.clear();
     for (PartIndex part = 0; part < parts_.size(); ++part) {
-        if (parts_[part].regions.empty() || !layers_meet(mover.ball, scene_->parts[part])) continue;
+        if (parts_[part].regions.empty() || !layers_meet(particle.ball, scene_->parts[part])) continue;
         if (!scene_->parts[part].sensor) continue;
-        if (inside(parts_[part].regions, view(mover, part), mover.radius, now_)) mover.inside.push_back(part);
+        if (inside(parts_[part].regions, view(particle, part), particle.radius, now_))
+            particle.inside.push_back(part);
     }
 }
 
@@ -200,26 +201,26 @@ void Simulation<R>::apply(const Control& control) {
     } else if (const auto* nudge = std::get_if<control::Nudge>(&control)) {
         if (certificate_) note_input({}, nudge->velocity);
         while (!heaps_.empty()) end_heap(heaps_.begin()->first);
-        for (Mover& mover : movers_) {
-            if (mover.gone) continue;
-            advance(mover);
-            mover.body.velocity += V<R>(nudge->velocity);
-            mover.given = true;
-            mover.path.velocity = mover.body.velocity;
+        for (Particle& particle : particles_) {
+            if (particle.gone) continue;
+            advance(particle);
+            particle.body.velocity += V<R>(nudge->velocity);
+            particle.given = true;
+            particle.path.velocity = particle.body.velocity;
         }
-        for (BallIndex i = 0; i < movers_.size(); ++i)
-            if (!movers_[i].gone) start_path(i);
-        for (BallIndex i = 0; i < movers_.size(); ++i)
-            if (!movers_[i].gone) predict(i);
+        for (BallIndex i = 0; i < particles_.size(); ++i)
+            if (!particles_[i].gone) start_path(i);
+        for (BallIndex i = 0; i < particles_.size(); ++i)
+            if (!particles_[i].gone) predict(i);
     } else if (const auto* raise = std::get_if<control::RaiseTargets>(&control)) {
         for (PartIndex part = 0; part < parts_.size(); ++part)
             if (raise->parts.empty() || std::ranges::find(raise->parts, part) != raise->parts.end()) {
                 const bool was_down = std::exchange(parts_[part].down, false);
                 if (certificate_ && was_down) note_target(part);
             }
-        for (BallIndex i = 0; i < movers_.size(); ++i)
-            if (!movers_[i].gone) {
-                advance(movers_[i]);
+        for (BallIndex i = 0; i < particles_.size(); ++i)
+            if (!particles_[i].gone) {
+                advance(particles_[i]);
                 correct_overlap(i);
             }
         refresh_all();
@@ -230,15 +231,15 @@ template <class R>
 void Simulation<R>::add(const Ball& ball) {
     join(ball);
     if (certificate_) note_input(ball.number, ball.velocity);
-    const auto i = static_cast<BallIndex>(movers_.size() - 1);
+    const auto i = static_cast<BallIndex>(particles_.size() - 1);
     if (ball.radius > cells_.largest()) {
         rebuild_cells();
         settle_gates();
         return refresh_all();
     }
-    movers_[i].cell = cells_.at(ball.position);
-    cells_.link(i, movers_[i].cell);
-    refuse_inside(movers_[i]);
+    particles_[i].cell = cells_.at(ball.position);
+    cells_.link(i, particles_[i].cell);
+    refuse_inside(particles_[i]);
     if (settle_gates()) return refresh_all();
     refresh(i);
     predict(i);
@@ -246,26 +247,26 @@ void Simulation<R>::add(const Ball& ball) {
 
 template <class R>
 auto Simulation<R>::find(BallNumber number) const -> std::optional<BallIndex> {
-    const auto number_of = [](const Mover& mover) { return mover.ball.number; };
-    const auto at = std::ranges::lower_bound(movers_, number, {}, number_of);
-    if (at == movers_.end() || at->ball.number != number || at->gone) return {};
-    return static_cast<BallIndex>(at - movers_.begin());
+    const auto number_of = [](const Particle& particle) { return particle.ball.number; };
+    const auto at = std::ranges::lower_bound(particles_, number, {}, number_of);
+    if (at == particles_.end() || at->ball.number != number || at->gone) return {};
+    return static_cast<BallIndex>(at - particles_.begin());
 }
 
 template <class R>
 void Simulation<R>::remove(BallNumber number) {
     const auto i = find(number);
     if (!i) return;
-    Mover& mover = movers_[*i];
-    cells_.unlink(*i, mover.cell);
-    mover.gone = true;
+    Particle& particle = particles_[*i];
+    cells_.unlink(*i, particle.cell);
+    particle.gone = true;
     if (certificate_) certificate_->balls[number].gone = static_cast<double>(since_certificate_ + now_);
-    ++mover.changes;
-    ++mover.predictions;
+    ++particle.changes;
+    ++particle.predictions;
     std::erase(reported_lost_, number);
-    if (mover.heap != 0) test_heap_again(mover.heap);
-    for (const PartIndex part : mover.inside)
-        if (!scene_->parts[part].sensor && std::ranges::none_of(movers_, [&](const Mover& other) {
+    if (particle.heap != 0) test_heap_again(particle.heap);
+    for (const PartIndex part : particle.inside)
+        if (!scene_->parts[part].sensor && std::ranges::none_of(particles_, [&](const Particle& other) {
                 return !other.gone && std::ranges::find(other.inside, part) != other.inside.end();
             }))
             parts_[part].open = false;
@@ -275,13 +276,13 @@ template <class R>
 void Simulation<R>::set_velocity(BallNumber number, Vec2 velocity) {
     const auto i = find(number);
     if (!i) return;
-    Mover& mover = movers_[*i];
+    Particle& particle = particles_[*i];
     if (certificate_) note_input(number, velocity);
     std::vector<BallIndex> left;  // by a removed ball
-    if (mover.heap != 0) left = end_heap(mover.heap);
-    advance(mover);
-    mover.body.velocity = V<R>(velocity);
-    mover.given = true;
+    if (particle.heap != 0) left = end_heap(particle.heap);
+    advance(particle);
+    particle.body.velocity = V<R>(velocity);
+    particle.given = true;
     start_path(*i);
     for (const BallIndex j : left)
         if (j != *i) restart_path(j);
@@ -303,7 +304,8 @@ template <class R>
 bool Simulation<R>::run_until(std::chrono::steady_clock::time_point deadline) {
     if (length_ == 0) return true;
     for (;;) {
-        while (!queue_.empty() && queue_.front().prediction != movers_[queue_.front().mover].predictions) {
+        while (!queue_.empty() &&
+               queue_.front().prediction != particles_[queue_.front().particle].predictions) {
             std::pop_heap(queue_.begin(), queue_.end());
             queue_.pop_back();
         }
@@ -314,11 +316,11 @@ bool Simulation<R>::run_until(std::chrono::steady_clock::time_point deadline) {
             handle_stops();
         } else {
             now_ = std::max(now_, event);
-            const BallIndex mover = queue_.front().mover;
+            const BallIndex particle = queue_.front().particle;
             std::pop_heap(queue_.begin(), queue_.end());
             queue_.pop_back();
             ++counts_.events;
-            trace_ ? trace_event(mover) : handle(mover);
+            trace_ ? trace_event(particle) : handle(particle);
         }
         if (std::chrono::steady_clock::now() > deadline) return false;
     }
@@ -332,14 +334,14 @@ bool Simulation<R>::run_until(std::chrono::steady_clock::time_point deadline) {
 /// Resets the origin of times once a second, so that times keep their digits.
 template <class R>
 void Simulation<R>::reset_time_origin() {
-    for (Mover& mover : movers_) {
-        mover.path.start -= now_;
-        mover.until -= now_;
-        mover.next_time -= now_;
-        mover.series_since -= now_;
-        mover.slow_contacts_since -= now_;
-        mover.heap_searched_at -= now_;
-        mover.no_equilibrium_since -= now_;
+    for (Particle& particle : particles_) {
+        particle.path.start -= now_;
+        particle.until -= now_;
+        particle.next_time -= now_;
+        particle.series_since -= now_;
+        particle.slow_contacts_since -= now_;
+        particle.heap_searched_at -= now_;
+        particle.no_equilibrium_since -= now_;
     }
     for (PartNow& part : parts_) {
         part.turning.since -= now_;
@@ -352,9 +354,10 @@ void Simulation<R>::reset_time_origin() {
 }
 
 template <class R>
-bool Simulation<R>::ignores(PartIndex part, const Mover& mover) const {
-    return parts_[part].down || !layers_meet(mover.ball, scene_->parts[part]) ||
-           (!parts_[part].regions.empty() && std::ranges::find(mover.inside, part) != mover.inside.end());
+bool Simulation<R>::ignores(PartIndex part, const Particle& particle) const {
+    return parts_[part].down || !layers_meet(particle.ball, scene_->parts[part]) ||
+           (!parts_[part].regions.empty() &&
+            std::ranges::find(particle.inside, part) != particle.inside.end());
 }
 
 template <class R>

@@ -64,7 +64,7 @@ class Simulation final : public Exact {
 
   private:
     enum class Next : std::uint8_t { nothing, feature, ball, cell, predict_again, sensor, lost };
-    using BallIndex = std::uint32_t;  ///< index of a ball in movers_; it never changes
+    using BallIndex = std::uint32_t;  ///< index of a ball in particles_; it never changes
     using FeatureIndex = std::uint32_t;
     static constexpr FeatureIndex nothing = ~0U;
     static constexpr std::uint32_t outside_already =
@@ -74,7 +74,7 @@ class Simulation final : public Exact {
     struct TangentFace {
         V<R> at, normal;  ///< normal: unit, to the ball
     };
-    struct Mover {
+    struct Particle {
         Ball ball;  ///< its constants: number, mass, material, layers
         R radius{}, mass{};
         Body<R> body;  ///< at the start of its path
@@ -128,10 +128,10 @@ class Simulation final : public Exact {
     };
     struct Entry {
         R time;
-        BallIndex mover;
+        BallIndex particle;
         std::uint32_t prediction;
         friend bool operator<(const Entry& a, const Entry& b) {  // the earliest on top of the heap
-            return a.time != b.time ? a.time > b.time : a.mover > b.mover;
+            return a.time != b.time ? a.time > b.time : a.particle > b.particle;
         }
     };
     struct Touching {
@@ -143,7 +143,7 @@ class Simulation final : public Exact {
     // The whole (simulation.cpp).
     void rebuild_cells();
     void join(const Ball& ball);
-    void begin_inside(Mover& mover);
+    void begin_inside(Particle& particle);
     void set_motion(PartIndex part);
     void change_motions();
     [[nodiscard]] R next_stop() const;
@@ -156,11 +156,11 @@ class Simulation final : public Exact {
     [[nodiscard]] const Turning<R>* turning(PartIndex part) const {
         return parts_[part].turning.rate != 0 ? &parts_[part].turning : nullptr;
     }
-    [[nodiscard]] View<R> view(const Mover& mover, PartIndex part) const {
-        return {mover.path, parts_[part].moves ? &parts_[part].turning : nullptr};
+    [[nodiscard]] View<R> view(const Particle& particle, PartIndex part) const {
+        return {particle.path, parts_[part].moves ? &parts_[part].turning : nullptr};
     }
     /// Whether the part lets the ball through now.
-    [[nodiscard]] bool ignores(PartIndex part, const Mover& mover) const;
+    [[nodiscard]] bool ignores(PartIndex part, const Particle& particle) const;
     /// On the table's clock, s.
     [[nodiscard]] double clock(const R& time) const { return time_ + static_cast<double>(time - run_start_); }
     [[nodiscard]] std::string at_time(const R& time) const;
@@ -179,44 +179,45 @@ class Simulation final : public Exact {
 
     // Gates (gates.cpp).
     bool settle_gates();
-    [[nodiscard]] bool passes(PartIndex part, const Mover& mover) const;
+    [[nodiscard]] bool passes(PartIndex part, const Particle& particle) const;
     [[nodiscard]] bool reach_gate(BallIndex i, PartIndex part);
-    void leave_gate(Mover& mover, PartIndex part);
-    [[nodiscard]] R gate_reach(const Mover& mover) const;
+    void leave_gate(Particle& particle, PartIndex part);
+    [[nodiscard]] R gate_reach(const Particle& particle) const;
 
     // Predictions (predict.cpp).
     void predict(BallIndex i);
-    void predict_features(Mover& mover);
-    [[nodiscard]] bool slides_to(const Mover& mover, FeatureIndex f) const;
-    [[nodiscard]] bool is_below_tangent_face(const Mover& mover, FeatureIndex f) const;
-    void predict_sensors(Mover& mover);
+    void predict_features(Particle& particle);
+    [[nodiscard]] bool slides_to(const Particle& particle, FeatureIndex f) const;
+    [[nodiscard]] bool is_below_tangent_face(const Particle& particle, FeatureIndex f) const;
+    void predict_sensors(Particle& particle);
     void predict_balls(BallIndex i);
     /// Result of the search `find` for a ball. Throws Refusal if the search does not end.
-    R search(const Mover& mover, Other other, auto&& find) const {
+    R search(const Particle& particle, Other other, auto&& find) const {
         try {
             return find();
         } catch (const EndlessSearch&) {
-            refuse_search("reference", mover.ball.number, other, clock(now_), *scene_);
+            refuse_search("reference", particle.ball.number, other, clock(now_), *scene_);
         }
     }
-    void offer(Mover& mover, const R& time, Next next, std::uint32_t index = 0, std::uint32_t changes = 0);
+    void offer(Particle& particle, const R& time, Next next, std::uint32_t index = 0,
+               std::uint32_t changes = 0);
 
     // Paths (paths.cpp).
     void start_path(BallIndex i);
     [[nodiscard]] static bool in_touch(const R& gap, const R& radius) {
         return gap <= heap_gap * radius && gap >= -heap_overlap * radius;
     }
-    void find_path(Mover& mover);
+    void find_path(Particle& particle);
     void correct_overlap(BallIndex i);
-    void find_touching(Mover& mover);
-    void note_tangent_faces(Mover& mover);
-    bool rest_on_one(Mover& mover);
-    bool rest_on_two(Mover& mover);
+    void find_touching(Particle& particle);
+    void note_tangent_faces(Particle& particle);
+    bool rest_on_one(Particle& particle);
+    bool rest_on_two(Particle& particle);
     [[nodiscard]] Closest<R> closest(FeatureIndex f, const V<R>& position, const R& radius) const;
 
     // Static heaps (heaps.cpp).
-    [[nodiscard]] Body<R> body_now(const Mover& mover) const;
-    [[nodiscard]] bool is_at_rest(const Mover& mover) const;
+    [[nodiscard]] Body<R> body_now(const Particle& particle) const;
+    [[nodiscard]] bool is_at_rest(const Particle& particle) const;
     [[nodiscard]] std::vector<BallIndex> touched_at_rest(BallIndex i) const;
     [[nodiscard]] bool rests_on_ball(BallIndex i) const;
     [[nodiscard]] Heap connected_balls_at_rest(BallIndex i) const;
@@ -224,43 +225,43 @@ class Simulation final : public Exact {
     bool find_heap(BallIndex i);
     void settle(Heap heap);
     std::vector<BallIndex> end_heap(std::uint32_t id);
-    [[noreturn]] void refuse_impact_on_heap(const Mover& hit, const std::string& by) const;
+    [[noreturn]] void refuse_impact_on_heap(const Particle& hit, const std::string& by) const;
 
     // Events (events.cpp).
     void handle(BallIndex i);
-    void advance(Mover& mover);
-    void refuse_endless(Mover& mover);
-    void require_speed(const Mover& mover, Other other) const;
+    void advance(Particle& particle);
+    void refuse_endless(Particle& particle);
+    void require_speed(const Particle& particle, Other other) const;
     void hit_feature(BallIndex i);
     void hit_ball(BallIndex i);
-    void refuse_resting_contact(Mover& a, Mover& b) const;
-    void refuse_inside(const Mover& mover) const;
+    void refuse_resting_contact(Particle& a, Particle& b) const;
+    void refuse_inside(const Particle& particle) const;
     void cross_cell(BallIndex i);
     void sense(BallIndex i);
     void lose(BallIndex i);
 
     // Certificates (certify.cpp).
-    [[nodiscard]] R isolated_within(const Mover& mover, const R& digit, const R& margin) const;
+    [[nodiscard]] R isolated_within(const Particle& particle, const R& digit, const R& margin) const;
     void note_impact(BallIndex i);
-    void note_leg(Mover& mover, bool given);
+    void note_leg(Particle& particle, bool given);
     void note_motion(PartIndex part);
     void note_target(PartIndex part);
     void note_input(std::optional<BallNumber> ball, Vec2 velocity);
-    void note_passage(const Mover& mover, PartIndex gate, bool begins);
-    void note_pair_of_parts(Mover& mover, double start);
+    void note_passage(const Particle& particle, PartIndex gate, bool begins);
+    void note_pair_of_parts(Particle& particle, double start);
     void note_rest(Heap& heap);
     void note_rest_ends(const Heap& heap);
 
     // Traces (trace.cpp).
-    [[nodiscard]] static std::string_view name_of_next(const Mover& mover);
-    void trace_next(TraceItem& item, const Mover& mover) const;
+    [[nodiscard]] static std::string_view name_of_next(const Particle& particle);
+    void trace_next(TraceItem& item, const Particle& particle) const;
     void trace_paths();
     void trace_event(BallIndex i);
 
     // Results for callers (read_out.cpp).
-    void part_contacts(const Mover& mover, std::vector<Contact>& contacts) const;
-    void report(EventKind kind, const Mover& mover, Other other, const Impact<R>& impact, const V<R>& point,
-                const V<R>& normal);
+    void part_contacts(const Particle& particle, std::vector<Contact>& contacts) const;
+    void report(EventKind kind, const Particle& particle, Other other, const Impact<R>& impact,
+                const V<R>& point, const V<R>& normal);
 
     std::shared_ptr<const Scene> scene_;
     std::vector<Primitive> primitives_;
@@ -271,7 +272,7 @@ class Simulation final : public Exact {
     std::vector<Mixed> mixed_;  ///< by two materials
     Cells cells_;
 
-    std::vector<Mover> movers_;  ///< sorted by number; those of lost balls stay
+    std::vector<Particle> particles_;  ///< sorted by number; those of lost balls stay
     std::map<std::uint32_t, Heap> heaps_;
     std::uint32_t last_heap_ = 0;
     std::vector<BallNumber> reported_lost_;

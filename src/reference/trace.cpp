@@ -18,8 +18,8 @@ std::vector<double> way_of(const Path<R>& path, const R& from, const R& to) {
 }  // namespace
 
 template <class R>
-std::string_view Simulation<R>::name_of_next(const Mover& mover) {
-    switch (mover.next) {
+std::string_view Simulation<R>::name_of_next(const Particle& particle) {
+    switch (particle.next) {
         case Next::feature:
             return "hits a part";
         case Next::ball:
@@ -27,7 +27,7 @@ std::string_view Simulation<R>::name_of_next(const Mover& mover) {
         case Next::cell:
             return "leaves its cell";
         case Next::predict_again:
-            return mover.next_index != 0 ? "reaches the horizon of its prediction" : "its path ends";
+            return particle.next_index != 0 ? "reaches the horizon of its prediction" : "its path ends";
         case Next::sensor:
             return "enters or leaves a sensor or gate";
         case Next::lost:
@@ -39,12 +39,12 @@ std::string_view Simulation<R>::name_of_next(const Mover& mover) {
 }
 
 template <class R>
-void Simulation<R>::trace_next(TraceItem& item, const Mover& mover) const {
-    item.with("next", name_of_next(mover));
-    if (mover.next_time < infinity<R>()) item.with("next_time", clock(mover.next_time));
-    if (mover.next == Next::feature)
-        item.with("next_part", scene_->parts[features_[mover.next_index].part].name);
-    if (mover.next == Next::ball) item.with("next_ball", movers_[mover.next_index].ball.number);
+void Simulation<R>::trace_next(TraceItem& item, const Particle& particle) const {
+    item.with("next", name_of_next(particle));
+    if (particle.next_time < infinity<R>()) item.with("next_time", clock(particle.next_time));
+    if (particle.next == Next::feature)
+        item.with("next_part", scene_->parts[features_[particle.next_index].part].name);
+    if (particle.next == Next::ball) item.with("next_ball", particles_[particle.next_index].ball.number);
 }
 
 /// Writes the path of every ball at the start of the step.
@@ -52,25 +52,25 @@ template <class R>
 void Simulation<R>::trace_paths() {
     TraceStage& stage = trace_->stage("paths and predictions", "src/reference/predict.cpp: predict");
     std::size_t held = 0;
-    for (const Mover& mover : movers_) {
-        if (mover.gone) continue;
-        const Path<R>& path = mover.path;
-        TraceItem& item = stage.add("path").with("ball", mover.ball.number);
-        item.with("way", path.rests                    ? "at rest"
-                         : path.is_series              ? "along a part that turns or is curved"
-                         : mover.support[0] != nothing ? "along a part"
-                                                       : "free flight");
-        if (mover.support[0] != nothing)
-            item.with("part", scene_->parts[features_[mover.support[0]].part].name);
+    for (const Particle& particle : particles_) {
+        if (particle.gone) continue;
+        const Path<R>& path = particle.path;
+        TraceItem& item = stage.add("path").with("ball", particle.ball.number);
+        item.with("way", path.rests                       ? "at rest"
+                         : path.is_series                 ? "along a part that turns or is curved"
+                         : particle.support[0] != nothing ? "along a part"
+                                                          : "free flight");
+        if (particle.support[0] != nothing)
+            item.with("part", scene_->parts[features_[particle.support[0]].part].name);
         item.with("since", clock(path.start))
             .with("position", narrow(path.position))
             .with("velocity", narrow(path.velocity))
             .with("acceleration", narrow(path.acceleration))
             .with("drag", static_cast<double>(path.drag));
-        trace_next(item, mover);
-        const R end = std::min(mover.next_time, run_end_);
+        trace_next(item, particle);
+        const R end = std::min(particle.next_time, run_end_);
         if (end > now_) item.with("swept", way_of(path, now_, end));
-        held += mover.support[0] != nothing;
+        held += particle.support[0] != nothing;
     }
     stage.says = counted(stage.items.size(), "ball") + ", " + std::to_string(held) +
                  " in resting contact with a part; each has a path and one next event.";
@@ -83,32 +83,32 @@ void Simulation<R>::trace_event(BallIndex i) {
     if (trace_->stages.empty() || trace_->stages.back().name != events)
         trace_->stage(events, "src/reference/events.cpp: handle");
     TraceStage& stage = trace_->stages.back();
-    const Mover mover = movers_[i];
-    const bool hits_part = mover.next == Next::feature, hits_ball = mover.next == Next::ball;
-    TraceItem& item = stage.add("event").with("time", clock(now_)).with("ball", mover.ball.number);
-    item.with("event", name_of_next(mover));
-    const R half = isolated_within(mover, epsilon<R>(), R(0));
+    const Particle particle = particles_[i];
+    const bool hits_part = particle.next == Next::feature, hits_ball = particle.next == Next::ball;
+    TraceItem& item = stage.add("event").with("time", clock(now_)).with("ball", particle.ball.number);
+    item.with("event", name_of_next(particle));
+    const R half = isolated_within(particle, epsilon<R>(), R(0));
     if (hits_part) {
-        const PartIndex part = features_[mover.next_index].part;
+        const PartIndex part = features_[particle.next_index].part;
         item.with("part", scene_->parts[part].name);
     }
     if (hits_ball) {
-        const Mover other = movers_[mover.next_index];
+        const Particle other = particles_[particle.next_index];
         item.with("other_ball", other.ball.number);
-        if (other.gone || other.changes != mover.other_version)
+        if (other.gone || other.changes != particle.other_version)
             item.with("answer", "the other has changed its path meanwhile: predicted again");
     }
     if (half < infinity<R>()) item.with("isolated_within", static_cast<double>(half));
-    item.with("position", narrow(mover.path.at(now_).position))
-        .with("velocity_before", narrow(mover.path.at(now_).velocity));
+    item.with("position", narrow(particle.path.at(now_).position))
+        .with("velocity_before", narrow(particle.path.at(now_).velocity));
     const auto way_here = [&](const Path<R>& path) {
         return way_of(path, std::max(path.start, run_start_), now_);
     };
-    item.with("swept", way_here(mover.path));
-    if (hits_ball) item.with("other_swept", way_here(movers_[mover.next_index].path));
+    item.with("swept", way_here(particle.path));
+    if (hits_ball) item.with("other_swept", way_here(particles_[particle.next_index].path));
     const std::size_t reported = events_.size();
     handle(i);
-    item.with("velocity", narrow(movers_[i].path.at(now_).velocity));
+    item.with("velocity", narrow(particles_[i].path.at(now_).velocity));
     for (std::size_t k = reported; k < events_.size(); ++k)
         if (events_[k].kind == EventKind::impact)
             item.with("answer", "impact")
@@ -116,7 +116,7 @@ void Simulation<R>::trace_event(BallIndex i) {
                 .with("normal", events_[k].normal)
                 .with("speed", events_[k].speed)
                 .with("impulse", events_[k].impulse);
-    trace_next(item, movers_[i]);
+    trace_next(item, particles_[i]);
     stage.says = counted(stage.items.size(), "event") +
                  " in order of time; a root is isolated within the "
                  "interval given, in which the gap changes its sign.";
