@@ -1,0 +1,91 @@
+// Changes of the world from outside: controls, balls that are added and removed, saved states.
+
+#include <algorithm>
+#include <utility>
+
+#include "custom/world.hpp"
+
+namespace flipside::custom {
+
+void CustomWorld::wake_all() {
+    for (Ball& ball : balls_) ball.asleep = false;
+}
+
+/// Prepares for a change of the world from outside.
+void CustomWorld::interrupt() {
+    contacts_last_ = false;
+    if (continuous_) continuous_->interrupt();
+}
+
+void CustomWorld::apply(const Control& control) {
+    find_contacts();
+    interrupt();
+    table_.apply(control);
+    if (const auto* nudge = std::get_if<control::Nudge>(&control)) {
+        wake_all();
+        for (Ball& ball : balls_) ball.velocity += nudge->velocity;
+    }
+    if (std::holds_alternative<control::RaiseTargets>(control)) {
+        wake_all();
+        search_contacts();
+    }
+}
+
+BallNumber CustomWorld::add(const Ball& ball) {
+    find_contacts();
+    interrupt();
+    balls_.push_back(ball);
+    balls_.back().number = table_.new_number();
+    reserve_for();
+    search_contacts();
+    return balls_.back().number;
+}
+
+bool CustomWorld::remove(BallNumber number) {
+    const Ball* ball = find_ball(balls_, number);
+    if (ball == nullptr) return false;
+    find_contacts();
+    if (continuous_) continuous_->begin_anew();
+    balls_.erase(balls_.begin() + (ball - balls_.data()));
+    std::erase(table_.reported_lost(), number);
+    wake_all();
+    search_contacts();
+    return true;
+}
+
+State CustomWorld::save() const {
+    State state = table_.save(balls_);
+    if (continuous_) state.origin = continuous_->origin();
+    return state;
+}
+
+void CustomWorld::restore(const State& state) {
+    guard_.forget();
+    Trace* const trace = std::exchange(record_.trace, nullptr);  // restoring is not a step
+    if (!resume(state)) load(state);
+    record_.events.clear();
+    record_.statistics = {};
+    search_contacts();
+    fill_statistics(0);
+    record_.trace = trace;
+}
+
+void CustomWorld::load(const State& state) {
+    table_.restore(state);
+    balls_ = state.balls;
+    if (continuous_) continuous_->begin_anew();
+    reserve_for();
+}
+
+/// Runs the window in which the state was saved from its start. Returns false if this does not lead to the
+/// state: another engine wrote it, or it was changed.
+bool CustomWorld::resume(const State& state) {
+    if (!state.origin || !continuous_) return false;
+    load(*state.origin);
+    if (!continuous_->resume(state, balls_, record_)) return false;
+    State reached = save();
+    reached.origin = state.origin;
+    return reached == state;
+}
+
+}  // namespace flipside::custom
