@@ -41,8 +41,8 @@ if $gates; then
     scripts/tidy.sh sanitize
     stage "tests under the sanitizers"
     ctest --preset sanitize -j "$tests_at_once"
-    stage "fuzzing, 30 s per target"
-    FLIPSIDE_FUZZ_PRESET=sanitize FLIPSIDE_FUZZ_DIR=build/fuzzed scripts/fuzz.sh 30s
+    stage "fuzzing, 20 s per target"
+    FLIPSIDE_FUZZ_PRESET=sanitize FLIPSIDE_FUZZ_DIR=build/fuzzed scripts/fuzz.sh 20s
     stage "uninitialised reads: valgrind"
     scripts/valgrind.sh --quick
     stage "all is well"

@@ -10,6 +10,7 @@
 #include "../lab/report/made_up_sweep.hpp"
 #include "../lab/report/tiny_effort.hpp"
 #include "damages.hpp"
+#include "in_small.hpp"
 #include "lab/process/failure.hpp"
 #include "lab/report/report.hpp"
 #include "places.hpp"
@@ -69,7 +70,8 @@ TEST_F(Damages, OfASweepAreNamedAndMadeAgain) {
     for (const auto& [name, foreign] : files) {
         for (const Damage& damage : damages(base / "whole" / foreign)) {
             SCOPED_TRACE(std::string(name) + ": " + damage.name);
-            if (&name > &files[2].name && std::string(damage.name) != "foreign") continue;
+            const char* const& last = files[test::in_small ? 0 : 2].name;  // that gets all damages
+            if (&name > &last && std::string(damage.name) != "foreign") continue;
             begin();
             damage.act(folder / "sweep-1" / name);
             const Ended ended = sweep(folder, "1");

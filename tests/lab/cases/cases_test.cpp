@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "in_small.hpp"
 #include "lab/cases/experiment.hpp"
 #include "lab/contenders/engines.hpp"
 #include "world/input_error.hpp"
@@ -56,12 +57,20 @@ TEST_P(EveryCase, passesAtAnotherStep) {
     expect_pass(run_case(*GetParam(), input));
 }
 
+/// Gases on the reference run through the same code for a minute under the sanitizers.
+bool is_long_gas(const Case& one) {
+    constexpr std::string_view gases[] = {"disc-gas", "impact-statistics", "equipartition"};
+    return test::in_small && std::ranges::find(gases, one.name) != std::end(gases);
+}
+
 // A falling heap has resting contacts between balls, so it is not among what the reference is asked for here.
 class EveryCaseWithAnOrder : public ::testing::TestWithParam<const Case*> {};
 
 INSTANTIATE_TEST_SUITE_P(HardCases, EveryCaseWithAnOrder, ::testing::ValuesIn([] {
                              auto all = find_cases({});
-                             std::erase_if(all, [](const Case* one) { return one->number == pile; });
+                             std::erase_if(all, [](const Case* one) {
+                                 return one->number == pile || is_long_gas(*one);
+                             });
                              return all;
                          }()),
                          name_of_test);

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "in_small.hpp"
 #include "lab/contenders/engines.hpp"
 #include "lab/files/assets.hpp"
 #include "lab/session/run_settings.hpp"
@@ -97,6 +98,7 @@ TEST_P(FlipperSkills, ABallCanBeCaughtByRaisingTheFlipperAsItComes) {
 TEST_P(FlipperSkills, AFastBallCanBeCaughtAlive) {
     double narrowest = 1;
     for (const double x : {0.17, 0.18, 0.19, 0.2}) {
+        if (test::in_small && x != 0.18) continue;
         const Vec2 velocity{-0.8, -0.4}, place{x - 0.2 * velocity.x, 0.17 - 0.2 * velocity.y};
         const auto held_after = [&](const Script& script) {
             Session session = table_with_ball(place, velocity);
