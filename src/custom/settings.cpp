@@ -39,7 +39,7 @@ constexpr SettingSpec specs[] = {
      .min = 1,
      .max = 1e9,
      .about = "events that the continuous solver handles in a quarter of a second before balls have to wait "
-              "for the next tick of 1/240 s; too few and a busy scene loses its exactness",
+              "for the next tick (1/240 s or less); too few and a busy scene loses its exactness",
      .acts_with = {"solver", continuous}},
     {.name = "motion_iterations",
      .type = SettingType::integer,

@@ -204,7 +204,7 @@ void Events::hit_ball(BallIndex i, double time) {
     if (!impact.happened)
         for (Particle* particle : {&sim_.particles[i], &sim_.particles[j]}) {
             // A ball with several slow contacts within a tick lies between other balls.
-            lasts = lasts || time - particle->last_slow < tick_length;
+            lasts = lasts || time - particle->last_slow < sim_.tick_length;
             particle->last_slow = time;
         }
     for (const BallIndex k : {i, j}) {

@@ -253,7 +253,7 @@ bool Predictions::in_slow_contact(BallIndex i, BallIndex j, double time) const {
     const auto a = sim_.particles[i].motion.path.at(time), b = sim_.particles[j].motion.path.at(time);
     const Vec2 between = a.position - b.position, relative = a.velocity - b.velocity;
     const double farthest = farthest_slide * std::min(sim_.balls[i].radius, sim_.balls[j].radius);
-    return length(relative) * tick_length <= farthest && -dot(relative, unit(between)) <= sim_.slow;
+    return length(relative) * sim_.tick_length <= farthest && -dot(relative, unit(between)) <= sim_.slow;
 }
 
 /// The same for a member and a feature. A ball that joined since the last tick is still on its old path,
@@ -264,8 +264,8 @@ bool Predictions::rests_on(BallIndex i, const Feature& feature, const Pose& pose
     const Vec2 point = here.position - distance * normal;
     const Vec2 surface = cross(sim_.turnings[feature.part].rate_at(time), point - pose.pivot);
     const double closing = -dot(here.velocity - surface, normal);
-    if (sim_.hot[i].creeps) return creeps_at(closing, sim_.balls[i]);
-    if (length(here.velocity) * tick_length > farthest_chord * sim_.balls[i].radius) return false;
+    if (sim_.hot[i].creeps) return sim_.creeps_at(closing, sim_.balls[i]);
+    if (length(here.velocity) * sim_.tick_length > farthest_chord * sim_.balls[i].radius) return false;
     return closing <= (sim_.particles[i].on_tick_path ? sim_.slow : sim_.scene.rest_speed);
 }
 

@@ -13,7 +13,6 @@ Simulation::Simulation(Table& table_of, const Layout& layout_of, const SolverSet
       layout(layout_of),
       settings(with),
       external{scene.gravity, scene.damping},
-      slow(2 * (scene.rest_speed + length(scene.gravity) * tick_length)),
       features(features_of(layout.primitives(), scene)),
       ranges(scene.bounds, ranges_of(features, layout.primitives(), table)),
       turnings(scene.parts.size()) {}
@@ -37,6 +36,7 @@ void Simulation::reserve(std::size_t most) {
 
 void Simulation::start_with(std::span<const Ball> now) {
     balls.assign(now.begin(), now.end());
+    choose_tick();
     particles = std::span(pool_).first(balls.size());
     for (BallIndex i = 0; i < balls.size(); ++i) {
         Particle& particle = particles[i];
@@ -52,6 +52,19 @@ void Simulation::start_with(std::span<const Ball> now) {
         near[i] = {};
         hot[i].radius = balls[i].radius;
     }
+}
+
+/// Chooses the length of a tick by the smallest ball: what approaches slowly must not get deep into it.
+void Simulation::choose_tick() {
+    double smallest = INFINITY;
+    for (const Ball& ball : balls) smallest = std::min(smallest, ball.radius);
+    tick_length = 2 * longest_tick;
+    for (int halvings = 0; halvings <= most_halvings; ++halvings) {
+        tick_length /= 2;
+        slow = 2 * (scene.rest_speed + length(scene.gravity) * tick_length);
+        if (slow * tick_length <= farthest_approach * smallest) break;
+    }
+    long_tick_length = 4 * tick_length;
 }
 
 void advance(Ball& ball, const ConstrainedPath& motion, double time) {

@@ -19,9 +19,12 @@ using BallIndex = std::uint32_t;  ///< of a ball in Simulation::balls
 
 enum class EventType : std::uint8_t { none, feature, ball, path_end, sensor, leave_bounds };
 
-/// s: time step of the island solver.
-inline constexpr double tick_length = 1.0 / 240;
-inline constexpr double long_tick_length = 4 * tick_length;  ///< time step of creeping members, s
+/// s: time step of the island solver, unless balls are small.
+inline constexpr double longest_tick = 1.0 / 240;
+/// Radii of the smallest ball: how far a slow approach may lead in a tick. Ticks are halved until this holds,
+/// at most most_halvings times.
+inline constexpr double farthest_approach = 0.02;
+inline constexpr int most_halvings = 3;
 /// Radii: a member that moves no farther than this in a long tick creeps.
 inline constexpr double creep_distance = 0.02;
 
@@ -106,6 +109,10 @@ struct Simulation {
     /// Makes a ball a member of an island. It keeps its path until the next tick, but has no slow contacts
     /// with other members.
     void join_island(BallIndex i, double time);
+    /// Whether a ball of this speed, m/s, moves less than creep_distance in a long tick.
+    [[nodiscard]] bool creeps_at(double speed, const Ball& ball) const {
+        return speed * long_tick_length <= creep_distance * ball.radius;
+    }
     void leave_island(BallIndex i) { hot[i].in_island = false; }
 
     Table& table;
@@ -113,18 +120,20 @@ struct Simulation {
     const Layout& layout;
     SolverSettings settings;
     ExternalForces external;
-    double slow;  ///< m/s: slower approaches inside an island are resting contacts, not impacts
     std::vector<Feature> features;
     BoxIndex ranges;  ///< of features
 
     // The current window. All times are relative to its start, unless they are on the table's clock.
-    StepRecord* record = nullptr;    ///< of the current step
-    double start = 0;                ///< s, on the table's clock
-    double end = 0;                  ///< s
-    double after_end = 0;            ///< the next number after `end`
-    std::vector<Event> pending;      ///< not recorded yet
-    std::uint64_t search_steps = 0;  ///< of all root searches
-    double tick_at = 0;              ///< s: the next tick, if any_in_island
+    StepRecord* record = nullptr;                ///< of the current step
+    double start = 0;                            ///< s, on the table's clock
+    double end = 0;                              ///< s
+    double after_end = 0;                        ///< the next number after `end`
+    std::vector<Event> pending;                  ///< not recorded yet
+    std::uint64_t search_steps = 0;              ///< of all root searches
+    double tick_length = longest_tick;           ///< s
+    double long_tick_length = 4 * longest_tick;  ///< s: time step of creeping members
+    double slow = 0;     ///< m/s: slower approaches inside an island are resting contacts, not impacts
+    double tick_at = 0;  ///< s: the next tick, if any_in_island
     bool any_in_island = false;
 
     // Per ball.
@@ -138,14 +147,12 @@ struct Simulation {
     Cells cells;
 
   private:
+    void choose_tick();
+
     std::vector<Particle> pool_;                ///< keeps the memory of their Taylor polynomials
     std::vector<FeatureIndex> found_features_;  ///< buffer of features_near()
 };
 
-/// Whether a ball of this speed, m/s, moves less than creep_distance in a long tick.
-[[nodiscard]] inline bool creeps_at(double speed, const Ball& ball) {
-    return speed * long_tick_length <= creep_distance * ball.radius;
-}
 /// Moves a ball along a path to `time`.
 void advance(Ball& ball, const ConstrainedPath& motion, double time);
 

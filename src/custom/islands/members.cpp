@@ -12,8 +12,8 @@ namespace {
 /// Contacts with balls in a row, each within a tick of the one before, that show an inelastic collapse.
 constexpr int most_hits = 20;
 
-/// s without a load after which a ball leaves its island: at the third tick.
-constexpr double longest_unloaded = 2.5 * tick_length;
+/// Ticks without a load after which a ball leaves its island.
+constexpr double longest_unloaded = 2.5;
 
 }  // namespace
 
@@ -141,7 +141,7 @@ void Islands::start_member_path(BallIndex i, const Flight& flight, double time, 
 void Islands::start_tick_path(BallIndex i, double time, const ContactSolver::Body& body) {
     Particle& particle = sim_.particles[i];
     const Ball& ball = sim_.balls[i];
-    if (time - particle.last_loaded > longest_unloaded) {
+    if (time - particle.last_loaded > longest_unloaded * sim_.tick_length) {
         sim_.leave_island(i);
         sim_.balls[i].position = body.position;
         return paths_.start_path(i, time);
@@ -149,7 +149,8 @@ void Islands::start_tick_path(BallIndex i, double time, const ContactSolver::Bod
     const double duration = sim_.tick_at - time;
     // A velocity change greater than that of gravity applies at once, so that an impact within the tick does
     // not see the old velocity.
-    const bool stopped = length(body.velocity - ball.velocity) > 2 * length(sim_.scene.gravity) * tick_length;
+    const bool stopped =
+        length(body.velocity - ball.velocity) > 2 * length(sim_.scene.gravity) * sim_.tick_length;
     particle.velocity_begin = stopped ? body.velocity : ball.velocity;
     particle.velocity_end = body.velocity;
     const TimeInterval interval(sim_.external.drag, duration);
@@ -173,7 +174,7 @@ void Islands::start_creep_path(BallIndex i, double time, double until, const Con
 
 bool Islands::collapses(BallIndex i, BallIndex j, double approach, double time) {
     for (Particle* particle : {&sim_.particles[i], &sim_.particles[j]}) {
-        particle->hits = time - particle->last_hit < tick_length ? particle->hits + 1 : 0;
+        particle->hits = time - particle->last_hit < sim_.tick_length ? particle->hits + 1 : 0;
         particle->last_hit = time;
     }
     return approach <= sim_.slow && std::min(sim_.particles[i].hits, sim_.particles[j].hits) >= most_hits;

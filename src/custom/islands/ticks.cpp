@@ -96,11 +96,12 @@ void Islands::solve_members(double time, double duration) {
 /// At the start of a long tick, solves all members over it. Members that are slow before and after this solve
 /// creep until its end; all others are solved again over short ticks.
 void Islands::start_creep(double time) {
-    const double until = sim_.next_on_grid(time, long_tick_length), duration = until - time;
-    const bool on_grid = time == 0 || std::abs(until - time - long_tick_length) < 1e-3 * tick_length;
-    if (!on_grid || duration < 1.5 * tick_length) return;
+    const double until = sim_.next_on_grid(time, sim_.long_tick_length), duration = until - time;
+    const bool on_grid =
+        time == 0 || std::abs(until - time - sim_.long_tick_length) < 1e-3 * sim_.tick_length;
+    if (!on_grid || duration < 1.5 * sim_.tick_length) return;
     const auto may_creep = [&](BallIndex i) {
-        return !sim_.particles[i].jammed && creeps_at(length(sim_.balls[i].velocity), sim_.balls[i]);
+        return !sim_.particles[i].jammed && sim_.creeps_at(length(sim_.balls[i].velocity), sim_.balls[i]);
     };
     const auto count = static_cast<std::size_t>(std::ranges::count_if(members_, may_creep));
     if (members_per_creeping * count < members_.size()) return;
@@ -109,7 +110,7 @@ void Islands::start_creep(double time) {
     for (BallIndex k = 0; k < members_.size(); ++k) {
         const BallIndex i = members_[k];
         const ContactSolver::Body& body = contact_solver_.bodies()[k];
-        if (may_creep(i) && creeps_at(length(body.velocity), sim_.balls[i]) &&
+        if (may_creep(i) && sim_.creeps_at(length(body.velocity), sim_.balls[i]) &&
             sim_.particles[i].last_loaded == time) {
             start_creep_path(i, time, until, body);
             creeping_.push_back(i);
@@ -144,7 +145,7 @@ void Islands::stop_pushed_creep(double time) {
             const double distance = length(between), gap = distance - ball.radius - other.radius;
             const double near = resting_distance * std::min(ball.radius, other.radius);
             const double closing = -dot(ball.velocity - other.velocity, between) / distance;
-            if (gap < -near || (gap < near + sim_.slow * tick_length && !creeps_at(closing, other)))
+            if (gap < -near || (gap < near + sim_.slow * sim_.tick_length && !sim_.creeps_at(closing, other)))
                 add_member(j, time);
         });
     }
