@@ -26,6 +26,10 @@ constexpr double good_enough = 1e-4;
 /// The position correction ends when no overlap is greater than allowed_overlap, in radii, or, after more
 /// than least_corrections sweeps, than corrected_overlap. Light balls between heavy ones need hundreds.
 constexpr int least_corrections = 4, most_corrections = 400;
+/// Sweeps of the position correction that move the two bodies of a contact in proportion to their inverse
+/// masses. Later ones move both by the same distance: a light ball between heavy ones would only be pushed to
+/// and fro.
+constexpr int corrections_by_mass = 20;
 constexpr double allowed_overlap = 1e-4;
 /// Limit on the passes over the contacts with static parts that end a solve. In a wedge of 30 degrees an
 /// error decreases by a quarter with each.
@@ -170,8 +174,9 @@ double ContactSolver::propagate_shock(const Contact& contact) {
     return closing;
 }
 
-/// Removes the overlap of a contact. Returns its depth, in radii.
-double ContactSolver::correct_position(Contact& contact) {
+/// Removes the overlap of a contact, by moving its bodies in proportion to their inverse masses, or equally.
+/// Returns its depth, in radii.
+double ContactSolver::correct_position(Contact& contact, bool by_mass) {
     Body &upper = bodies_[contact.upper], &lower = bodies_[contact.lower];
     if (contact.with == With::ball) {
         const Vec2 between = upper.position - lower.position;
@@ -182,9 +187,12 @@ double ContactSolver::correct_position(Contact& contact) {
         contact.gap = contact.detected_gap + dot(upper.position - contact.detected_at, contact.normal);
     }
     if (contact.gap >= 0) return 0;
-    const double share = -contact.gap / (upper.inverse_mass + lower.inverse_mass);
-    upper.position += share * upper.inverse_mass * contact.normal;
-    lower.position -= share * lower.inverse_mass * contact.normal;
+    const auto mobility = [&](const Body& body) {
+        return by_mass || body.inverse_mass == 0 ? body.inverse_mass : 1;
+    };
+    const double share = -contact.gap / (mobility(upper) + mobility(lower));
+    upper.position += share * mobility(upper) * contact.normal;
+    lower.position -= share * mobility(lower) * contact.normal;
     return -contact.gap / upper.radius;
 }
 
@@ -213,11 +221,12 @@ double ContactSolver::correct_positions(Vec2 gravity) {
     double deepest = 0;
     for (int round = 0; round < rounds; ++round) {
         deepest = 0;
-        for (Contact& contact : contacts_) deepest = std::max(deepest, correct_position(contact));
+        for (Contact& contact : contacts_)
+            deepest = std::max(deepest, correct_position(contact, round < corrections_by_mass));
         if (deepest <= (round < least_corrections ? allowed_overlap : corrected_overlap)) break;
     }
     limit_corrections();
-    repeat_static(corrected_overlap, [&](Contact& contact) { return correct_position(contact); });
+    repeat_static(corrected_overlap, [&](Contact& contact) { return correct_position(contact, true); });
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         Body& body = bodies_[i];
         const double lifted = -dot(body.position - uncorrected_[i], gravity);

@@ -99,7 +99,7 @@ class ContactSolver {
     bool converge(std::span<Contact> contacts, int most, double enough);
     void converge_squeezed(double enough);
     [[nodiscard]] double energy(double ahead, Vec2 gravity) const;
-    double correct_position(Contact& contact);
+    double correct_position(Contact& contact, bool by_mass);
     double correct_positions(Vec2 gravity);
     void limit_corrections();
     void repeat_static(double enough, auto&& correct);
