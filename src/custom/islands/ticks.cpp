@@ -170,6 +170,7 @@ void Islands::collect_contacts(double time, double duration) {
         ball_forces_.advance_to(i);
         sim_.cells.query_neighbours(i, [&](BallIndex j) { add_ball_contact(i, j, time, duration); });
     }
+    for (const BallIndex i : members_) deepest_ = std::max(deepest_, overlap_with_moving_parts(i, time));
     for (const BallIndex i : members_) {
         part_forces_.advance_to(i);
         add_part_contacts(i, time, duration);
@@ -247,8 +248,7 @@ void Islands::add_part_contacts(BallIndex i, double time, double duration) {
     const Ball& ball = sim_.balls[i];
     Particle& particle = sim_.particles[i];
     // Includes the parts into which the position correction of overlaps could push this ball.
-    const double deepest = std::max(deepest_, overlap_with_moving_parts(i, time));
-    const double slack = sim_.slow * duration + resting_distance * ball.radius + 2 * deepest;
+    const double slack = sim_.slow * duration + resting_distance * ball.radius + 2 * deepest_;
     const Box box = bounds_of(ball.position, ball.radius + slack);
     PrimitiveIndex seen = sim_.layout.size();
     for (const FeatureIndex f : sim_.features_near(i, box)) {
