@@ -76,7 +76,7 @@ class Islands {
     /// Forces of the last tick in this window, of primitive a or ball a on ball b, by index.
     ForceCache part_forces_, ball_forces_;
     bool any_creeps_ = false;
-    double deepest_ = 0;                 ///< m, deepest overlap of balls in islands
+    double deepest_ = 0;                 ///< m, deepest overlap of a member with a ball or a moving part
     std::vector<BallIndex> members_;     ///< balls of the current solve, sorted
     std::vector<BallIndex> creeping_;    ///< since the current tick
     std::vector<BallIndex> overlapped_;  ///< non-members that members overlap

@@ -156,7 +156,7 @@ struct Room {
 /// 0.39 and 0.24 radii deep between heavy ones.
 constexpr Room once_wrong[] = {{140, 12},  {364, 12},  {498, 12},  {512, 12},  {529, 12},
                                {829, 12},  {917, 12},  {921, 12},  {1248, 12}, {1255, 12},
-                               {2013, 40}, {2167, 40}, {5456, 60}, {5754, 60}};
+                               {2013, 40}, {2167, 40}, {4304, 40}, {5456, 60}, {5754, 60}};
 
 TEST(CrowdedRooms, KeepTheirBallsAndTheirPace) {
     std::vector<Room> rooms(std::begin(once_wrong), std::end(once_wrong));
