@@ -154,12 +154,12 @@ struct Room {
 };
 /// In these rooms a step once took up to nine seconds, or a ball got out; in the last two a light ball was
 /// 0.39 and 0.24 radii deep between heavy ones.
-constexpr Room once_wrong[] = {{140, 12},  {364, 12},  {498, 12},  {512, 12},  {529, 12},
-                               {829, 12},  {917, 12},  {921, 12},  {1248, 12}, {1255, 12},
-                               {2013, 40}, {2167, 40}, {4304, 40}, {5456, 60}, {5754, 60}};
+constexpr Room rooms_once_wrong[] = {{140, 12},  {364, 12},  {498, 12},  {512, 12},  {529, 12},
+                                     {829, 12},  {917, 12},  {921, 12},  {1248, 12}, {1255, 12},
+                                     {2013, 40}, {2167, 40}, {4304, 40}, {5456, 60}, {5754, 60}};
 
 TEST(CrowdedRooms, KeepTheirBallsAndTheirPace) {
-    std::vector<Room> rooms(std::begin(once_wrong), std::end(once_wrong));
+    std::vector<Room> rooms(std::begin(rooms_once_wrong), std::end(rooms_once_wrong));
     for (unsigned seed = 0; seed < (test::in_small ? 5 : 100); ++seed) rooms.push_back({seed, 12});
     for (const auto& [seed, most_balls] : rooms) {
         SCOPED_TRACE("room " + std::to_string(seed));
