@@ -31,9 +31,9 @@ set output svg
 plot csv skip 1 every ::0::6 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#56b4e9" notitle, \
      csv skip 1 every ::0::6 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 0)) with labels hypertext point pointtype 7 pointsize 0.8 linecolor rgb "#56b4e9" notitle, \
      NaN with linespoints dashtype 1 linewidth 2 pointtype 7 pointsize 0.8 linecolor rgb "#56b4e9" title "custom", \
-     csv skip 1 every ::7::10 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#e69f00" notitle, \
-     csv skip 1 every ::7::10 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 7)) with labels hypertext point pointtype 5 pointsize 0.8 linecolor rgb "#e69f00" notitle, \
-     csv skip 1 every ::11::13 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 11)) with labels hypertext point pointtype 2 pointsize 1.2 linecolor rgb "#e69f00" notitle, \
+     csv skip 1 every ::7::11 using (at_x($2)):(at_y($3)) with lines dashtype 1 linewidth 2 linecolor rgb "#e69f00" notitle, \
+     csv skip 1 every ::7::11 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 7)) with labels hypertext point pointtype 5 pointsize 0.8 linecolor rgb "#e69f00" notitle, \
+     csv skip 1 every ::12::13 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 12)) with labels hypertext point pointtype 2 pointsize 1.2 linecolor rgb "#e69f00" notitle, \
      NaN with linespoints dashtype 1 linewidth 2 pointtype 5 pointsize 0.8 linecolor rgb "#e69f00" title "box2d-bullets", \
      csv skip 1 every ::14::18 using (at_x($2)):(at_y($3)) with lines dashtype 2 linewidth 2 linecolor rgb "#e69f00" notitle, \
      csv skip 1 every ::14::18 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 14)) with labels hypertext point pointtype 4 pointsize 0.8 linecolor rgb "#e69f00" notitle, \
