@@ -33,7 +33,7 @@ void Predictions::enter_cell(BallIndex i) {
 }
 
 void Predictions::offer(BallIndex i, double time, EventType next, std::uint32_t partner,
-                        std::uint32_t partner_version) {
+                        std::uint32_t partner_version) const {
     Particle& particle = sim_.particles[i];
     if (!(time <= particle.next_time)) return;
     if (time == particle.next_time &&

@@ -108,7 +108,7 @@ class Predictions {
     [[nodiscard]] bool rests_on(BallIndex i, const Feature& feature, const Pose& pose, double time) const;
     void note_near(BallIndex i, BallIndex j, double until, double from);
     void offer(BallIndex i, double time, EventType next, std::uint32_t partner = 0,
-               std::uint32_t partner_version = 0);
+               std::uint32_t partner_version = 0) const;
     void schedule(BallIndex i);
 
     Simulation& sim_;

@@ -7,10 +7,10 @@
 
 namespace flipside::custom {
 
-Simulation::Simulation(Table& table_of, const Layout& layout_of, const SolverSettings& with)
-    : table(table_of),
-      scene(table_of.scene()),
-      layout(layout_of),
+Simulation::Simulation(Table& of_table, const Layout& of_layout, const SolverSettings& with)
+    : table(of_table),
+      scene(of_table.scene()),
+      layout(of_layout),
       settings(with),
       external{scene.gravity, scene.damping},
       features(features_of(layout.primitives(), scene)),

@@ -81,16 +81,17 @@ struct Particle {
 };
 
 struct Simulation {
-    /// Keeps references to table and layout.
-    Simulation(Table& table, const Layout& layout, const SolverSettings& settings);
+    /// Keeps references to the table and the layout.
+    Simulation(Table& of_table, const Layout& of_layout, const SolverSettings& with);
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;
+    ~Simulation() = default;
 
     /// Reserves memory for so many balls.
     void reserve(std::size_t most);
     /// Starts a window with these balls: assigns a particle to each, and clears what it holds of the ball
     /// that had it before.
-    void start_with(std::span<const Ball> balls);
+    void start_with(std::span<const Ball> now);
 
     /// Moves a ball along its path to `time`, with its true velocity.
     void advance_to(BallIndex i, double time);
