@@ -95,7 +95,8 @@ TEST_F(SoundWindow, QMutesItAndItStaysMutedAtTheNextStart) {
     window->wait("sound", [](const Json& s) { return s["muted"] == false; });
     launch(0.8);
     wait_for_balls();
-    window->wait("some time", [](const Json& s) { return s["time"] > 2; });
+    window->wait("some time", [](const Json& s) { return s["time"] > 3; });
+    let_ring_out();
     end();
     EXPECT_GT(loudest(), 0.02F);
 }
