@@ -160,6 +160,7 @@ constexpr Room rooms_once_wrong[] = {{140, 12},  {364, 12},  {498, 12},  {512, 1
 
 TEST(CrowdedRooms, KeepTheirBallsAndTheirPace) {
     std::vector<Room> rooms(std::begin(rooms_once_wrong), std::end(rooms_once_wrong));
+    if (test::in_small) std::erase_if(rooms, [](const Room& room) { return room.most_balls > 12; });
     for (unsigned seed = 0; seed < (test::in_small ? 5 : 100); ++seed) rooms.push_back({seed, 12});
     for (const auto& [seed, most_balls] : rooms) {
         SCOPED_TRACE("room " + std::to_string(seed));
