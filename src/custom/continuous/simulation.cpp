@@ -64,7 +64,6 @@ void Simulation::choose_tick() {
         slow = 2 * (scene.rest_speed + length(scene.gravity) * tick_length);
         if (slow * tick_length <= farthest_approach * smallest) break;
     }
-    long_tick_length = 4 * tick_length;
 }
 
 void advance(Ball& ball, const ConstrainedPath& motion, double time) {

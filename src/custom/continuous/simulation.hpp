@@ -110,9 +110,11 @@ struct Simulation {
     /// Makes a ball a member of an island. It keeps its path until the next tick, but has no slow contacts
     /// with other members.
     void join_island(BallIndex i, double time);
+    /// s: time step of creeping members.
+    [[nodiscard]] double long_tick_length() const { return 4 * tick_length; }
     /// Whether a ball of this speed, m/s, moves less than creep_distance in a long tick.
     [[nodiscard]] bool creeps_at(double speed, const Ball& ball) const {
-        return speed * long_tick_length <= creep_distance * ball.radius;
+        return speed * long_tick_length() <= creep_distance * ball.radius;
     }
     void leave_island(BallIndex i) { hot[i].in_island = false; }
 
@@ -125,14 +127,13 @@ struct Simulation {
     BoxIndex ranges;  ///< of features
 
     // The current window. All times are relative to its start, unless they are on the table's clock.
-    StepRecord* record = nullptr;                ///< of the current step
-    double start = 0;                            ///< s, on the table's clock
-    double end = 0;                              ///< s
-    double after_end = 0;                        ///< the next number after `end`
-    std::vector<Event> pending;                  ///< not recorded yet
-    std::uint64_t search_steps = 0;              ///< of all root searches
-    double tick_length = longest_tick;           ///< s
-    double long_tick_length = 4 * longest_tick;  ///< s: time step of creeping members
+    StepRecord* record = nullptr;       ///< of the current step
+    double start = 0;                   ///< s, on the table's clock
+    double end = 0;                     ///< s
+    double after_end = 0;               ///< the next number after `end`
+    std::vector<Event> pending;         ///< not recorded yet
+    std::uint64_t search_steps = 0;     ///< of all root searches
+    double tick_length = longest_tick;  ///< s
     double slow = 0;     ///< m/s: slower approaches inside an island are resting contacts, not impacts
     double tick_at = 0;  ///< s: the next tick, if any_in_island
     bool any_in_island = false;

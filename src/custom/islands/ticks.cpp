@@ -96,9 +96,9 @@ void Islands::solve_members(double time, double duration) {
 /// At the start of a long tick, solves all members over it. Members that are slow before and after this solve
 /// creep until its end; all others are solved again over short ticks.
 void Islands::start_creep(double time) {
-    const double until = sim_.next_on_grid(time, sim_.long_tick_length), duration = until - time;
+    const double until = sim_.next_on_grid(time, sim_.long_tick_length()), duration = until - time;
     const bool on_grid =
-        time == 0 || std::abs(until - time - sim_.long_tick_length) < 1e-3 * sim_.tick_length;
+        time == 0 || std::abs(until - time - sim_.long_tick_length()) < 1e-3 * sim_.tick_length;
     if (!on_grid || duration < 1.5 * sim_.tick_length) return;
     const auto may_creep = [&](BallIndex i) {
         return !sim_.particles[i].jammed && sim_.creeps_at(length(sim_.balls[i].velocity), sim_.balls[i]);
@@ -170,7 +170,8 @@ void Islands::collect_contacts(double time, double duration) {
         ball_forces_.advance_to(i);
         sim_.cells.query_neighbours(i, [&](BallIndex j) { add_ball_contact(i, j, time, duration); });
     }
-    for (const BallIndex i : members_) deepest_ = std::max(deepest_, overlap_with_moving_parts(i, time));
+    if (!sim_.table.moving_parts().empty())
+        for (const BallIndex i : members_) deepest_ = std::max(deepest_, overlap_with_moving_parts(i, time));
     for (const BallIndex i : members_) {
         part_forces_.advance_to(i);
         add_part_contacts(i, time, duration);
