@@ -25,7 +25,8 @@ constexpr int most_idle = 2000;
 constexpr double idle_impact = 1e-5;
 /// A ball whose events follow each other faster than this for long is jammed too: a part that moves presses
 /// it against another one, and each impact gives it new speed (e > 1, or a kick). It may be ahead of that
-/// pace by most_ahead events.
+/// pace by most_ahead events. Where no part can move, nothing feeds such events for long: a light ball
+/// between a wall and a heavy ball has 314,159 of them, but they end.
 constexpr double least_interval = 1.0 / 240'000;  // s
 constexpr int most_ahead = 10'000;
 /// Events of the last two kinds that a ball may have after it was jammed, before it is jammed again.
@@ -45,7 +46,9 @@ bool Events::exceeds_limits(Particle& particle, double time, bool with_ball) con
     particle.meets_balls = with_ball || (at_once && particle.meets_balls);
     particle.last_event = time;
     particle.events_until = std::max(particle.events_until, time) + least_interval;
-    if (particle.events_until - time <= most_ahead * least_interval &&
+    const bool keeps_pace =
+        particle.events_until - time <= most_ahead * least_interval || sim_.table.moving_parts().empty();
+    if (keeps_pace &&
         particle.simultaneous_events <= (particle.meets_balls ? most_at_once : most_with_parts) &&
         ++particle.idle_events <= most_idle)
         return false;

@@ -88,6 +88,14 @@ TEST_P(EveryCaseWithAnOrder, passesOnTheReference) {
     expect_pass(result);
 }
 
+/// In full: the pace of events there is above what moving parts may cause.
+TEST(Cases, allCollisionsThatSpellPiAreCounted) {
+    CaseInput input = contender("custom", {"solver=continuous"});
+    input.quick = false;
+    const std::vector<std::string> names{"galperin"};
+    expect_pass(run_case(*find_cases(names).front(), input));
+}
+
 /// Whole tables: every row that is no mere note says what was expected and how far off it is, and what must
 /// hold on any engine holds.
 void expect_whole(const CaseResult& result) {
