@@ -5,7 +5,7 @@
 /// tick is also the one that moves the ball through it (symplectic Euler), so a contact with a gap d may
 /// close at d/h at most. The method is projected Gauss-Seidel with accumulated impulses and warm starting
 /// (Catto 2005, "Iterative dynamics with temporal coherence"), from the lowest contact to the highest,
-/// accelerated by conjugate directions. Coulomb friction uses the normal impulses of the same sweep.
+/// with over-relaxation. Coulomb friction uses the normal impulses of the same sweep.
 ///
 /// Approximations: the number of sweeps is limited (*unfinished solve*); overlaps that remain are corrected
 /// by position only, and a ball that is lifted by this loses that energy from its speed; forces are constant
@@ -26,14 +26,8 @@ namespace flipside::custom {
 struct ContactImpulse {
     double normal = 0, tangent = 0;
 
-    friend ContactImpulse operator+(const ContactImpulse& x, const ContactImpulse& y) {
-        return {x.normal + y.normal, x.tangent + y.tangent};
-    }
     friend ContactImpulse operator-(const ContactImpulse& x, const ContactImpulse& y) {
         return {x.normal - y.normal, x.tangent - y.tangent};
-    }
-    friend ContactImpulse operator*(double s, const ContactImpulse& x) {
-        return {s * x.normal, s * x.tangent};
     }
 };
 
@@ -44,8 +38,10 @@ class ContactSolver {
     struct Body {
         Vec2 position, velocity;  ///< at the start of the tick
         Vec2 external;            ///< velocity change by gravity and drag in the tick, m/s
-        double spin = 0, radius = 0;
-        double inverse_mass = 0, inverse_inertia = 0;  ///< 1/kg and 1/(kg·m²); 0 for static bodies
+        double rim_speed = 0;     ///< spin times radius, m/s
+        double radius = 0;
+        double inverse_mass = 0,
+               inverse_rim_mass = 0;  ///< 1/kg: 1/m and radius²/inertia; 0 for static bodies
     };
     /// The lower body of a contact, in the order in which contacts are solved.
     enum class With : std::uint8_t { still_part, moving_part, ball };
@@ -60,8 +56,6 @@ class ContactSolver {
         // Set by solve().
         double max_closing = 0;                    ///< m/s, allowed closing speed
         double normal_mass = 0, tangent_mass = 0;  ///< effective masses along the normal and across it, kg
-        double inverse_mass = 0, inverse_tangent_mass = 0;
-        ContactImpulse before, direction;  ///< impulse before the last sweep; search direction
 
         double detected_gap = 0;     ///< m, at the start of the tick
         double height = 0;           ///< potential by which contacts are sorted, m²/s²
@@ -88,14 +82,7 @@ class ContactSolver {
     [[nodiscard]] std::span<const Contact> contacts() const { return contacts_; }
 
   private:
-    /// Result of a sweep.
-    struct Progress {
-        double most = 0;  ///< greatest change of a velocity, m/s
-        double norm = 0;  ///< squared length of the step since the last search direction was chosen
-    };
-    void apply(const Contact& contact, const ContactImpulse& impulse);
-    void solve_contact(Contact& contact);
-    Progress sweep(std::span<Contact> contacts);
+    double solve_contact(Contact& contact, double relaxation);
     bool converge(std::span<Contact> contacts, int most, double enough);
     void converge_squeezed(double enough);
     [[nodiscard]] double energy(double ahead, Vec2 gravity) const;
@@ -103,7 +90,6 @@ class ContactSolver {
     double correct_positions(Vec2 gravity);
     void limit_corrections();
     void repeat_static(double enough, auto&& correct);
-    void extrapolate(std::span<Contact> contacts, double norm, double norm_before);
     double propagate_shock(const Contact& contact);
 
     std::vector<Body> bodies_;

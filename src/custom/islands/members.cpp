@@ -160,7 +160,7 @@ void Islands::start_tick_path(BallIndex i, double time, const ContactSolver::Bod
             : (duration * body.velocity - interval.fallen * sim_.external.gravity) / interval.shrunk;
     start_member_path(i, {body.position, thrown, sim_.external.gravity, sim_.external.drag}, time,
                       sim_.tick_at);
-    particle.motion.spin_rate = (body.spin - ball.spin) / duration;
+    particle.motion.spin_rate = (body.rim_speed / ball.radius - ball.spin) / duration;
 }
 
 /// Starts the path of a creeping member: uniform motion over a long tick.
@@ -168,7 +168,7 @@ void Islands::start_creep_path(BallIndex i, double time, double until, const Con
     Particle& particle = sim_.particles[i];
     particle.velocity_begin = particle.velocity_end = body.velocity;
     start_member_path(i, {body.position, body.velocity, {}, 0}, time, until);
-    particle.motion.spin_rate = (body.spin - sim_.balls[i].spin) / (until - time);
+    particle.motion.spin_rate = (body.rim_speed / body.radius - sim_.balls[i].spin) / (until - time);
     sim_.hot[i].creeps = true;
 }
 

@@ -160,8 +160,9 @@ void Islands::collect_contacts(double time, double duration) {
         const Ball& ball = sim_.balls[i];
         const Vec2 external =
             Flight{{}, ball.velocity, sim_.external.gravity}.velocity_after(interval) - ball.velocity;
-        rank_[i] = contact_solver_.add({ball.position, ball.velocity, external, ball.spin, ball.radius,
-                                        1 / ball.mass, 1 / inertia(ball)});
+        rank_[i] =
+            contact_solver_.add({ball.position, ball.velocity, external, ball.spin * ball.radius, ball.radius,
+                                 1 / ball.mass, ball.radius * ball.radius / inertia(ball)});
     }
     deepest_ = 0;
     overlapped_.clear();

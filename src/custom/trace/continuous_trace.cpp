@@ -185,7 +185,7 @@ void trace_tick(const Simulation& sim, const ContactSolver& solver, std::span<co
             .with("ball", sim.balls[members[k]].number)
             .with("position", body.position)
             .with("velocity", body.velocity)
-            .with("spin", body.spin);
+            .with("spin", body.rim_speed / body.radius);
     }
     stage.says = "Tick at " + brief(sim.start + time) + " s: " + counted(members.size(), "ball") + " and " +
                  counted(solver.contacts().size(), "contact") + " are solved together for " +

@@ -15,7 +15,7 @@ constexpr Vec2 gravity{0, -9.81};
 constexpr double tick = 1.0 / 240, radius = 0.1;
 
 Body disc(Vec2 position, Vec2 velocity = {}, double mass = 1) {
-    return {position, velocity, tick * gravity, 0, radius, 1 / mass, 2 / (mass * radius * radius)};
+    return {position, velocity, tick * gravity, 0, radius, 1 / mass, 2 / mass};
 }
 Body ground(Vec2 point) {
     return {point, {}, {}, 0, 0, 0, 0};
@@ -54,7 +54,9 @@ TEST(ContactSolver, AColumnStandsFromTheFirstTick) {
         solver.solve(tick, gravity);
         for (int i = 0; i < balls; ++i) {
             const Body& body = solver.bodies()[static_cast<std::size_t>(i)];
-            EXPECT_NEAR(length(body.velocity), 0, 1e-11) << i << " of " << balls;
+            // Sweeps end at a ten-thousandth of the speed that gravity gives in a tick.
+            EXPECT_NEAR(length(body.velocity), 0, balls == 1 ? 1e-11 : 1e-4 * tick * length(gravity))
+                << i << " of " << balls;
             EXPECT_NEAR(body.position.y, radius * (1 + 2 * i), 1e-12);
         }
     }
@@ -101,7 +103,7 @@ TEST(ContactSolver, FrictionHoldsOnASlopeThatIsFlatEnough) {
         EXPECT_EQ(rolls, slope < 0.3);
         EXPECT_NEAR(dot(body.velocity, down), kept * tick, 1e-7);
         if (rolls) {
-            EXPECT_NEAR(dot(body.velocity, perp(normal)), radius * body.spin, 1e-9);
+            EXPECT_NEAR(dot(body.velocity, perp(normal)), body.rim_speed, 1e-9);
         }
     }
 }
@@ -121,7 +123,7 @@ RC_GTEST_PROP(ContactSolver, HeapsGainNoEnergy, ()) {
             sum +=
                 (0.5 * length_squared(body.velocity) - dot(gravity, body.position + ahead * body.velocity)) /
                     body.inverse_mass +
-                0.5 * body.spin * body.spin / body.inverse_inertia;
+                0.5 * body.rim_speed * body.rim_speed / body.inverse_rim_mass;
         return sum;
     };
     double weight = 0;
