@@ -5,6 +5,7 @@
 
 #include "custom/broad_phase/capacity.hpp"
 #include "custom/engine.hpp"
+#include "custom/geometry/narrow_phase.hpp"
 #include "world/limits.hpp"
 
 namespace flipside::custom {
@@ -150,24 +151,32 @@ void Events::hit_feature(BallIndex i, double time) {
         report(time, EventKind::impact, ball, Other::part(index), impact, point);
         if (part.target) {
             sim_.table.set_down(index, true);
-            release(index, time);
+            release(index, i, time);
         }
     }
     if (impact.happened) sim_.leave_island(i);
     restart(i, time);
 }
 
-/// Starts new paths for the balls that rest on a part, after the part has stopped colliding.
-void Events::release(PartIndex part, double time) {
+/// Starts new paths for the balls that touch a part which has stopped colliding, all but the one that has hit
+/// it, and wakes those that sleep on it. Members of islands are solved without it at the next tick.
+void Events::release(PartIndex part, BallIndex hitting, double time) {
+    const Pose pose = sim_.turnings[part].pose(time);
+    const auto touches = [&](const Ball& ball, const Primitive& primitive) {
+        return primitive.part == part &&
+               touch(ball.position, ball.radius, primitive, pose).separation <= touch_distance * ball.radius;
+    };
     for (BallIndex j = 0; j < sim_.particles.size(); ++j) {
-        Ball& ball = sim_.balls[j];
-        if (sim_.hot[j].in_island || sim_.hot[j].lost) continue;
-        if (!ball.asleep &&
-            (sim_.particles[j].resting_on == nullptr || sim_.particles[j].resting_on->part != part))
+        if (j == hitting || sim_.hot[j].in_island || sim_.hot[j].lost) continue;
+        const Ball now = sim_.ball_at(j, time);
+        if (std::ranges::none_of(sim_.layout.primitives(),
+                                 [&](const Primitive& p) { return touches(now, p); }))
             continue;
-        if (!ball.asleep) advance(sim_.balls[j], sim_.particles[j].motion, time);
-        ball.asleep = false;
+        const bool slept = now.asleep;
+        sim_.balls[j] = now;
+        sim_.balls[j].asleep = false;
         restart(j, time);
+        if (slept) wake_carried(j, time);
     }
 }
 
@@ -305,7 +314,7 @@ bool Events::meet_gate(BallIndex i, PartIndex part, double time) {
         if (blocked.gate == part) gates_.set_inside(blocked.ball, part, true);
         return blocked.gate == part;
     });
-    release(part, time);
+    release(part, i, time);
     return true;
 }
 

@@ -31,7 +31,7 @@ class Events {
     void hit_feature(BallIndex i, double time);
     void hit_ball(BallIndex i, double time);
     void restart(BallIndex i, double time);
-    void release(PartIndex part, double time);
+    void release(PartIndex part, BallIndex hitting, double time);
     void wake_carried(BallIndex i, double time);
     void lose(BallIndex i, double time);
     void sense(BallIndex i, double time);

@@ -199,6 +199,25 @@ TEST(Sleep, AHitWakesOnlyTheOneHit) {
     EXPECT_TRUE(world->balls()[4].asleep);
 }
 
+TEST(Sleep, ATargetThatGoesDownWakesOnlyWhatLiesOnIt) {
+    Scene scene = row_of_balls(5);
+    add_ball(scene, {0.9, 1.1}), add_ball(scene, {0.9, 1.3});
+    const auto shelf = static_cast<PartIndex>(scene.parts.size());
+    add_part(scene, segment({0.4, 1}, {1.4, 1})).target = true;
+    const auto world = make_world(scene);
+    run(*world, 0.6);
+    ASSERT_TRUE(all_asleep(*world));
+    Ball ball = scene.balls[0];
+    ball.position = {1.3, 0.5};
+    ball.velocity = {0, 8};
+    world->add(ball);
+    run(*world, 0.12);
+    ASSERT_TRUE(world->parts()[shelf].down);
+    for (const Ball& b : world->balls())
+        EXPECT_EQ(b.asleep, b.position.y < 0.2) << b.number << " at " << b.position.y;
+    EXPECT_EQ(world->statistics().asleep, 5U);
+}
+
 TEST(Sleep, WithoutGravityASlowBallDriftsOn) {
     Scene scene = empty_scene({});
     add_ball(scene, {0, 0}, {1e-5, 0});
