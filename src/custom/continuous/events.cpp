@@ -24,10 +24,10 @@ constexpr int most_at_once = 200, most_with_parts = 1000;
 /// resting contact can repeat them forever.
 constexpr int most_idle = 2000;
 constexpr double idle_impact = 1e-5;
-/// A ball whose events follow each other faster than this for long is jammed too: a part that moves presses
-/// it against another one, and each impact gives it new speed (e > 1, or a kick). It may be ahead of that
-/// pace by most_ahead events. Where no part can move, nothing feeds such events for long: a light ball
-/// between a wall and a heavy ball has 314,159 of them, but they end.
+/// A ball that a moving part drives is jammed too if its events follow each other faster than this for long:
+/// the part presses it against another one, and each impact gives it new speed (e > 1, or a kick). It may be
+/// ahead of that pace by most_ahead events. Nothing feeds such events elsewhere: a light ball between a wall
+/// and a heavy ball has 314,159 of them, but they end.
 constexpr double least_interval = 1.0 / 240'000;  // s
 constexpr int most_ahead = 10'000;
 /// Events of the last two kinds that a ball may have after it was jammed, before it is jammed again.
@@ -47,8 +47,8 @@ bool Events::exceeds_limits(Particle& particle, double time, bool with_ball) con
     particle.meets_balls = with_ball || (at_once && particle.meets_balls);
     particle.last_event = time;
     particle.events_until = std::max(particle.events_until, time) + least_interval;
-    const bool keeps_pace =
-        particle.events_until - time <= most_ahead * least_interval || sim_.table.moving_parts().empty();
+    const bool keeps_pace = particle.events_until - time <= most_ahead * least_interval ||
+                            time - particle.last_driven > sim_.tick_length;
     if (keeps_pace &&
         particle.simultaneous_events <= (particle.meets_balls ? most_at_once : most_with_parts) &&
         ++particle.idle_events <= most_idle)
@@ -138,6 +138,7 @@ void Events::hit_feature(BallIndex i, double time) {
         ball.velocity = v;
     const Vec2 relative = ball.velocity - surface;
     ball.asleep = false;
+    if (!turning.still()) sim_.particles[i].last_driven = time;
     if (const double closing = -dot(relative, normal); closing <= graze * length(relative)) {
         if (closing > 0) ball.velocity += closing * normal;
         return restart(i, time);

@@ -68,6 +68,7 @@ struct Particle {
     double last_event = -1;             ///< s
     double last_slow = -INFINITY;       ///< s, of its last slow contact with a ball
     double last_hit = -INFINITY;        ///< s, of its last contact with a ball
+    double last_driven = -INFINITY;     ///< s, of its last contact with a part that moves
     int hits = 0;                 ///< contacts with balls in a row, each within a tick of the one before
     int simultaneous_events = 0;  ///< at the time last_event
     bool meets_balls = false;     ///< in one of these events

@@ -45,6 +45,21 @@ TEST(MovingParts, GatePassesOneWay) {
     }
 }
 
+// A ball between a wall and one of 1e8 times its mass has 31,415 impacts (Galperin 2003, "Playing pool with
+// π"). No limit on their pace holds where no moving part drives the ball.
+TEST(MovingParts, FarAwayCutOffNoCollisions) {
+    Scene scene = empty_scene();
+    scene.rest_speed = 0;
+    add_part(scene, segment({0, -1}, {0, 1}), {"", 1, 0, 0});
+    add_part(scene, segment({4, 3}, {4, 4})).motion = motion::Turn{{4, 3}, 5, true};
+    add_ball(scene, {2, 0}, {0, 0}, 0.1, 1);
+    add_ball(scene, {3, 0}, {-1, 0}, 0.1, 1e8);
+    const auto world = without_sleep(scene);
+    std::uint64_t impacts = 0;
+    for (int step = 0; step < 1800; ++step) world->step(1.0 / 60), impacts += world->statistics().impacts;
+    EXPECT_EQ(impacts, 31'415U);
+}
+
 // A turning segment, 20 r long, 5…60 rad/s, against balls of 0…400 m/s: a ball never changes sides except
 // around an end. Checked in short steps in the frame of the segment.
 TEST(MovingParts, NothingPassesATurningSegment) {
