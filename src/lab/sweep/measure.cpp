@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <tuple>
 
 #include "lab/process/cpu_clock.hpp"
@@ -87,8 +88,9 @@ Unmatched count_unmatched(std::span<const Event> first, std::span<const Event> s
     return unmatched;
 }
 
-Outcome run_window(World& world, const Window& window, double dt, History& history) {
+Outcome run_window(World& world, const Window& window, double dt, History& history, double most_seconds) {
     Outcome outcome;
+    const double began = cpu_seconds();
     history.dt = dt;
     history.end = window.start.clock.time + window.seconds;
     std::vector<Event> impacts;
@@ -100,6 +102,8 @@ Outcome run_window(World& world, const Window& window, double dt, History& histo
             history.add(world, world.events());
             for (const Event& event : world.events())
                 if (event.kind == EventKind::impact) impacts.push_back(event);
+            if (std::isfinite(most_seconds) && cpu_seconds() - began > most_seconds)
+                throw std::runtime_error("it takes too long");
         }
         compare_ends(world.balls(), window, outcome);
     } catch (const std::runtime_error& error) {

@@ -1,6 +1,8 @@
 #pragma once
 /// One contender on one window: how far from the exact outcome, and at what cost.
 
+#include <limits>
+
 #include "lab/blame/find_blame.hpp"
 #include "lab/sweep/windows.hpp"
 
@@ -29,8 +31,10 @@ struct Unmatched {
                                         double tolerance, double end);
 
 /// Runs the world, made for the window's scene, from the window's start in steps of dt, which divides its
-/// length. Engines' exceptions become failures. What it did is added to `history`, which must be empty.
-[[nodiscard]] Outcome run_window(World& world, const Window& window, double dt, History& history);
+/// length. Engines' exceptions become failures, and so does a run that has taken more than `most_seconds` of
+/// CPU time after a step. What it did is added to `history`, which must be empty.
+[[nodiscard]] Outcome run_window(World& world, const Window& window, double dt, History& history,
+                                 double most_seconds = std::numeric_limits<double>::infinity());
 /// The outcome where the world could not even be made.
 [[nodiscard]] Outcome refused_window(const Window& window, double dt, const std::string& why);
 /// A run diverged whose error is above exact_radii. Its first wrong decision; `own` is the world that ran, or

@@ -57,9 +57,10 @@ double Trials::median_error(World& world, double dt, double most_error, double m
     for (const sweep::Window& window : block_.windows) {
         watch_();
         History unused;
-        errors.push_back(sweep::run_window(world, window, dt, unused).error);
-        above += errors.back() > most_error;
         seconds += window.seconds;
+        const double left = 2 * most_cost * seconds - (cpu_seconds() - began);
+        errors.push_back(sweep::run_window(world, window, dt, unused, left).error);
+        above += errors.back() > most_error;
         if (2 * above > block_.windows.size() || cpu_seconds() - began > 2 * most_cost * seconds)
             return std::numeric_limits<double>::infinity();
     }

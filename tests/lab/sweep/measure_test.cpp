@@ -119,6 +119,10 @@ TEST(RunWindow, NamesFailures) {
         EXPECT_EQ(outcome.error, std::numeric_limits<double>::infinity());
         EXPECT_EQ(outcome.typical, std::numeric_limits<double>::infinity());
     }
+    Scripted slow(Scripted::Fate::fall);
+    History history;
+    EXPECT_EQ(run_window(slow, two_balls(), 1.0 / 30, history, 0).failure, "refused");
+    EXPECT_EQ(history.steps(), 1U);
     Scripted refusing(Scripted::Fate::refuse);
     EXPECT_TRUE(std::isnan(time_window(refusing, two_balls(), 1.0 / 30)));
 }
