@@ -196,45 +196,55 @@ void Events::hit_ball(BallIndex i, double time) {
     const double approach = -dot(a.velocity - b.velocity, unit(a.position - b.position));
     const bool wakes = approach > sim_.settings.sleep_speed && (a.asleep || b.asleep);
     if (wakes) a.asleep = b.asleep = false;
-    Ball &hitting = a.asleep ? b : a, &other = a.asleep ? a : b;
-    const double mass = other.mass;
-    if (other.asleep) other.mass = INFINITY;
     const bool collapsing = islands_.collapses(i, j, approach, time);
-    const Impact impact = respond(hitting, other, sim_.layout.mixed(a.material, b.material),
-                                  {sim_.scene.gravity, collapsing ? sim_.slow : sim_.scene.rest_speed});
-    other.mass = mass;
-    if (impact.happened) {
-        ++sim_.record->statistics.impacts;
-        if (is_significant(impact, a)) sim_.particles[i].idle_events = sim_.particles[j].idle_events = 0;
-        report(time, EventKind::impact, a, Other::ball(b.number), impact,
-               b.position + (a.asleep ? -b.radius : b.radius) * impact.normal);
-        if (!within_top_speed(b))
-            refuse_speed(engine_name, b, Other::ball(a.number), sim_.start + time, sim_.scene);
-    }
-    // A slow contact of balls that accelerate towards each other is a resting contact. An impact takes both
-    // balls out of their islands.
-    bool lasts = !impact.happened && (collapsing || sim_.hot[i].in_island || sim_.hot[j].in_island);
-    if (!impact.happened)
-        for (Particle* particle : {&sim_.particles[i], &sim_.particles[j]}) {
-            // A ball with several slow contacts within a tick lies between other balls.
-            lasts = lasts || time - particle->last_slow < sim_.tick_length;
-            particle->last_slow = time;
-        }
+    const bool bounces = collide(low, high, collapsing, time);
+    const bool lasts = !bounces && lasts_in_contact(i, j, collapsing, time);
     for (const BallIndex k : {i, j}) {
         if (sim_.particles[k].frozen) {
-            islands_.stay_frozen(k, impact.happened ? sim_.balls[k].velocity : sim_.particles[k].velocity_end,
-                                 time);
+            islands_.stay_frozen(k, bounces ? sim_.balls[k].velocity : sim_.particles[k].velocity_end, time);
             continue;
         }
-        if (impact.happened) sim_.leave_island(k);
+        if (bounces) sim_.leave_island(k);
         paths_.start_path(k, time);
     }
-    if (lasts || (!impact.happened &&
-                  islands_.closing_acceleration(low, high, time) > 1e-9 * length(sim_.scene.gravity)))
+    // A slow contact of balls that accelerate towards each other is a resting contact.
+    if (lasts ||
+        (!bounces && islands_.closing_acceleration(low, high, time) > 1e-9 * length(sim_.scene.gravity)))
         sim_.join_island(i, time), sim_.join_island(j, time);
     predictions_.predict(i, time);
     predictions_.predict(j, time);
     if (wakes) wake_carried(i, time), wake_carried(j, time);
+}
+
+/// Gives two balls that touch their velocities after the impact, if it is one, and reports it. Returns
+/// whether it is.
+bool Events::collide(BallIndex low, BallIndex high, bool collapsing, double time) {
+    Ball &a = sim_.balls[low], &b = sim_.balls[high];
+    Ball &hitting = a.asleep ? b : a, &other = a.asleep ? a : b;
+    const double mass = other.mass;
+    if (other.asleep) other.mass = INFINITY;
+    const Impact impact = respond(hitting, other, sim_.layout.mixed(a.material, b.material),
+                                  {sim_.scene.gravity, collapsing ? sim_.slow : sim_.scene.rest_speed});
+    other.mass = mass;
+    if (!impact.happened) return false;
+    ++sim_.record->statistics.impacts;
+    if (is_significant(impact, a)) sim_.particles[low].idle_events = sim_.particles[high].idle_events = 0;
+    report(time, EventKind::impact, a, Other::ball(b.number), impact,
+           b.position + (a.asleep ? -b.radius : b.radius) * impact.normal);
+    if (!within_top_speed(b))
+        refuse_speed(engine_name, b, Other::ball(a.number), sim_.start + time, sim_.scene);
+    return true;
+}
+
+/// Whether a slow contact of two balls is one of an island.
+bool Events::lasts_in_contact(BallIndex i, BallIndex j, bool collapsing, double time) const {
+    bool lasts = collapsing || sim_.hot[i].in_island || sim_.hot[j].in_island;
+    for (Particle* particle : {&sim_.particles[i], &sim_.particles[j]}) {
+        // A ball with several slow contacts within a tick lies between other balls.
+        lasts = lasts || time - particle->last_slow < sim_.tick_length;
+        particle->last_slow = time;
+    }
+    return lasts;
 }
 
 /// Wakes the sleeping balls that lie on a ball that has moved, and those that lie on them.
