@@ -83,7 +83,7 @@ class ContactSolver {
 
   private:
     double solve_contact(Contact& contact, double relaxation);
-    bool converge(std::span<Contact> contacts, int most, double enough);
+    bool converge(std::span<Contact> contacts, int most, double relaxation, double enough);
     void converge_squeezed(double enough);
     [[nodiscard]] double energy(double ahead, Vec2 gravity) const;
     double correct_position(Contact& contact, bool by_mass);
