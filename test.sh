@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds Release and runs every test. With --all, as on every change, then also the gates:
-# formatting, clang-tidy, the same bits from gcc and clang, optimised and not, and for aarch64 (emulated), every test again
-# under the address and undefined-behaviour sanitizers, those of the engines under valgrind, and fuzzing.
+# formatting, the hard cases in full, the same bits from gcc and clang, optimised and not, and for aarch64 (emulated),
+# clang-tidy, every test again under the address and undefined-behaviour sanitizers, fuzzing, and the tests of the engines
+# under valgrind.
 set -euo pipefail
 cd "$(dirname "$0")"
 source scripts/packages.sh
 case "${*:-}" in
     '') gates=false what="builds Release, runs every test" ;;
-    --all) gates=true what="builds Release, runs every test, then format, clang-tidy, golden bits, the sanitizers and valgrind" ;;
+    --all) gates=true what="builds Release, runs every test, then format, hard cases, golden bits, clang-tidy, the sanitizers and valgrind" ;;
     *) echo "usage: $0 [--all]" >&2 && exit 2 ;;
 esac
 jobs=$(nproc)
@@ -29,6 +30,8 @@ build "$release"
 stage "tests"
 ctest --preset "$release" -j "$tests_at_once"
 if $gates; then
+    stage "hard cases in full: ours"
+    "build/$release/src/app/flipside" cases --engine custom | tail -n 1
     # clang with the checks of the sanitizers: the golden test is among those under the sanitizers
     for preset in debug clang aarch64; do
         stage "same bits: $preset"
