@@ -17,7 +17,8 @@ constexpr double lightest = 0.03, heaviest = 30;
 
 /// Small and large steps alike.
 double step(RandomScene& random) {
-    return random.pick({1e-3, 1e-2, 0.1}) * random.real(-1, 1);
+    const double size = random.pick({1e-3, 1e-2, 0.1});
+    return size * random.real(-1, 1);
 }
 
 struct Move {

@@ -15,10 +15,18 @@ Scene RandomScene::make() {
     return scene;
 }
 
+/// One draw after the other: the order in which arguments and operands are evaluated differs between
+/// compilers.
+Vec2 RandomScene::vector(double shortest, double longest) {
+    const Vec2 along = direction();
+    return real(shortest, longest) * along;
+}
+
 void RandomScene::add_ball_to(Scene& scene) {
     const double radius = real(0.03, 0.1);
-    add_ball(scene, {real(-0.85, 0.85), real(-0.85, 0.85)}, real(0, 4) * direction(), radius,
-             pick({0.1, 1.0, 1.0, 30.0}));
+    const double mass = pick({0.1, 1.0, 1.0, 30.0});
+    const Vec2 velocity = vector(0, 4), position{real(-0.85, 0.85), real(-0.85, 0.85)};
+    add_ball(scene, position, velocity, radius, mass);
     scene.balls.back().spin = pick({0.0, real(-20, 20)});
 }
 
@@ -27,7 +35,7 @@ Material RandomScene::material() {
 }
 
 Shape RandomScene::shape() {
-    const Vec2 at = place(), to = at + real(0.1, 0.5) * direction();
+    const Vec2 at = place(), to = at + vector(0.1, 0.5);
     switch (whole(0, 6)) {
         case 0:
             return {shape::Point{at}};
@@ -38,13 +46,13 @@ Shape RandomScene::shape() {
         case 2:
             return {shape::Circle{at, real(0.03, 0.2)}};
         case 3: {
-            const Vec2 x = real(0.05, 0.2) * direction(), y = real(0.5, 1.5) * perp(x);
+            const Vec2 x = vector(0.05, 0.2), y = real(0.5, 1.5) * perp(x);
             return {shape::Polygon{{at - x - y, at + x - y, at + 0.7 * x + y, at - x + y}}};
         }
         case 4:
             return {shape::Capsule{at, to, real(0.01, 0.08)}};
         case 5:
-            return {shape::Polyline{{at, to, to + real(0.1, 0.4) * direction()}, false}};
+            return {shape::Polyline{{at, to, to + vector(0.1, 0.4)}, false}};
         default:
             return segment(at, to);
     }
@@ -55,13 +63,15 @@ void RandomScene::add_part_to(Scene& scene) {
         case 0: {
             const Vec2 pivot = place();
             const double rest = real(-3, 3);
-            add_part(scene, {shape::Flipper{pivot, real(0.2, 0.4), 0.05, 0.03, rest}}, material()).motion =
-                motion::Flip{Side::left, rest + real(0.3, 1.2), real(5, 30), real(5, 15)};
+            const motion::Flip flip{Side::left, rest + real(0.3, 1.2), real(5, 30), real(5, 15)};
+            const Material rubber = material();
+            add_part(scene, {shape::Flipper{pivot, real(0.2, 0.4), 0.05, 0.03, rest}}, rubber).motion = flip;
             return;
         }
         case 1: {
             const Shape turning = shape();
-            add_part(scene, turning, material()).motion = motion::Turn{place(), real(-6, 6), true};
+            const motion::Turn turn{place(), real(-6, 6), true};
+            add_part(scene, turning, material()).motion = turn;
             return;
         }
         default: {

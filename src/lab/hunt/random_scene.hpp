@@ -33,6 +33,8 @@ class RandomScene {
         return *(of.begin() + whole(0, static_cast<int>(of.size()) - 1));
     }
     [[nodiscard]] Vec2 direction() { return from_angle(real(0, 2 * std::numbers::pi)); }
+    /// A vector in any direction.
+    [[nodiscard]] Vec2 vector(double shortest, double longest);
     [[nodiscard]] Vec2 place() { return {real(-0.8, 0.8), real(-0.8, 0.8)}; }
 
   private:
