@@ -40,8 +40,8 @@ class ContactSolver {
         Vec2 external;            ///< velocity change by gravity and drag in the tick, m/s
         double rim_speed = 0;     ///< spin times radius, m/s
         double radius = 0;
-        double inverse_mass = 0,
-               inverse_rim_mass = 0;  ///< 1/kg: 1/m and radius²/inertia; 0 for static bodies
+        double inverse_mass = 0;      ///< 1/kg; 0 for static bodies
+        double inverse_rim_mass = 0;  ///< 1/kg: radius²/inertia; 0 for static bodies
     };
     /// The lower body of a contact, in the order in which contacts are solved.
     enum class With : std::uint8_t { still_part, moving_part, ball };
