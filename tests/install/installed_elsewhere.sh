@@ -42,7 +42,7 @@ cmp "$folder/installed.csv" "$folder/built.csv"
 bin/flipside_check_certificate "$folder/run.json" | grep -q '^accepted' || fail "the check of certificates rejects"
 
 # The example of an engine builds against the header that was installed, and the program takes it.
-"$cmake" -S share/doc/flipside/examples/engine-in-c -B "$folder/engine" -D FLIPSIDE_INCLUDE="$PWD/include" > /dev/null
+"$cmake" -G Ninja -S share/doc/flipside/examples/engine-in-c -B "$folder/engine" -D FLIPSIDE_INCLUDE="$PWD/include" > /dev/null
 "$cmake" --build "$folder/engine" > /dev/null
 "$flipside" run drop --engine "$folder/engine/libengine-in-c.so" --seconds 0.1 --stats "$folder/stats.json"
 [[ -s $folder/stats.json ]] || fail "the example of an engine does not run"
