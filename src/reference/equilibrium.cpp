@@ -186,7 +186,7 @@ class LeastSquares {
     void remove_negative_forces() {
         for (;;) {
             const Numbers x = solution();
-            double share = 1;
+            double share = INFINITY;
             std::size_t first = x.size();
             for (std::size_t i = 0; i < x.size(); ++i) {
                 const double now = forces_[in_use_[i]];
@@ -194,9 +194,12 @@ class LeastSquares {
                 share = now / (now - x[i]);
                 first = i;
             }
+            if (first == x.size()) {  // x itself: now + (x - now) could round a tiny force to 0
+                for (std::size_t i = 0; i < x.size(); ++i) forces_[in_use_[i]] = x[i];
+                return;
+            }
             for (std::size_t i = 0; i < x.size(); ++i)
                 forces_[in_use_[i]] += share * (x[i] - forces_[in_use_[i]]);
-            if (first == x.size()) return;
             forces_[in_use_[first]] = 0;
             for (std::size_t i = x.size(); i-- > 0;) {
                 if (forces_[in_use_[i]] > 0) continue;

@@ -3,7 +3,9 @@
 #include "reference/equilibrium.hpp"
 
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <random>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -94,28 +96,55 @@ double left_over(const std::vector<Vec2>& weights, const std::vector<Support>& s
     return worst;
 }
 
-// Weights are made from forces, so that there are such; each is found again, or others that do as well.
-RC_GTEST_PROP(Equilibrium, IsFoundWhereThereIsOne, ()) {
-    const auto count = *rc::gen::inRange<std::uint32_t>(2, 25);
+struct Heap {
+    std::vector<Vec2> weights;
     std::vector<Support> supports;
-    std::vector<Vec2> weights(count);
-    for (std::uint32_t i = 0; i < count; ++i)
+};
+
+/// A heap that has an equilibrium, since its weights are made from forces. draw(a, b) is from a to b - 1.
+Heap heap_in_equilibrium(const std::function<int(int, int)>& draw) {
+    const int count = draw(2, 25);
+    Heap heap{std::vector<Vec2>(static_cast<std::size_t>(count)), {}};
+    for (int i = 0; i < count; ++i)
         for (int k = 0; k < 3; ++k) {
-            const double angle = *rc::gen::inRange(0, 6283) / 1e3, friction = *rc::gen::inRange(0, 3) / 2.0;
-            const auto other = *rc::gen::inRange<std::uint32_t>(0, i + 1);
-            supports.push_back({i, other == i ? Support::fixed : other, from_angle(angle), friction});
-            const double pushed = *rc::gen::inRange(1, 4);
-            const Vec2 push = pushed * from_angle(angle);
-            weights[i] -= push;
-            if (other != i) weights[other] += push;
+            const double angle = draw(0, 6283) / 1e3;
+            const double friction = draw(0, 3) / 2.0;
+            const auto disc = static_cast<std::uint32_t>(i),
+                       other = static_cast<std::uint32_t>(draw(0, i + 1));
+            const Vec2 push = draw(1, 4) * from_angle(angle);
+            heap.supports.push_back(
+                {disc, other == disc ? Support::fixed : other, from_angle(angle), friction});
+            heap.weights[disc] -= push;
+            if (other != disc) heap.weights[other] += push;
         }
-    for (const Vec2& one : weights) RC_PRE(length(one) > 1e-3);
-    const Imbalance left = find_equilibrium(weights, supports);
-    RC_ASSERT(left.share <= balance_tolerance);
-    RC_ASSERT(left_over(weights, supports) <= 2 * balance_tolerance);
-    for (const Support& one : supports) {
-        RC_ASSERT(one.normal_force >= 0);
-        RC_ASSERT(std::abs(one.friction_force) <= one.friction * one.normal_force * (1 + 1e-15));
+    return heap;
+}
+
+/// The forces of the heap are found again, or others that do as well.
+void expect_equilibrium(Heap heap) {
+    const Imbalance left = find_equilibrium(heap.weights, heap.supports);
+    EXPECT_LE(left.share, balance_tolerance);
+    EXPECT_LE(left_over(heap.weights, heap.supports), 2 * balance_tolerance);
+    for (const Support& one : heap.supports) {
+        EXPECT_GE(one.normal_force, 0);
+        EXPECT_LE(std::abs(one.friction_force), one.friction * one.normal_force * (1 + 1e-15));
+    }
+}
+
+RC_GTEST_PROP(Equilibrium, IsFoundWhereThereIsOne, ()) {
+    const Heap heap = heap_in_equilibrium([](int from, int to) { return *rc::gen::inRange(from, to); });
+    for (const Vec2& one : heap.weights) RC_PRE(length(one) > 1e-3);
+    expect_equilibrium(heap);
+    RC_ASSERT(!::testing::Test::HasFailure());
+}
+
+// In these a force became so small that it was rounded to none, and then all forces to no number.
+TEST(Equilibrium, IsFoundWhereAForceIsAllButZero) {
+    for (const unsigned seed : {3592U, 5710U, 43483U}) {
+        std::mt19937_64 random(seed);
+        expect_equilibrium(heap_in_equilibrium([&](int from, int to) {
+            return from + static_cast<int>(random() % static_cast<unsigned>(to - from));
+        }));
     }
 }
 
