@@ -197,8 +197,11 @@ void Events::hit_ball(BallIndex i, double time) {
     const bool wakes = approach > sim_.settings.sleep_speed && (a.asleep || b.asleep);
     if (wakes) a.asleep = b.asleep = false;
     const bool collapsing = islands_.collapses(i, j, approach, time);
-    const bool bounces = collide(low, high, collapsing, time);
-    const bool lasts = !bounces && lasts_in_contact(i, j, collapsing, time);
+    // Two balls, one of them a member, rest on each other as two members do. Else most contacts in a heap are
+    // bounces of balls that have just left their island.
+    const bool in_island = collapsing || sim_.hot[i].in_island || sim_.hot[j].in_island;
+    const bool bounces = collide(low, high, in_island ? sim_.slow : sim_.scene.rest_speed, time);
+    const bool lasts = !bounces && lasts_in_contact(i, j, in_island, time);
     for (const BallIndex k : {i, j}) {
         if (sim_.particles[k].frozen) {
             islands_.stay_frozen(k, bounces ? sim_.balls[k].velocity : sim_.particles[k].velocity_end, time);
@@ -216,15 +219,15 @@ void Events::hit_ball(BallIndex i, double time) {
     if (wakes) wake_carried(i, time), wake_carried(j, time);
 }
 
-/// Gives two balls that touch their velocities after the impact, if it is one, and reports it. Returns
-/// whether it is.
-bool Events::collide(BallIndex low, BallIndex high, bool collapsing, double time) {
+/// Gives two balls that touch their velocities after the impact, if they approach faster than `rest_speed`,
+/// and reports it. Returns whether they do.
+bool Events::collide(BallIndex low, BallIndex high, double rest_speed, double time) {
     Ball &a = sim_.balls[low], &b = sim_.balls[high];
     Ball &hitting = a.asleep ? b : a, &other = a.asleep ? a : b;
     const double mass = other.mass;
     if (other.asleep) other.mass = INFINITY;
-    const Impact impact = respond(hitting, other, sim_.layout.mixed(a.material, b.material),
-                                  {sim_.scene.gravity, collapsing ? sim_.slow : sim_.scene.rest_speed});
+    const Impact impact =
+        respond(hitting, other, sim_.layout.mixed(a.material, b.material), {sim_.scene.gravity, rest_speed});
     other.mass = mass;
     if (!impact.happened) return false;
     ++sim_.record->statistics.impacts;
@@ -236,9 +239,9 @@ bool Events::collide(BallIndex low, BallIndex high, bool collapsing, double time
     return true;
 }
 
-/// Whether a slow contact of two balls is one of an island.
-bool Events::lasts_in_contact(BallIndex i, BallIndex j, bool collapsing, double time) const {
-    bool lasts = collapsing || sim_.hot[i].in_island || sim_.hot[j].in_island;
+/// Whether a slow contact of two balls is one of an island: `in_island` says that one of them is a member.
+bool Events::lasts_in_contact(BallIndex i, BallIndex j, bool in_island, double time) const {
+    bool lasts = in_island;
     for (Particle* particle : {&sim_.particles[i], &sim_.particles[j]}) {
         // A ball with several slow contacts within a tick lies between other balls.
         lasts = lasts || time - particle->last_slow < sim_.tick_length;

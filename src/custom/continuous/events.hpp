@@ -30,8 +30,8 @@ class Events {
     [[nodiscard]] bool exceeds_limits(Particle& particle, double time, bool with_ball) const;
     void hit_feature(BallIndex i, double time);
     void hit_ball(BallIndex i, double time);
-    [[nodiscard]] bool collide(BallIndex low, BallIndex high, bool collapsing, double time);
-    [[nodiscard]] bool lasts_in_contact(BallIndex i, BallIndex j, bool collapsing, double time) const;
+    [[nodiscard]] bool collide(BallIndex low, BallIndex high, double rest_speed, double time);
+    [[nodiscard]] bool lasts_in_contact(BallIndex i, BallIndex j, bool in_island, double time) const;
     void restart(BallIndex i, double time);
     void release(PartIndex part, BallIndex hitting, double time);
     void wake_carried(BallIndex i, double time);

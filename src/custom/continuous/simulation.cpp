@@ -80,6 +80,7 @@ Vec2 Simulation::true_velocity(BallIndex i, double time) const {
     const Particle& particle = particles[i];
     if (!particle.on_tick_path) return balls[i].velocity;
     const double begin = particle.motion.path.start, duration = particle.motion.until - begin;
+    if (hot[i].creeps) return time > begin ? particle.velocity_end : particle.velocity_begin;
     const double part = duration > 0 ? (time - begin) / duration : 1;  // 0 at the end of the window
     return particle.velocity_begin + part * (particle.velocity_end - particle.velocity_begin);
 }

@@ -163,10 +163,12 @@ void Islands::start_tick_path(BallIndex i, double time, const ContactSolver::Bod
     particle.motion.spin_rate = (body.rim_speed / ball.radius - ball.spin) / duration;
 }
 
-/// Starts the path of a creeping member: uniform motion over a long tick.
+/// Starts the path of a creeping member: uniform motion over a long tick. At its first instant the ball still
+/// has its old velocity, so that Sleep sees the change.
 void Islands::start_creep_path(BallIndex i, double time, double until, const ContactSolver::Body& body) {
     Particle& particle = sim_.particles[i];
-    particle.velocity_begin = particle.velocity_end = body.velocity;
+    particle.velocity_begin = sim_.balls[i].velocity;
+    particle.velocity_end = body.velocity;
     start_member_path(i, {body.position, body.velocity, {}, 0}, time, until);
     particle.motion.spin_rate = (body.rim_speed / body.radius - sim_.balls[i].spin) / (until - time);
     sim_.hot[i].creeps = true;

@@ -13,7 +13,7 @@ namespace {
 /// Limits of speed and of its change for balls in contact, in units of the speed that gravity gives in the
 /// interval.
 constexpr double contact_speed = 0.05;
-constexpr double contact_gain = 0.02;
+constexpr double contact_gain = 0.05;
 /// A ball that gains more than this part of the speed that gravity gives in the interval has no support.
 constexpr double falling = 0.5;
 /// A ball wakes the sleeping balls that it touches if it is faster than the limit for rest by this factor.
