@@ -99,7 +99,8 @@ struct Simulation {
     /// The ball at this time.
     [[nodiscard]] Ball ball_at(BallIndex i, double time) const;
     /// Velocity of a ball that was advanced along its path to this time. The velocity of a member is
-    /// interpolated linearly between ticks; that of its parabola serves only to reach the solved position.
+    /// interpolated linearly between ticks; that of its parabola serves only to reach the solved position. A
+    /// creeping member has its new velocity right after the tick.
     [[nodiscard]] Vec2 true_velocity(BallIndex i, double time) const;
     /// All features whose ranges overlap the box, and some others, in rising order. Valid until the next
     /// call.
