@@ -53,7 +53,7 @@ std::unique_ptr<World> at_rest(const Scene& scene) {
     return world;
 }
 
-TEST(RestedHeaps, OfAColumnAreInEquilibriumOnTheReference) {
+TEST(RestedHeaps, WithoutFrictionAreInEquilibriumOnTheReference) {
     for (const Scene& scene : {falling_column(0.01, 1), falling_column(0, 1000), rain_in_a_groove(0)}) {
         const auto bespoke = at_rest(scene), exact = world_of("reference", scene);
         exact->restore(bespoke->save());
