@@ -17,7 +17,7 @@ namespace flipside::custom {
 namespace {
 
 constexpr double window_length = 1.0 / 4;  // s; a multiple of 1/60 s
-constexpr double rest_length = 1.0 / 60;   // s: how long a ball must be at rest to fall asleep
+constexpr double rest_length = 1.0 / 20;   // s: how long a ball must be at rest to fall asleep
 
 Box touching_box(const Ball& ball) {
     return bounds_of(ball.position, ball.radius * (1 + touch_distance));

@@ -10,9 +10,9 @@
 /// of the previous one, or when something outside the solver has changed the world. Resting contacts follow
 /// from positions and velocities at the start, so a window can be repeated from the state of the world there.
 ///
-/// A ball falls asleep at the end of a window if it was at rest in the last sixtieth of a second (sleep.hpp);
-/// a sleeping ball that has lost a support wakes there, and so does one beside a ball that moves. If all
-/// balls sleep and no part moves, the world is quiet, and a step costs nothing per ball.
+/// A ball falls asleep at the end of a window if it was at rest in the last twentieth of a second
+/// (sleep.hpp); a sleeping ball that has lost a support wakes there, and so does one beside a ball that
+/// moves. If all balls sleep and no part moves, the world is quiet, and a step costs nothing per ball.
 ///
 /// Cells (neighbours.hpp) find neighbours. A ball that changes its cell queries the cells that are new beside
 /// it. Of each ball only the next event is kept (next_events.hpp). If the partner of that event has changed

@@ -12,7 +12,7 @@ namespace {
 
 /// Limits of speed and of its change for balls in contact, in units of the speed that gravity gives in the
 /// interval.
-constexpr double contact_speed = 0.05;
+constexpr double contact_speed = 1.0 / 60;
 constexpr double contact_gain = 0.05;
 /// A ball that gains more than this part of the speed that gravity gives in the interval has no support.
 constexpr double falling = 0.5;

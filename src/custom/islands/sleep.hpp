@@ -5,12 +5,12 @@
 /// on it change then.
 ///
 /// Approximation, *early rest*: a single ball may sleep when it is slower than sleep_speed; balls in contact
-/// when they are slower than a twentieth of the speed that gravity gives in the interval, since the island
+/// when they are slower than a sixtieth of the speed that gravity gives in the interval, since the island
 /// solver leaves that much motion in a heap in equilibrium. A ball that accelerates by more than a thousandth
-/// of gravity (in contact with balls a fiftieth, for the same reason) is not at rest, however slow it is: it
+/// of gravity (in contact with balls a twentieth, for the same reason) is not at rest, however slow it is: it
 /// may turn back on a slope, or belong to a heap that begins to slide. A ball without support sleeps only if
-/// it does not move at all. A ball that overlaps anything by more than half a hundredth of its radius does
-/// not sleep: it is still pushed out.
+/// it does not move at all. A ball that overlaps anything by more than a hundredth of its radius does not
+/// sleep: it is still pushed out.
 ///
 /// Approximation, *sleepers carry any load*: a sleeping ball stands like a part. Slow balls that come to rest
 /// on it later do not move it, though they might if it were awake.

@@ -65,29 +65,52 @@ TEST(RestedHeaps, WithoutFrictionAreInEquilibriumOnTheReference) {
     }
 }
 
-// With friction it falls asleep while its last contacts still settle.
-TEST(RestedHeaps, WithFrictionLacksLittleOfAWeight) {
-    const Scene scene = rain_in_a_groove(0.5);
-    const auto bespoke = at_rest(scene), exact = world_of("reference", scene);
-    exact->restore(bespoke->save());
+/// The largest part of a ball's weight that no contact forces hold up; 0 in equilibrium.
+double missing_support(const World& bespoke, const Scene& scene) {
+    const auto exact = world_of("reference", scene);
+    exact->restore(bespoke.save());
     try {
         exact->step(1.0 / 60);
     } catch (const Refusal& refusal) {
         const std::string why = refusal.what();
         std::smatch found;
-        ASSERT_TRUE(std::regex_search(why, found, std::regex("begins to move: ([0-9.]+) of its weight")))
-            << why;
-        EXPECT_LT(std::stod(found[1]), 0.02);
+        if (std::regex_search(why, found, std::regex("begins to move: ([0-9.e-]+) of its weight")))
+            return std::stod(found[1]);
+        return 1;  // a ball already moves
     }
+    return 0;
+}
+
+// With friction it falls asleep while its last contacts still settle.
+TEST(RestedHeaps, WithFrictionLacksLittleOfAWeight) {
+    const Scene scene = rain_in_a_groove(0.5);
+    EXPECT_LT(missing_support(*at_rest(scene), scene), 0.02);
+}
+
+/// Balls of `rain` that fall with other speeds for each seed.
+Scene rain_of(int balls, std::uint64_t seed) {
+    Scene scene = load_scene(scene_file("rain"), balls);
+    Dice dice(seed);
+    for (Ball& ball : scene.balls) ball.velocity.x += dice.between(-1, 1);
+    return scene;
+}
+
+// Balls that sleep too early, or carry balls that came to rest on them later, lack some of it.
+TEST(RestedHeaps, OfRainSeldomLackMuchOfAWeight) {
+    int out_of_equilibrium = 0;
+    for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+        const Scene scene = rain_of(120, seed);
+        const auto world = world_of("custom", scene);
+        while (world->time() < 25) world->step(1.0 / 60);
+        out_of_equilibrium += missing_support(*world, scene) > 0.05;
+    }
+    EXPECT_LE(out_of_equilibrium, 6);  // of 24
 }
 
 // A ball that is about to move has hardly a speed yet; its acceleration must keep it awake.
 TEST(RestedHeaps, HaveNoBallThatLiesOnTheSlopeOfAnotherAlone) {
     for (std::uint64_t seed = 1; seed <= 30; ++seed) {
-        Scene scene = load_scene(scene_file("rain"), 40);
-        Dice dice(seed);
-        for (Ball& ball : scene.balls) ball.velocity.x += dice.between(-1, 1);
-        const auto world = world_of("custom", scene);
+        const auto world = world_of("custom", rain_of(40, seed));
         while (world->time() < 15) world->step(1.0 / 60);
         for (const Ball& ball : world->balls()) {
             if (!ball.asleep) continue;
