@@ -69,14 +69,14 @@ void TouchList::test(const Layout& layout, const Table& table, const Ball& ball,
     const Touch found = touch(ball.position, ball.radius, primitive, pose);
     if (found.past_end) return;
     if (sensor && found.separation <= 0) sensed_.push_back({ball.number, primitive.part});
-    if (!sensor && found.separation <= touch_distance * ball.radius)
+    if (!sensor && found.separation <= distance_ * ball.radius)
         now_.push_back(
             {ball.number, Other::part(primitive.part), found.point, found.normal, found.separation});
 }
 
 void TouchList::test(const Ball& lower, const Ball& ball) {
     const Touch found = touch(lower.position, lower.radius, ball.position, ball.radius);
-    if (found.separation <= touch_distance * std::min(lower.radius, ball.radius))
+    if (found.separation <= distance_ * std::min(lower.radius, ball.radius))
         now_.push_back({lower.number, Other::ball(ball.number), found.point, found.normal, found.separation});
 }
 
@@ -91,8 +91,8 @@ void TouchList::begin() {
 void TouchList::search(const Layout& layout, const Table& table, std::span<const Ball> balls,
                        BroadPhase& broad) {
     begin();
-    const auto box_of = [](const Ball& ball) {
-        return bounds_of(ball.position, ball.radius * (1 + touch_distance));
+    const auto box_of = [&](const Ball& ball) {
+        return bounds_of(ball.position, ball.radius * (1 + distance_));
     };
     layout.fill_proxies(table, balls, 0, box_of, moving_);
     broad.find_pairs(moving_, pairs_);

@@ -17,6 +17,9 @@ struct Sensed {
 
 class TouchList {
   public:
+    /// Surfaces closer than `distance`, in radii of the smaller ball, are in contact.
+    explicit TouchList(double distance) : distance_(distance) {}
+
     /// Finds all contacts.
     void search(const Layout& layout, const Table& table, std::span<const Ball> balls, BroadPhase& broad);
     /// The same from known pairs of overlapping boxes with an awake ball. Contacts of sleeping balls with
@@ -50,6 +53,7 @@ class TouchList {
     void test(const Layout& layout, const Table& table, const Ball& ball, PrimitiveIndex index);
     void test(const Ball& lower, const Ball& ball);
 
+    double distance_;
     std::vector<Contact> before_, now_;
     std::vector<Sensed> sensed_before_, sensed_;
     std::vector<Proxy> moving_;

@@ -60,7 +60,7 @@ class CustomWorld final : public World {
     mutable bool contacts_found_ = false;
     mutable bool contacts_skipped_ = false;  ///< a step has passed since they were found last
     mutable bool contacts_last_ = false;     ///< they do not change, since the world is quiet
-    mutable TouchList contacts_;
+    mutable TouchList contacts_{touch_distance};
     mutable StepRecord record_;
 };
 

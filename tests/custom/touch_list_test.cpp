@@ -28,7 +28,7 @@ class TouchListTest : public ::testing::Test {
         const Table table(scene_);
         const Layout layout(*scene_);
         const auto broad = make_broad_phase(*scene_, layout.still_proxies(), Settings(engine().settings));
-        TouchList touches;
+        TouchList touches(sleep_distance);
         touches.reserve(layout.size(), balls_.size());
         touches.search(layout, table, balls_, *broad);
         balls_[index].position += by;
@@ -46,6 +46,11 @@ class TouchListTest : public ::testing::Test {
 
 TEST_F(TouchListTest, ASupportLostAtTheSideWakesAllThatTouch) {
     EXPECT_EQ(awake_after(2, {0.001, 0}), (std::vector{true, true, true, true}));
+}
+
+// Members of an island hop by this much between ticks. A heap beside them could never sleep.
+TEST_F(TouchListTest, ASupportThatHopsStaysASupport) {
+    EXPECT_EQ(awake_after(2, {0.0002, 0}), (std::vector{false, false, true, false}));
 }
 
 TEST_F(TouchListTest, WhatLeavesFromAboveWakesNone) {

@@ -19,8 +19,8 @@ namespace {
 constexpr double window_length = 1.0 / 4;  // s; a multiple of 1/60 s
 constexpr double rest_length = 1.0 / 20;   // s: how long a ball must be at rest to fall asleep
 
-Box touching_box(const Ball& ball) {
-    return bounds_of(ball.position, ball.radius * (1 + touch_distance));
+Box near_box(const Ball& ball) {
+    return bounds_of(ball.position, ball.radius * (1 + sleep_distance));
 }
 
 std::shared_ptr<const State> without_gone(const State& start) {
@@ -267,7 +267,7 @@ std::span<const Pair> ContinuousSolver::find_pairs(std::span<const Ball> balls) 
 void ContinuousSolver::pair_with_parts(std::span<const Ball> balls, BallIndex i) {
     const Ball& ball = balls[rank_[i]];
     const Handle handle = sim_.layout.size() + rank_[i];
-    const Box box = touching_box(ball);
+    const Box box = near_box(ball);
     const std::size_t first = pairs_.size();
     for (const FeatureIndex f : sim_.features_near(i, box)) {
         if (!overlap(box, sim_.ranges[f]) || !layers_meet(ball, sim_.features[f])) continue;
@@ -276,7 +276,7 @@ void ContinuousSolver::pair_with_parts(std::span<const Ball> balls, BallIndex i)
             closest_point(sim_.features[f],
                           sim_.turnings[sim_.features[f].part].pose(read_at_).undo(ball.position),
                           ball.radius)
-                    .distance > ball.radius * (1 + touch_distance))
+                    .distance > ball.radius * (1 + sleep_distance))
             continue;
         const Pair pair{sim_.features[f].primitive, handle};
         if (pairs_.size() == first || pairs_.back() != pair) pairs_.push_back(pair);
@@ -286,12 +286,12 @@ void ContinuousSolver::pair_with_parts(std::span<const Ball> balls, BallIndex i)
 /// Adds the pairs of a ball with sleeping balls and with awake balls of a lower index.
 void ContinuousSolver::pair_with_balls(std::span<const Ball> balls, BallIndex i) {
     const Ball& ball = balls[rank_[i]];
-    const Box box = touching_box(ball);
+    const Box box = near_box(ball);
     sim_.cells.query_neighbours(i, [&](BallIndex j) {
         if ((j > i && !sim_.balls[j].asleep) || sim_.hot[j].lost) return;
         ++sim_.record->statistics.pair_tests;
         const Ball& other = balls[rank_[j]];
-        if (!overlap(box, touching_box(other)) || !layers_meet(ball, other)) return;
+        if (!overlap(box, near_box(other)) || !layers_meet(ball, other)) return;
         const Handle a = sim_.layout.size() + rank_[i], b = sim_.layout.size() + rank_[j];
         pairs_.push_back({std::min(a, b), std::max(a, b)});
     });

@@ -98,9 +98,9 @@ class ContinuousSolver {
     double read_at_ = 0;          ///< time of the last read(), s
 
     // Kept from window to window.
-    bool balls_known_ = false;     ///< there is data on the balls from the previous window
-    bool contacts_known_ = false;  ///< contacts_ is up to date
-    TouchList contacts_;           ///< at the start of the window
+    bool balls_known_ = false;            ///< there is data on the balls from the previous window
+    bool contacts_known_ = false;         ///< contacts_ is up to date
+    TouchList contacts_{sleep_distance};  ///< at the start of the window
     bool fell_asleep_ = false;
     std::array<State, 2> starts_;  ///< of the current window, and of the one that is kept
     std::size_t current_ = 0, kept_ = 0;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "custom/tolerances.hpp"
+
 namespace flipside::custom {
 
 namespace {
@@ -118,7 +120,7 @@ void Predictions::predict_features(BallIndex i, double time) {
     const Ball& ball = sim_.balls[i];
     const Path& path = particle.motion.path;
     bool any_sensor = false;
-    // Bound on the distance of the path from its chord, with a margin greater than touch_distance.
+    // Bound on the distance of the path from its chord, with a margin greater than sleep_distance.
     const double end = std::min({sim_.end, particle.motion.until, particle.cell_exit}), duration = end - time;
     const Vec2 from = time == path.start ? path.flight.position : path.position(time);
     const Vec2 to = path.position(end);
@@ -206,9 +208,8 @@ void Predictions::predict_flying(BallIndex i, BallIndex j, double time) {
     const Vec2 between = p - q, relative = v - u;
     const double approach = -dot(between, relative);
     // Most pairs separate, or pass each other at a distance: they are rejected without a square root.
-    constexpr double margin = 1e-3;  // of the sum of radii; greater than touch_distance
-    constexpr double sure = 1e-9;    // greater than all rounding here
-    const double reach = a.radius + b.radius, wide = (1 + margin) * reach;
+    constexpr double sure = 1e-9;  // greater than all rounding here
+    const double reach = a.radius + b.radius, wide = (1 + near_margin) * reach;
     const double apart = length_squared(between) - wide * wide;
     if (apart > 0 && !(approach > 0)) return;
     if (apart > 0 && approach * approach * (1 + sure) < length_squared(relative) * apart) return;
@@ -228,7 +229,7 @@ void Predictions::predict_flying(BallIndex i, BallIndex j, double time) {
         offer(i, std::max(met, time), EventType::ball, j, b.version);
 }
 
-/// Notes that two balls may be within touch_distance of each other until one time, and from another on.
+/// Notes that two balls may be within sleep_distance of each other until one time, and from another on.
 void Predictions::note_near(BallIndex i, BallIndex j, double until, double from) {
     for (NearTimes* near : {&sim_.near[i], &sim_.near[j]}) {
         near->until = std::max(near->until, until);

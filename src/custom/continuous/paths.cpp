@@ -143,7 +143,7 @@ void Paths::update_swept_bounds(BallIndex i, double time) {
     const Vec2 far = Vec2{std::abs(velocity.x), std::abs(velocity.y)} * duration + drift;
     particle.bounds = {here - Vec2{velocity.x > 0 ? drift.x : far.x, velocity.y > 0 ? drift.y : far.y},
                        here + Vec2{velocity.x > 0 ? far.x : drift.x, velocity.y > 0 ? far.y : drift.y}};
-    particle.bounds = grown(particle.bounds, (1 + touch_distance) * sim_.balls[i].radius);
+    particle.bounds = grown(particle.bounds, (1 + sleep_distance) * sim_.balls[i].radius);
 }
 
 bool Paths::beside_moving_part(BallIndex i) {

@@ -42,7 +42,7 @@ struct alignas(64) HotState {
     bool in_solve = false;      ///< is a body of the current solve
 };
 
-/// When a ball may be within touch_distance of others, on its path and theirs.
+/// When a ball may be within sleep_distance of others, on its path and theirs.
 struct NearTimes {
     double until = -INFINITY;  ///< s: so long it may be near a ball that it leaves
     double from = INFINITY;    ///< s: from then on it may be near a ball that it approaches
@@ -75,7 +75,7 @@ struct Particle {
     int idle_events = 0;          ///< since its last significant impact
     double events_until = 0;      ///< s: end of the time that its events take at least_interval each
     double cell_exit = 0;         ///< s: when it must be listed in another cell
-    Box bounds;                   ///< swept bounds of its path until cell_exit, with touch_distance
+    Box bounds;                   ///< swept bounds of its path until cell_exit, with sleep_distance
     const Feature* resting_on = nullptr;      ///< its resting contact
     const Feature* separated_from = nullptr;  ///< the resting contact that has just ended
     TangentFaces tangent_faces;               ///< faces along which it flies

@@ -20,6 +20,7 @@
 #include "custom/continuous/feature.hpp"
 #include "custom/continuous/path.hpp"
 #include "custom/geometry/roots.hpp"
+#include "custom/tolerances.hpp"
 
 namespace flipside::custom {
 
@@ -35,10 +36,10 @@ inline double gap_rounding(Vec2 p, Vec2 q, double radii) {
     return std::max(gap_rounding(p, radii), gap_rounding(q, radii));
 }
 
-/// Safety margin around a ball, m, greater than touch_distance and rounding: features farther away have no
+/// near_margin of a ball, m, and rounding: features farther away have no
 /// contact.
 [[nodiscard]] inline double clearance_margin(const Ball& ball) {
-    return 1e-3 * ball.radius + joint_distance +
+    return near_margin * ball.radius + joint_distance +
            1e-12 * (std::abs(ball.position.x) + std::abs(ball.position.y));
 }
 

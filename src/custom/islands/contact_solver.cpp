@@ -51,11 +51,14 @@ int sweeps_over(std::size_t contacts, int least, int most) {
 /// Applies an impulse to both bodies of a contact.
 void apply(Vec2 normal, const ContactImpulse& impulse, ContactSolver::Body& upper,
            ContactSolver::Body& lower) {
-    const Vec2 p = impulse.normal * normal + impulse.tangent * perp(normal);
+    Vec2 p = impulse.normal * normal;
+    if (impulse.tangent != 0) {
+        p += impulse.tangent * perp(normal);
+        upper.rim_speed -= upper.inverse_rim_mass * impulse.tangent;
+        lower.rim_speed -= lower.inverse_rim_mass * impulse.tangent;
+    }
     upper.velocity += upper.inverse_mass * p;
     lower.velocity -= lower.inverse_mass * p;
-    upper.rim_speed -= upper.inverse_rim_mass * impulse.tangent;
-    lower.rim_speed -= lower.inverse_rim_mass * impulse.tangent;
 }
 
 }  // namespace
@@ -77,14 +80,15 @@ double ContactSolver::solve_contact(Contact& contact, double relaxation) {
     Body &upper = bodies_[contact.upper], &lower = bodies_[contact.lower];
     const Vec2 relative = upper.velocity - lower.velocity;
     const double apart = dot(relative, contact.normal);
-    const double slip = dot(relative, perp(contact.normal)) - upper.rim_speed - lower.rim_speed;
     const ContactImpulse before = contact.impulse;
-    const double normal =
+    contact.impulse.normal =
         std::max(before.normal - relaxation * contact.normal_mass * (apart + contact.max_closing), 0.0);
-    const double most = contact.friction * normal;
-    const double tangent =
-        std::max(std::min(before.tangent - relaxation * contact.tangent_mass * slip, most), -most);
-    contact.impulse = {normal, tangent};
+    if (contact.friction > 0) {
+        const double slip = dot(relative, perp(contact.normal)) - upper.rim_speed - lower.rim_speed;
+        const double most = contact.friction * contact.impulse.normal;
+        contact.impulse.tangent =
+            std::max(std::min(before.tangent - relaxation * contact.tangent_mass * slip, most), -most);
+    }
     const ContactImpulse change = contact.impulse - before;
     apply(contact.normal, change, upper, lower);
     return std::max(std::abs(change.normal), std::abs(change.tangent)) *

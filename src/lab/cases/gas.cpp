@@ -178,7 +178,7 @@ void mean_free_path(Experiment& experiment) {
 }
 
 void disc_gas(Experiment& experiment) {
-    const GasSize size{experiment.size(200, 100), experiment.size<std::uint64_t>(16, 14), henderson, 0.01,
+    const GasSize size{experiment.size(200, 100), experiment.size<std::uint64_t>(16, 20), henderson, 0.01,
                        experiment.size(0.012, 0.05)};
     for (const double packing : {0.1, 0.3, 0.5})
         experiment.attempt("gas, eta = " + text_of(packing), [&] { gas_at(experiment, packing, size); });
