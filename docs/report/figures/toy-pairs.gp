@@ -41,16 +41,16 @@ plot csv skip 1 every ::0::30 using (at_x($2)):(at_y($3)) with lines dashtype 1 
      NaN with linespoints dashtype 4 linewidth 2 pointtype 13 pointsize 0.7 linecolor rgb "#882255" title "sweep and prune", \
      csv skip 1 every ::155::156 using (at_x($2)):(at_y($3)) with lines dashtype 3 linewidth 2 linecolor rgb "#0072b2" notitle, \
      csv skip 1 every ::155::156 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 155)) with labels hypertext point pointtype 7 pointsize 0.3 linecolor rgb "#0072b2" notitle, \
-     NaN with linespoints dashtype 3 linewidth 2 pointtype 7 pointsize 0.3 linecolor rgb "#0072b2" title "quadtree: 1.322 n", \
+     NaN with linespoints dashtype 3 linewidth 2 pointtype 7 pointsize 0.3 linecolor rgb "#0072b2" title "quadtree: 1.324 n", \
      csv skip 1 every ::157::158 using (at_x($2)):(at_y($3)) with lines dashtype 3 linewidth 2 linecolor rgb "#cc79a7" notitle, \
      csv skip 1 every ::157::158 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 157)) with labels hypertext point pointtype 7 pointsize 0.3 linecolor rgb "#cc79a7" notitle, \
-     NaN with linespoints dashtype 3 linewidth 2 pointtype 7 pointsize 0.3 linecolor rgb "#cc79a7" title "adaptive quadtree: 5.489 n", \
+     NaN with linespoints dashtype 3 linewidth 2 pointtype 7 pointsize 0.3 linecolor rgb "#cc79a7" title "adaptive quadtree: 5.477 n", \
      csv skip 1 every ::159::160 using (at_x($2)):(at_y($3)) with lines dashtype 3 linewidth 2 linecolor rgb "#999933" notitle, \
      csv skip 1 every ::159::160 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 159)) with labels hypertext point pointtype 7 pointsize 0.3 linecolor rgb "#999933" notitle, \
-     NaN with linespoints dashtype 3 linewidth 2 pointtype 7 pointsize 0.3 linecolor rgb "#999933" title "grid: 1.322 n", \
+     NaN with linespoints dashtype 3 linewidth 2 pointtype 7 pointsize 0.3 linecolor rgb "#999933" title "grid: 1.324 n", \
      csv skip 1 every ::161::162 using (at_x($2)):(at_y($3)) with lines dashtype 3 linewidth 2 linecolor rgb "#882255" notitle, \
      csv skip 1 every ::161::162 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 161)) with labels hypertext point pointtype 7 pointsize 0.3 linecolor rgb "#882255" notitle, \
-     NaN with linespoints dashtype 3 linewidth 2 pointtype 7 pointsize 0.3 linecolor rgb "#882255" title "sweep and prune: 3.498 n"
+     NaN with linespoints dashtype 3 linewidth 2 pointtype 7 pointsize 0.3 linecolor rgb "#882255" title "sweep and prune: 3.499 n"
 set terminal pngcairo size 1800,920 fontscale 1.9 linewidth 2 pointscale 2 font 'DejaVu Sans,11'
 set output png
 replot
