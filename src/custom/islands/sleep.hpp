@@ -34,8 +34,8 @@ class Sleep {
     /// Notes the awake balls that may be at rest, `interval` seconds before update().
     void watch(std::span<const Ball> balls, double interval);
     /// Puts balls to sleep, with zero velocity, and wakes sleeping balls that an awake ball carries or
-    /// pushes. `contacts` are all contacts of the balls. Returns whether any fell asleep. Cost: O((balls +
-    /// contacts) · log).
+    /// pushes. `contacts` are all contacts of the balls, up to sleep_distance. Returns whether any fell
+    /// asleep. Cost: O((balls + contacts) · log).
     bool update(std::span<Ball> balls, std::span<const Contact> contacts);
 
   private:
