@@ -36,8 +36,7 @@ inline double gap_rounding(Vec2 p, Vec2 q, double radii) {
     return std::max(gap_rounding(p, radii), gap_rounding(q, radii));
 }
 
-/// near_margin of a ball, m, and rounding: features farther away have no
-/// contact.
+/// near_margin of a ball and rounding, m: features farther away have no contact.
 [[nodiscard]] inline double clearance_margin(const Ball& ball) {
     return near_margin * ball.radius + joint_distance +
            1e-12 * (std::abs(ball.position.x) + std::abs(ball.position.y));

@@ -11,7 +11,7 @@ namespace flipside::custom {
 namespace {
 
 /// Limits of speed and of its change for balls in contact, in units of the speed that gravity gives in the
-/// interval.
+/// interval. The second matters where gravity is so low that sleep_speed is the higher limit of speed.
 constexpr double contact_speed = 1.0 / 60;
 constexpr double contact_gain = 0.05;
 /// A ball that gains more than this part of the speed that gravity gives in the interval has no support.
