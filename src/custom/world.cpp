@@ -9,6 +9,7 @@
 #include "custom/broad_phase/capacity.hpp"
 #include "custom/broad_phase/registry.hpp"
 #include "custom/engine.hpp"
+#include "world/limits.hpp"
 
 namespace flipside::custom {
 
@@ -43,17 +44,24 @@ void CustomWorld::reserve_for() {
 }
 
 void CustomWorld::step(double dt) {
-    if (continuous_) continuous_->keep();
     if (record_.trace) record_.trace->stages.clear();
-    const bool balls_move = !continuous_ || !continuous_->quiet() || table_.launch_waiting();
+    if (continuous_) continuous_->keep();
+    if (continuous_ && continuous_->can_undo() && !table_.launch_waiting()) {
+        const Clock before = table_.clock();
+        const bool quiet = continuous_->quiet();
+        const auto make = [&] {
+            make_step(dt);
+            require_limits(engine_name, std::span(balls_).first(quiet ? 0 : balls_.size()), time());
+        };
+        return guard_.attempt(make, [&] { undo_to(before); });
+    }
     guard_.run(
         table_, balls_, [&] { make_step(dt); },
         [&](State before) {
             Table::forget_gone(before);
             if (continuous_) before.origin = continuous_->kept_origin();
             restore(before);
-        },
-        balls_move);
+        });
 }
 
 void CustomWorld::make_step(double dt) {

@@ -44,8 +44,10 @@ class CustomWorld final : public World {
     void fill_statistics(std::uint64_t pair_tests);
     void wake_all();
     void interrupt();
+    void reload(auto&& how);
     void load(const State& state);
     bool resume(const State& state);
+    void undo_to(const Clock& before);
 
     std::shared_ptr<const Scene> scene_;
     SolverSettings settings_;

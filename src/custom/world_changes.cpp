@@ -61,8 +61,15 @@ State CustomWorld::save() const {
 
 void CustomWorld::restore(const State& state) {
     guard_.forget();
+    reload([&] {
+        if (!resume(state)) load(state);
+    });
+}
+
+/// Replaces balls and table.
+void CustomWorld::reload(auto&& how) {
     Trace* const trace = std::exchange(record_.trace, nullptr);  // restoring is not a step
-    if (!resume(state)) load(state);
+    how();
     record_.events.clear();
     record_.statistics = {};
     search_contacts();
@@ -82,10 +89,21 @@ void CustomWorld::load(const State& state) {
 bool CustomWorld::resume(const State& state) {
     if (!state.origin || !continuous_) return false;
     load(*state.origin);
-    if (!continuous_->resume(state, balls_, record_)) return false;
+    if (!continuous_->resume(state.clock, balls_, record_)) return false;
     State reached = save();
     reached.origin = state.origin;
     return reached == state;
+}
+
+/// Goes back to the time before the step that is being made: to the start of the window of that time, and
+/// from there as before. In a quiet world only time has passed.
+void CustomWorld::undo_to(const Clock& before) {
+    reload([&] {
+        const auto origin = continuous_->kept_origin();
+        if (!origin) return table_.set_to(before, table_.parts(), 0);
+        load(*origin);
+        continuous_->resume(before, balls_, record_);
+    });
 }
 
 }  // namespace flipside::custom

@@ -24,23 +24,21 @@ class StepGuard {
         before_.reported_lost.reserve(balls);
         before_.blocked.reserve(balls);
     }
-    /// Makes the step. If it is refused, `restore(State)` must restore the state before it. A step in which
-    /// no ball moves needs no copy and no test of the balls.
-    void run(const Table& table, const std::vector<Ball>& balls, auto&& step, auto&& restore,
-             bool balls_move = true) {
-        if (refusal_) throw Refusal(*refusal_);
-        const auto require = [&] {
-            require_limits(engine_, std::span(balls).first(balls_move ? balls.size() : 0), table.time());
-        };
+    /// Makes the step. If it is refused, `restore(State)` must restore the state before it.
+    void run(const Table& table, const std::vector<Ball>& balls, auto&& step, auto&& restore) {
         table.copy(before_);
-        if (balls_move) before_.balls = balls;
+        before_.balls = balls;
+        const auto require = [&] { require_limits(engine_, balls, table.time()); };
+        attempt([&] { require(), step(), require(); }, [&] { restore(before_); });
+    }
+    /// The same for a step that begins within the limits and that the engine can undo without a copy of the
+    /// state. `step` must refuse to end beyond the limits.
+    void attempt(auto&& step, auto&& undo) {
+        if (refusal_) throw Refusal(*refusal_);
         try {
-            require();
             step();
-            require();
         } catch (const Refusal& refusal) {
-            if (!balls_move) before_.balls = balls;
-            restore(before_);
+            undo();
             refusal_ = refusal.what();
             throw;
         }

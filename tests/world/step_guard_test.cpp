@@ -14,9 +14,8 @@ struct Guarded {
     std::vector<Ball> balls = std::vector<Ball>(3);
     std::vector<Ball> restored;
 
-    void run(auto&& step, bool balls_move = true) {
-        guard.run(
-            table, balls, step, [&](const State& before) { balls = restored = before.balls; }, balls_move);
+    void run(auto&& step) {
+        guard.run(table, balls, step, [&](const State& before) { balls = restored = before.balls; });
     }
 };
 
@@ -41,12 +40,16 @@ TEST(StepGuard, BallsThatAChangeBroughtBeyondTheLimitsAreRefusedBeforeTheStep) {
     EXPECT_THROW(world.run([] { FAIL() << "no step"; }), Refusal);
 }
 
-TEST(StepGuard, AStepThatMovesNoBallIsRefusedWithTheBallsAsTheyAre) {
-    Guarded world;
-    world.balls[1].position = {1, 0};
-    const std::vector<Ball> before = world.balls;
-    EXPECT_THROW(world.run([] { throw Refusal("the last time"); }, false), Refusal);
-    EXPECT_EQ(world.restored, before);
+TEST(StepGuard, ARefusedStepIsUndoneByTheEngineThatCan) {
+    StepGuard guard{"engine"};
+    int undone = 0;
+    const auto undo = [&] { ++undone; };
+    guard.attempt([] {}, undo);
+    EXPECT_EQ(undone, 0);
+    EXPECT_THROW(guard.attempt([] { throw Refusal("the last time"); }, undo), Refusal);
+    EXPECT_EQ(undone, 1);
+    EXPECT_THROW(guard.attempt([] { FAIL() << "no step after a refusal"; }, undo), Refusal);
+    EXPECT_EQ(undone, 1);
 }
 
 }  // namespace

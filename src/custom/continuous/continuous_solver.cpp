@@ -240,12 +240,12 @@ std::shared_ptr<const State> ContinuousSolver::kept_origin() const {
     return kept_in_window_ ? without_gone(starts_[kept_]) : nullptr;
 }
 
-bool ContinuousSolver::resume(const State& state, std::vector<Ball>& balls, StepRecord& record) {
+bool ContinuousSolver::resume(const Clock& to, std::vector<Ball>& balls, StepRecord& record) {
     sim_.record = &record;
     begin(balls);
-    if (!(state.clock.time >= sim_.table.time() && state.clock.time < end_on_clock_)) return false;
+    if (!(to.time >= sim_.table.time() && to.time < end_on_clock_)) return false;
     try {
-        advance_to(state.clock, balls);
+        advance_to(to, balls);
     } catch (const Refusal&) {
         return false;
     }

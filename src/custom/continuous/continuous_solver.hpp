@@ -54,9 +54,12 @@ class ContinuousSolver {
     /// Keeps the current window for kept_origin(), until the next call.
     void keep();
     [[nodiscard]] std::shared_ptr<const State> kept_origin() const;
-    /// Runs the window that begins at the state's origin, which is loaded already, up to the state. Returns
-    /// false if that does not lead to the state: another engine wrote it, or it was changed.
-    bool resume(const State& state, std::vector<Ball>& balls, StepRecord& record);
+    /// Whether the state before the next step follows from kept_origin(), or differs from that after it by time
+    /// alone.
+    [[nodiscard]] bool can_undo() const { return in_window_ || quiet_; }
+    /// Runs the window that begins with the state that is loaded up to a time in it. Returns false if that is
+    /// no time of the window, or is never reached.
+    bool resume(const Clock& to, std::vector<Ball>& balls, StepRecord& record);
 
     /// Pairs whose boxes overlap and which contain an awake ball, in the order of a broad phase; `balls` are
     /// those after the last step.
