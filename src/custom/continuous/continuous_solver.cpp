@@ -270,7 +270,7 @@ void ContinuousSolver::pair_with_parts(std::span<const Ball> balls, BallIndex i)
     const Box box = near_box(ball);
     const std::size_t first = pairs_.size();
     for (const FeatureIndex f : sim_.features_near(i, box)) {
-        if (!overlap(box, sim_.ranges[f]) || !layers_meet(ball, sim_.features[f])) continue;
+        if (!layers_meet(ball, sim_.features[f])) continue;
         // The box of an arc is mostly empty.
         if (std::holds_alternative<Arc>(sim_.features[f].is) &&
             closest_point(sim_.features[f],

@@ -54,8 +54,8 @@ class ContinuousSolver {
     /// Keeps the current window for kept_origin(), until the next call.
     void keep();
     [[nodiscard]] std::shared_ptr<const State> kept_origin() const;
-    /// Whether the state before the next step follows from kept_origin(), or differs from that after it by time
-    /// alone.
+    /// Whether the state before the next step follows from kept_origin(), or differs from that after it by
+    /// time alone.
     [[nodiscard]] bool can_undo() const { return in_window_ || quiet_; }
     /// Runs the window that begins with the state that is loaded up to a time in it. Returns false if that is
     /// no time of the window, or is never reached.

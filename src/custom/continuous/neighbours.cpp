@@ -155,7 +155,7 @@ BoxIndex::BoxIndex(const Box& range, std::vector<Box> boxes) : boxes_(std::move(
                 is_large(i);
             else
                 cells.each([&](std::uint32_t column, std::uint32_t row) {
-                    visit(cell_at(column, row), Entry{i, cells});
+                    visit(cell_at(column, row), Entry{i, column, cells.left, cells.low});
                 });
         }
     };
@@ -170,19 +170,27 @@ BoxIndex::BoxIndex(const Box& range, std::vector<Box> boxes) : boxes_(std::move(
 }
 
 std::uint64_t BoxIndex::find(const Box& box, std::vector<std::uint32_t>& found) const {
-    const auto before = static_cast<std::ptrdiff_t>(found.size());
-    std::uint64_t tests = 1;
-    const auto test = [&](std::uint32_t i) {
-        ++tests;
-        if (overlap(box, boxes_[i])) found.push_back(i);
-    };
-    for (const std::uint32_t i : large_) test(i);
+    const std::size_t before = found.size();
     const CellRange cells = cells_of(box);
-    cells.each([&](std::uint32_t column, std::uint32_t row) {
-        for (const Entry& entry : in_cell(cell_at(column, row)))
-            if (is_first_shared(entry.cells, cells, column, row)) test(entry.index);
-    });
-    std::sort(found.begin() + before, found.end());
+    std::size_t most = large_.size();
+    for (std::uint32_t row = cells.low; row <= cells.high; ++row) most += in_row(cells, row).size();
+    found.resize(before + std::min(most, size() + 1));
+    // Every box is written, and stays if it overlaps: branches would be mispredicted.
+    std::size_t end = before, tests = 1;
+    const auto test = [&](std::uint32_t i, bool wanted) {
+        found[end] = i;
+        end += static_cast<std::size_t>(wanted & overlap(box, boxes_[i]));
+        tests += static_cast<std::size_t>(wanted);
+    };
+    for (const std::uint32_t i : large_) test(i, true);
+    for (std::uint32_t row = cells.low; row <= cells.high; ++row)
+        for (const Entry& entry : in_row(cells, row)) {
+            // A box in several of these cells counts in the first.
+            const bool first_column = entry.column == std::max(entry.left, cells.left);
+            test(entry.index, first_column & (row == std::max(entry.low, cells.low)));
+        }
+    found.resize(end);
+    std::sort(found.begin() + static_cast<std::ptrdiff_t>(before), found.end());
     return tests;
 }
 

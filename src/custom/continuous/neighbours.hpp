@@ -165,7 +165,7 @@ class BoxIndex {
     [[nodiscard]] const Box& operator[](std::size_t i) const { return boxes_[i]; }
 
     /// Appends the indices of all boxes that overlap `box`, in rising order. Returns the number of box tests;
-    /// finding the cells counts as one.
+    /// finding the cells counts as one. In between `found` grows by up to one more than size().
     std::uint64_t find(const Box& box, std::vector<std::uint32_t>& found) const;
 
   private:
@@ -180,10 +180,10 @@ class BoxIndex {
         }
     };
     [[nodiscard]] static Axis axis(double min, double max, double width, std::size_t most);
-    /// A box in the list of a cell, and all cells that it touches.
+    /// A box in the list of a cell of this column, and the first column and row that it touches.
     struct Entry {
         std::uint32_t index = 0;
-        CellRange cells;
+        std::uint32_t column = 0, left = 0, low = 0;
     };
     [[nodiscard]] CellRange cells_of(const Box& box) const {
         return {x_.cell(box.min.x), y_.cell(box.min.y), x_.cell(box.max.x), y_.cell(box.max.y)};
@@ -191,8 +191,10 @@ class BoxIndex {
     [[nodiscard]] std::size_t cell_at(std::uint32_t column, std::uint32_t row) const {
         return std::size_t{row} * x_.cells + column;
     }
-    [[nodiscard]] std::span<const Entry> in_cell(std::size_t cell) const {
-        return std::span(entries_).subspan(begins_[cell], begins_[cell + 1] - begins_[cell]);
+    /// The entries of these cells, which are adjacent.
+    [[nodiscard]] std::span<const Entry> in_row(const CellRange& cells, std::uint32_t row) const {
+        const std::uint32_t begin = begins_[cell_at(cells.left, row)];
+        return std::span(entries_).subspan(begin, begins_[cell_at(cells.right, row) + 1] - begin);
     }
 
     std::vector<Box> boxes_;

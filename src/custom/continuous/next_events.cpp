@@ -126,7 +126,6 @@ void Predictions::predict_features(BallIndex i, double time) {
     const Vec2 to = path.position(end);
     const double sag = path.max_acceleration(end) * duration * duration / 8 + clearance_margin(ball);
     for (const FeatureIndex f : near) {
-        if (!overlap(particle.bounds, sim_.ranges[f])) continue;
         const Feature& feature = sim_.features[f];
         any_sensor = any_sensor || feature.sensor;
         if (&feature == particle.resting_on || gates_.ignores(feature, ball)) continue;
@@ -164,8 +163,8 @@ void Predictions::predict_sensors(BallIndex i, double time, std::span<const Feat
     PartIndex sensed = ~0U;
     for (const FeatureIndex f : near) {
         const Feature& feature = sim_.features[f];
-        if (!feature.sensor || feature.part == sensed || !overlap(particle.bounds, sim_.ranges[f]) ||
-            !layers_meet(ball, feature) || gates_.inside(ball.number, feature.part))
+        if (!feature.sensor || feature.part == sensed || !layers_meet(ball, feature) ||
+            gates_.inside(ball.number, feature.part))
             continue;
         sensed = feature.part;
         predict_sensor(sensed, false);

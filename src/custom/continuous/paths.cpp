@@ -33,7 +33,7 @@ double direction_rounding(const Feature& feature) {
 
 void Paths::reserve() {
     supports_.reserve(std::min(sim_.features.size(), most_near));
-    crossed_features_.reserve(sim_.features.size());
+    crossed_features_.reserve(sim_.features.size() + 1);
 }
 
 void Paths::push_out_of_parts(BallIndex i) {
@@ -45,9 +45,7 @@ void Paths::push_out_of_parts(BallIndex i) {
         bool found = false;
         PrimitiveIndex seen = sim_.layout.size();
         for (const FeatureIndex f : sim_.features_near(i, here)) {
-            if (!overlap(here, sim_.ranges[f]) || sim_.features[f].gate ||
-                gates_.ignores(sim_.features[f], ball))
-                continue;
+            if (sim_.features[f].gate || gates_.ignores(sim_.features[f], ball)) continue;
             if (sim_.features[f].primitive == seen) continue;
             const Primitive& primitive = sim_.layout.primitive(sim_.features[f].primitive);
             const Pose pose = sim_.table.pose(primitive.part);
@@ -149,9 +147,8 @@ void Paths::update_swept_bounds(BallIndex i, double time) {
 bool Paths::beside_moving_part(BallIndex i) {
     const Ball& ball = sim_.balls[i];
     const Box here = bounds_of(ball.position, ball.radius * (1 + touch_distance));
-    return std::ranges::any_of(sim_.features_near(i, here), [&](FeatureIndex f) {
-        return !sim_.turnings[sim_.features[f].part].still() && overlap(here, sim_.ranges[f]);
-    });
+    return std::ranges::any_of(sim_.features_near(i, here),
+                               [&](FeatureIndex f) { return !sim_.turnings[sim_.features[f].part].still(); });
 }
 
 /// Finds the features that the ball touches without moving along their normals.
@@ -161,7 +158,6 @@ void Paths::find_supports(BallIndex i, double time) {
     const Particle& particle = sim_.particles[i];
     const Box here = bounds_of(ball.position, ball.radius * (1 + 1e-6));
     for (const FeatureIndex f : sim_.features_near(i, here)) {
-        if (!overlap(here, sim_.ranges[f])) continue;
         const Feature& feature = sim_.features[f];
         if (&feature == particle.separated_from || gates_.ignores(feature, ball)) continue;
         const Turning& turning = sim_.turnings[feature.part];

@@ -15,7 +15,8 @@ Simulation::Simulation(Table& of_table, const Layout& of_layout, const SolverSet
       external{scene.gravity, scene.damping},
       features(features_of(layout.primitives(), scene)),
       ranges(scene.bounds, ranges_of(features, layout.primitives(), table)),
-      turnings(scene.parts.size()) {}
+      turnings(scene.parts.size()),
+      near_features_(features.size() + 1) {}
 
 void Simulation::reserve(std::size_t most) {
     if (pool_.size() < most) {
@@ -31,7 +32,7 @@ void Simulation::reserve(std::size_t most) {
         for (Candidates& near_ball : candidates) near_ball.reserve(std::min(features.size(), most_near));
     }
     cells.reserve(most);
-    found_features_.reserve(features.size());
+    found_features_.reserve(features.size() + 1);
 }
 
 void Simulation::start_with(std::span<const Ball> now) {
@@ -99,7 +100,14 @@ Ball Simulation::ball_at(BallIndex i, double time) const {
 }
 
 std::span<const FeatureIndex> Simulation::features_near(BallIndex i, const Box& box) {
-    return candidates[i].near(box, ranges, found_features_, record->statistics.pair_tests);
+    // Each is written, and stays if it overlaps: a branch would be mispredicted.
+    std::size_t count = 0;
+    for (const FeatureIndex f :
+         candidates[i].near(box, ranges, found_features_, record->statistics.pair_tests)) {
+        near_features_[count] = f;
+        count += static_cast<std::size_t>(overlap(box, ranges[f]));
+    }
+    return std::span(near_features_).first(count);
 }
 
 double Simulation::next_on_grid(double time, double length) const {

@@ -102,8 +102,7 @@ struct Simulation {
     /// interpolated linearly between ticks; that of its parabola serves only to reach the solved position. A
     /// creeping member has its new velocity right after the tick.
     [[nodiscard]] Vec2 true_velocity(BallIndex i, double time) const;
-    /// All features whose ranges overlap the box, and some others, in rising order. Valid until the next
-    /// call.
+    /// All features whose ranges overlap the box, in rising order. Valid until the next call.
     [[nodiscard]] std::span<const FeatureIndex> features_near(BallIndex i, const Box& box);
 
     /// Next point after `time` on the grid of spacing `length` that ends with the window, s.
@@ -153,8 +152,8 @@ struct Simulation {
   private:
     void choose_tick();
 
-    std::vector<Particle> pool_;                ///< keeps the memory of their Taylor polynomials
-    std::vector<FeatureIndex> found_features_;  ///< buffer of features_near()
+    std::vector<Particle> pool_;  ///< keeps the memory of their Taylor polynomials
+    std::vector<FeatureIndex> found_features_, near_features_;  ///< buffers of features_near()
 };
 
 /// Moves a ball along a path to `time`.

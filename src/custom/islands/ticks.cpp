@@ -238,7 +238,7 @@ double Islands::overlap_with_moving_parts(BallIndex i, double time) {
     for (const FeatureIndex f : sim_.features_near(i, box)) {
         const Feature& feature = sim_.features[f];
         const Turning& turning = sim_.turnings[feature.part];
-        if (turning.still() || !overlap(box, sim_.ranges[f]) || gates_.ignores(feature, ball)) continue;
+        if (turning.still() || gates_.ignores(feature, ball)) continue;
         const Primitive& primitive = sim_.layout.primitive(feature.primitive);
         const Touch found = touch(ball.position, ball.radius, primitive, turning.pose(time));
         if (!found.past_end) deepest = std::max(deepest, -found.separation);
@@ -254,9 +254,7 @@ void Islands::add_part_contacts(BallIndex i, double time, double duration) {
     const Box box = bounds_of(ball.position, ball.radius + slack);
     PrimitiveIndex seen = sim_.layout.size();
     for (const FeatureIndex f : sim_.features_near(i, box)) {
-        if (!overlap(box, sim_.ranges[f]) || gates_.ignores(sim_.features[f], ball) ||
-            sim_.features[f].primitive == seen)
-            continue;
+        if (gates_.ignores(sim_.features[f], ball) || sim_.features[f].primitive == seen) continue;
         seen = sim_.features[f].primitive;
         const Primitive& primitive = sim_.layout.primitive(seen);
         const Turning& turning = sim_.turnings[primitive.part];
