@@ -214,8 +214,8 @@ class Candidates {
         if (boxes > most_short) long_list_.reserve(boxes);
     }
     /// All boxes of the index that overlap `box`, and some others, in rising order; valid until the next
-    /// call. Adds the number of box tests to `tests`. `found` is a buffer.
-    [[nodiscard]] std::span<const std::uint32_t> near(const Box& box, const BoxIndex& index,
+    /// call. The ball moves at `velocity`. Adds the number of box tests to `tests`. `found` is a buffer.
+    [[nodiscard]] std::span<const std::uint32_t> near(const Box& box, Vec2 velocity, const BoxIndex& index,
                                                       std::vector<std::uint32_t>& found,
                                                       std::uint64_t& tests);
     void forget() { fat_ = nothing; }

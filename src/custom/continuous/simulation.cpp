@@ -103,7 +103,7 @@ std::span<const FeatureIndex> Simulation::features_near(BallIndex i, const Box& 
     // Each is written, and stays if it overlaps: a branch would be mispredicted.
     std::size_t count = 0;
     for (const FeatureIndex f :
-         candidates[i].near(box, ranges, found_features_, record->statistics.pair_tests)) {
+         candidates[i].near(box, balls[i].velocity, ranges, found_features_, record->statistics.pair_tests)) {
         near_features_[count] = f;
         count += static_cast<std::size_t>(overlap(box, ranges[f]));
     }

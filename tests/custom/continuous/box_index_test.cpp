@@ -55,8 +55,9 @@ RC_GTEST_PROP(Candidates, ContainAllThatABoxOverlapsInOrder, ()) {
         const Vec2 by =
             *rc::gen::inRange(0, 3) == 0 ? Vec2{number(), number()} : 0.01 * Vec2{number(), number()};
         box = {box.min + by, box.max + by};
+        const Vec2 velocity{number(), number()};
         std::vector<std::uint32_t> overlapped;
-        for (const std::uint32_t i : candidates.near(box, index, buffer, tests))
+        for (const std::uint32_t i : candidates.near(box, velocity, index, buffer, tests))
             if (overlap(box, index[i])) overlapped.push_back(i);
         RC_ASSERT(overlapped == found_one_by_one(index, box));
     }
