@@ -139,8 +139,7 @@ ConstrainedPath<R> line_path(const RestingContact<R>& contact, const ContactFric
     }
     path.acceleration += contact_friction.force * tangent;
     path.spin_rate = -2 * contact.side * contact_friction.force / ball.radius;
-    if (contact_friction.mode == FrictionMode::frictionless || !(contact_friction.sign * contact.slip > 0))
-        return constrained;
+    if (contact_friction.mode == FrictionMode::frictionless) return constrained;
     const auto slip = [&](const R& t) {
         const Motion<R> m = path.at(t);
         const R spin = path.spin + (t - time) * path.spin_rate;
@@ -151,8 +150,12 @@ ConstrainedPath<R> line_path(const RestingContact<R>& contact, const ContactFric
     };
     const R curvature = path.drag * (magnitude(dot(path.acceleration, tangent)) +
                                      path.drag * magnitude(contact.tangential_speed));
-    constrained.until =
-        first_falling_root(slip, time, last, curvature, speed_tolerance(magnitude(contact.slip), ball));
+    const Tolerance<R> tolerance = speed_tolerance(magnitude(contact.slip), ball);
+    // A ball that begins to slip does so faster and faster, until drag has slowed that.
+    R from = time;
+    if (!(contact_friction.sign * contact.slip > 0))
+        from += free_step(tolerance.value, std::max(R(0), slip(time).slope), curvature);
+    constrained.until = first_falling_root(slip, from, last, curvature, tolerance);
     return constrained;
 }
 
@@ -310,11 +313,12 @@ R mode_change(const RestingContact<R>& contact, const ContactFriction<R>& contac
         }
         return std::min(first_falling_root_after(more, time, h), first_falling_root_after(less, time, h));
     }
-    if (!(contact_friction.sign * contact.slip > 0)) return infinity<R>();
     more[0] = contact_friction.sign * contact.slip;
     for (std::size_t k = 0; k + 1 < more.size(); ++k)
         more[k + 1] = (contact_friction.sign * e.tangential[k] - 3 * contact.friction * e.force[k]) /
                       (static_cast<int>(k) + 1);
+    // A ball that begins to slip does so faster at first.
+    if (!(more[0] > 0)) more[0] = R(0), more[1] = std::max(R(0), more[1]);
     return first_falling_root_after(more, time, h);
 }
 

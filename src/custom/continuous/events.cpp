@@ -14,7 +14,7 @@ namespace {
 
 /// An approach slower than this part of the speed comes from rounding or from a smooth joint, and is no
 /// impact.
-constexpr double graze = 1e-9;
+constexpr double graze = 1e-11;
 /// More events of a ball at one instant than this have no end: the ball is jammed. With parts alone there may
 /// be more: a ball that a moving part squeezes against a wall can have hundreds of impacts, each faster than
 /// the one before, until it gets out.

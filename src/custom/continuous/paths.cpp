@@ -187,12 +187,14 @@ void Paths::find_supports(BallIndex i, double time) {
     }
 }
 
-/// Notes the straight static faces that the ball touches and that carry no force.
+/// Notes the straight faces that the ball touches, that carry no force, and that do not move until the end of
+/// the window.
 void Paths::note_tangent_faces(Particle& particle) const {
+    const double time = particle.motion.path.start;
     for (const auto& [contact, loaded, direction, distance_left] : supports_) {
         const auto* line = std::get_if<Line>(&contact.feature->is);
-        if (line == nullptr || loaded || !contact.turning->still()) continue;
-        particle.tangent_faces.add(contact.turning->begin.apply(line->start), contact.normal);
+        if (line == nullptr || loaded || contact.turning->rate_at(time) != 0) continue;
+        particle.tangent_faces.add(contact.turning->pose(time).apply(line->start), contact.normal);
     }
 }
 

@@ -262,14 +262,14 @@ namespace {
 Friction friction_state(const RestingContact& contact, const Ball& ball, double along, double tangential) {
     if (contact.friction <= 0) return {};
     const double slip = along - ball.radius * ball.spin, support = contact.friction * contact.force;
-    const double none = 1e-9 * (std::abs(along) + ball.radius * std::abs(ball.spin)) +
+    const double none = 1e-12 * (std::abs(along) + ball.radius * std::abs(ball.spin)) +
                         1e-12 * std::sqrt(ball.radius * std::max(0.0, contact.force));
     if (std::abs(slip) > none) return {slip > 0 ? contact.friction : -contact.friction, false};
     if (std::abs(tangential) / 3 < support * (1 - 1e-12)) return {0, true};
     return {tangential > 0 ? contact.friction : -contact.friction, false};
 }
 
-/// The path on a static line. It ends when the slip is 0.
+/// The path on a static line. It ends when the slip falls to 0.
 void slide(const RestingContact& contact, const Ball& ball, const Friction& friction, double along,
            const ExternalForces& external, ConstrainedPath& motion, StepBudget& budget) {
     Flight& flight = motion.path.flight;
@@ -282,14 +282,18 @@ void slide(const RestingContact& contact, const Ball& ball, const Friction& fric
     motion.spin_rate = 2 * sliding_force / ball.radius;
     // Conservative steps to the time at which the slip is 0.
     const double sign = friction.slide > 0 ? 1 : -1, slip = sign * (along - ball.radius * ball.spin);
-    if (!(slip > 0)) return;
     const double k = external.drag * flight.max_acceleration(0);
-    for (double t = 0; t < 1e6 && budget.take_step();) {
-        const double now = sign * (dot(flight.velocity_at(t), tangent) - ball.radius * ball.spin) -
-                           2 * std::abs(sliding_force) * t;
+    const auto growth = [&](double t) {
         const Vec2 driving = flight.acceleration - flight.drag * flight.velocity_at(t);
-        const double step =
-            safe_time(std::max(0.0, now), sign * dot(driving, tangent) - 2 * std::abs(sliding_force), k);
+        return sign * dot(driving, tangent) - 2 * std::abs(sliding_force);
+    };
+    // A ball that begins to slip does so faster and faster, until drag has slowed that.
+    const double rounding = 1e-15 * (std::abs(along) + ball.radius * std::abs(ball.spin));
+    double t = slip > 0 ? 0 : safe_time(rounding, std::max(0.0, growth(0)), k);
+    while (t < 1e6 && budget.take_step()) {
+        const double now = sign * (dot(flight.velocity_at(t), tangent) - ball.radius * ball.spin) -
+                           2 * std::abs(sliding_force) * t - std::min(0.0, slip);
+        const double step = safe_time(std::max(0.0, now), growth(t), k);
         if (t + step <= t || now <= 0) {
             motion.until = motion.path.start + t;
             return;
@@ -337,10 +341,10 @@ void move_on_curve(const RestingContact& contact, const Ball& ball, const Guide&
         more[k] = contact.friction * loads.force[k] + loads.slide[k] / 2;
         less[k] = contact.friction * loads.force[k] - loads.slide[k] / 2;
     }
-    double switches = never_touch;
-    if (friction.rolls)
-        switches = std::min(first_below_zero(more, h, budget), first_below_zero(less, h, budget));
-    if (!friction.rolls && more[0] > 0) switches = first_below_zero(more, h, budget);
+    // A ball that begins to slip does so faster at first.
+    if (!friction.rolls && !(more[0] > 0)) more[0] = 0, more[1] = std::max(0.0, more[1]);
+    double switches = first_below_zero(more, h, budget);
+    if (friction.rolls) switches = std::min(switches, first_below_zero(less, h, budget));
     if (time + switches < motion.until) {
         motion.until = time + switches;
         motion.separates = false;

@@ -116,6 +116,27 @@ TEST(MovingParts, NothingPassesARaisedFlipper) {
     EXPECT_EQ(hits, 1000);
 }
 
+// Without gravity, a ball lands on a flipper that has come to its stop in the same window, and slides over
+// its tip: it goes on straight.
+TEST(MovingParts, AFlipperAtItsStopHasASmoothTip) {
+    for (int k = 0; k < 100; ++k) {
+        const double raised = 0.3 + 0.01 * k;
+        Scene scene = empty_scene();
+        add_flipper(scene, 0, 20, raised);
+        // Unit vectors along the upper face and off it, which carries the ball from 0.1 s on.
+        const double angle = raised - std::asin(0.05);
+        const Vec2 along = from_angle(angle), off = perp(along);
+        add_ball(scene, 0.35 * off + 0.3 * along, 3 * along - off);
+        const auto world = without_sleep(scene);
+        world->apply(control::Flip{Side::left, true});
+        run(*world, 0.15, 0.05);
+        const Ball before = world->balls()[0];
+        ASSERT_NEAR(dot(before.position, off), 0.25, 1e-12) << "raised by " << raised;
+        run(*world, 0.25, 0.05);
+        EXPECT_LT(length(world->balls()[0].velocity - before.velocity), 1e-12) << "raised by " << raised;
+    }
+}
+
 /// A closed room of 2 m, of lines or of thick walls.
 void add_room(Scene& scene, bool thick) {
     if (!thick) {
