@@ -75,14 +75,14 @@ ContactFriction<R> friction_of(const RestingContact<R>& contact, const Body<R>& 
     const R scale =
         magnitude(contact.tangential_speed) + ball.radius * magnitude(ball.spin) + magnitude(contact.slip);
     const R none = 4096 * epsilon<R>() * (scale + sqrt(ball.radius * (most + magnitude(contact.tangential))));
-    const auto sliding = [&](int sign) {
-        return ContactFriction<R>{FrictionMode::slides, R(-sign * most), R(sign)};
+    const auto sliding = [&](int sign, bool begins = false) {
+        return ContactFriction<R>{FrictionMode::slides, R(-sign * most), R(sign), begins};
     };
     if (contact.slip > none) return sliding(1);
     if (contact.slip < -none) return sliding(-1);
     if (magnitude(contact.tangential) < 3 * most * (1 - 1024 * epsilon<R>()) || contact.tangential == 0)
         return {FrictionMode::rolls, R(-contact.tangential / 3), R(0)};
-    return sliding(contact.tangential > 0 ? 1 : -1);
+    return sliding(contact.tangential > 0 ? 1 : -1, true);
 }
 
 namespace {
@@ -153,7 +153,7 @@ ConstrainedPath<R> line_path(const RestingContact<R>& contact, const ContactFric
     const Tolerance<R> tolerance = speed_tolerance(magnitude(contact.slip), ball);
     // A ball that begins to slip does so faster and faster, until drag has slowed that.
     R from = time;
-    if (!(contact_friction.sign * contact.slip > 0))
+    if (contact_friction.begins)
         from += free_step(tolerance.value, std::max(R(0), slip(time).slope), curvature);
     constrained.until = first_falling_root(slip, from, last, curvature, tolerance);
     return constrained;
@@ -318,7 +318,7 @@ R mode_change(const RestingContact<R>& contact, const ContactFriction<R>& contac
         more[k + 1] = (contact_friction.sign * e.tangential[k] - 3 * contact.friction * e.force[k]) /
                       (static_cast<int>(k) + 1);
     // A ball that begins to slip does so faster at first.
-    if (!(more[0] > 0)) more[0] = R(0), more[1] = std::max(R(0), more[1]);
+    if (contact_friction.begins) more[0] = R(0), more[1] = std::max(R(0), more[1]);
     return first_falling_root_after(more, time, h);
 }
 

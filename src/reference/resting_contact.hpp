@@ -56,8 +56,9 @@ enum class FrictionMode { frictionless, slides, rolls };
 template <class R>
 struct ContactFriction {
     FrictionMode mode = FrictionMode::frictionless;
-    R force{};  ///< per mass, along the tangent
-    R sign{};   ///< of the slip, while it slides
+    R force{};            ///< per mass, along the tangent
+    R sign{};             ///< of the slip, while it slides
+    bool begins = false;  ///< to slide: there is no slip yet
 };
 template <class R>
 [[nodiscard]] ContactFriction<R> friction_of(const RestingContact<R>& contact, const Body<R>& ball);

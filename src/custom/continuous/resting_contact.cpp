@@ -75,6 +75,7 @@ Guide guide_of(const RestingContact& contact, const Ball& ball, double time) {
 struct Friction {
     double slide = 0;  ///< µ with the sign of the slip; 0 when the ball rolls or there is no friction
     bool rolls = false;
+    bool begins = false;  ///< to slide: there is no slip yet
 
     /// Part of a tangential force that accelerates the centre; the rest accelerates the spin of a rolling
     /// ball.
@@ -266,7 +267,7 @@ Friction friction_state(const RestingContact& contact, const Ball& ball, double 
                         1e-12 * std::sqrt(ball.radius * std::max(0.0, contact.force));
     if (std::abs(slip) > none) return {slip > 0 ? contact.friction : -contact.friction, false};
     if (std::abs(tangential) / 3 < support * (1 - 1e-12)) return {0, true};
-    return {tangential > 0 ? contact.friction : -contact.friction, false};
+    return {tangential > 0 ? contact.friction : -contact.friction, false, true};
 }
 
 /// The path on a static line. It ends when the slip falls to 0.
@@ -289,10 +290,10 @@ void slide(const RestingContact& contact, const Ball& ball, const Friction& fric
     };
     // A ball that begins to slip does so faster and faster, until drag has slowed that.
     const double rounding = 1e-15 * (std::abs(along) + ball.radius * std::abs(ball.spin));
-    double t = slip > 0 ? 0 : safe_time(rounding, std::max(0.0, growth(0)), k);
+    double t = friction.begins ? safe_time(rounding, std::max(0.0, growth(0)), k) : 0;
     while (t < 1e6 && budget.take_step()) {
         const double now = sign * (dot(flight.velocity_at(t), tangent) - ball.radius * ball.spin) -
-                           2 * std::abs(sliding_force) * t - std::min(0.0, slip);
+                           2 * std::abs(sliding_force) * t - (friction.begins ? slip : 0);
         const double step = safe_time(std::max(0.0, now), growth(t), k);
         if (t + step <= t || now <= 0) {
             motion.until = motion.path.start + t;
@@ -342,7 +343,7 @@ void move_on_curve(const RestingContact& contact, const Ball& ball, const Guide&
         less[k] = contact.friction * loads.force[k] - loads.slide[k] / 2;
     }
     // A ball that begins to slip does so faster at first.
-    if (!friction.rolls && !(more[0] > 0)) more[0] = 0, more[1] = std::max(0.0, more[1]);
+    if (friction.begins) more[0] = 0, more[1] = std::max(0.0, more[1]);
     double switches = first_below_zero(more, h, budget);
     if (friction.rolls) switches = std::min(switches, first_below_zero(less, h, budget));
     if (time + switches < motion.until) {

@@ -2,7 +2,9 @@
 // at their times.
 
 #include <cmath>
+#include <cstdio>
 #include <numbers>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -80,6 +82,117 @@ TEST(Slip, EndsNearTheTopOfAHill) {
         ends.push_back(world->balls()[0].position);
     }
     EXPECT_LT(length(ends[0] - ends[1]), 1e-14);
+}
+
+/// A ball on the outside (side 1) or inside (−1) of a circle of 1 m about 0, by the equations of motion, in
+/// steps of the Runge-Kutta method.
+struct OnCircle {
+    double side = 1, friction = 0, drag = 0;
+    Vec2 gravity;
+    double angle = 0, speed = 0, spin_speed = 0;  ///< rad; m/s of the centre, and of the rim
+
+    struct Rates {
+        double angle, speed, spin_speed;
+    };
+    enum class Mode { slips_forwards, slips_backwards, rolls };
+
+    [[nodiscard]] double length() const { return 1 + side * rim; }
+    [[nodiscard]] Vec2 out() const { return from_angle(angle); }
+    [[nodiscard]] double slip() const { return side * speed - spin_speed; }
+    [[nodiscard]] double force() const { return -side * (speed * speed / length() + dot(gravity, out())); }
+    [[nodiscard]] double tangential() const { return side * (dot(gravity, perp(out())) - drag * speed); }
+    [[nodiscard]] Rates rates(Mode mode) const {
+        const double rub = mode == Mode::rolls            ? -tangential() / 3
+                           : mode == Mode::slips_forwards ? -friction * force()
+                                                          : friction * force();
+        return {speed / length(), side * (tangential() + rub), -2 * rub};
+    }
+    [[nodiscard]] OnCircle moved(const Rates& r, double t) const {
+        OnCircle later = *this;
+        later.angle += r.angle * t, later.speed += r.speed * t, later.spin_speed += r.spin_speed * t;
+        return later;
+    }
+    [[nodiscard]] OnCircle after(Mode mode, double t) const {
+        const Rates a = rates(mode), b = moved(a, t / 2).rates(mode), c = moved(b, t / 2).rates(mode),
+                    d = moved(c, t).rates(mode);
+        return moved({(a.angle + 2 * b.angle + 2 * c.angle + d.angle) / 6,
+                      (a.speed + 2 * b.speed + 2 * c.speed + d.speed) / 6,
+                      (a.spin_speed + 2 * b.spin_speed + 2 * c.spin_speed + d.spin_speed) / 6},
+                     t);
+    }
+    [[nodiscard]] Mode mode() const {
+        if (std::abs(slip()) < 1e-12 && std::abs(tangential()) < 3 * friction * force()) return Mode::rolls;
+        const bool forwards = std::abs(slip()) < 1e-12 ? tangential() > 0 : slip() > 0;
+        return forwards ? Mode::slips_forwards : Mode::slips_backwards;
+    }
+    /// Whether the ball, which was in this mode before, has left it.
+    [[nodiscard]] bool has_left(Mode before) const {
+        if (before == Mode::rolls) return std::abs(tangential()) > 3 * friction * force();
+        return before == Mode::slips_forwards ? slip() < 0 : slip() > 0;
+    }
+    /// Moves by t, in two parts where it begins or ceases to roll. Returns whether it did.
+    bool move(double t) {
+        const Mode now = mode();
+        const bool starts = now != Mode::rolls && std::abs(slip()) < 1e-12;
+        if (starts || !after(now, t).has_left(now)) {
+            *this = after(now, t);
+            return false;
+        }
+        double before = 0, end = t;
+        for (int halving = 0; halving < 50; ++halving) {
+            const double middle = (before + end) / 2;
+            (after(now, middle).has_left(now) ? end : before) = middle;
+        }
+        *this = after(now, end);
+        spin_speed = side * speed;
+        *this = after(mode(), t - end);
+        return true;
+    }
+};
+
+// Balls with any velocity and spin on hills and in bowls, under any gravity.
+TEST(Slip, BeginsAndEndsAsTheEquationsOfMotionSay) {
+    std::mt19937 random(7);
+    const auto number = [&](double low, double high) {
+        return low + (high - low) * static_cast<double>(random()) / 0x1p32;
+    };
+    int ends = 0, begins = 0, compared = 0;
+    for (int k = 0; k < 400; ++k) {
+        OnCircle on;
+        on.side = k % 2 == 0 ? 1 : -1;
+        on.friction = number(0.02, 0.6);
+        on.drag = k % 3 == 0 ? number(0, 3) : 0;
+        on.gravity = -fall * from_angle(number(-0.9, 0.9)) * on.side;
+        on.speed = number(-2, 2);
+        // Every other ball begins without slip.
+        on.spin_speed = k % 4 < 2 ? on.side * on.speed : number(-2, 2);
+        Scene scene = empty_scene(on.gravity);
+        scene.damping = on.drag;
+        scene.materials[0].friction = on.friction;
+        add_ball(scene, {on.length(), 0}, {0, on.speed}).spin = on.spin_speed / rim;
+        const Shape circle = on.side > 0 ? Shape{shape::Circle{{0, 0}, 1}}
+                                         : Shape{shape::Arc{{0, 0}, 1, 0, 2 * std::numbers::pi}};
+        add_part(scene, circle, {"", 0, on.friction, 0});
+        const auto worlds = exact_worlds(scene);
+        for (int step = 0; step < 30; ++step) {
+            for (int part = 0; part < 200 && on.force() > 0.1; ++part) {
+                const bool rolled = on.mode() == OnCircle::Mode::rolls;
+                (rolled ? begins : ends) += on.move(5e-5);
+            }
+            if (!(on.force() > 0.1)) break;  // it soon flies off
+            for (const auto& world : worlds) {
+                world->step(0.01);
+                const Ball& ball = world->balls()[0];
+                ASSERT_LT(length(ball.position - on.length() * on.out()), 1e-9)
+                    << "ball " << k << ", " << world->time() << " s";
+                ASSERT_NEAR(ball.spin * rim, on.spin_speed, 1e-8) << "ball " << k;
+            }
+            ++compared;
+        }
+    }
+    std::printf("%d steps compared; slip ended %d times and began %d times\n", compared, ends, begins);
+    EXPECT_GT(ends, 50);
+    EXPECT_GT(begins, 20);
 }
 
 }  // namespace
