@@ -130,7 +130,7 @@ struct Closest {
 [[nodiscard]] std::vector<Box> ranges_of(std::span<const Feature> features,
                                          std::span<const Primitive> primitives, const Table& table);
 
-/// The straight static faces that a ball in free flight touches without a contact force.
+/// The straight faces at rest that a ball in free flight touches without a contact force.
 ///
 /// Nothing accelerates the ball towards such a face, so its centre stays a radius above the line of the face
 /// until another event changes its path, and it cannot reach features below that line. Rounding could still
@@ -145,8 +145,8 @@ class TangentFaces {
     void add(Vec2 at, Vec2 normal) {
         if (count_ < faces_.size()) faces_[count_++] = {at, normal};
     }
-    /// Whether a static feature, in the pose of the scene file, lies entirely below one of the faces, to
-    /// rounding. Tests the full circle of an arc; returns false for a line.
+    /// Whether a feature at rest, where it stands, lies entirely below one of the faces, to rounding. Tests
+    /// the full circle of an arc; returns false for a line.
     [[nodiscard]] bool above(const Feature& feature) const {
         const auto below = [&](Vec2 center, double radius) {
             for (std::size_t i = 0; i < count_; ++i) {

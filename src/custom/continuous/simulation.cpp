@@ -16,7 +16,7 @@ Simulation::Simulation(Table& of_table, const Layout& of_layout, const SolverSet
       features(features_of(layout.primitives(), scene)),
       ranges(scene.bounds, ranges_of(features, layout.primitives(), table)),
       turnings(scene.parts.size()),
-      near_features_(features.size() + 1) {}
+      near_features_(features.size()) {}
 
 void Simulation::reserve(std::size_t most) {
     if (pool_.size() < most) {

@@ -14,7 +14,7 @@
 namespace flipside {
 namespace {
 
-constexpr double fall = 9.81, rim = 0.1;  // m/s², m: gravity, radius
+constexpr double standard_gravity = 9.81, ball_radius = 0.1;  // m/s², m
 
 std::vector<std::unique_ptr<World>> exact_worlds(const Scene& scene) {
     std::vector<std::unique_ptr<World>> worlds;
@@ -31,18 +31,18 @@ void run_for(World& world, double seconds, double dt) {
 
 // On a floor, a pull along it is at first too strong for rolling; then drag has taken enough of it.
 TEST(Slip, EndsWhenDragHasSlowedTheBall) {
-    const double pull = 12, drag = 2, friction = 0.3, rubbed = pull - friction * fall;
-    Scene scene = empty_scene({pull, -fall});
+    const double pull = 12, drag = 2, friction = 0.3, rubbed = pull - friction * standard_gravity;
+    Scene scene = empty_scene({pull, -standard_gravity});
     scene.damping = drag;
     scene.materials[0].friction = friction;
-    add_ball(scene, {0, rim});
+    add_ball(scene, {0, ball_radius});
     add_part(scene, segment({-1, 0}, {50, 0}), {"", 0, friction, 0});
     // It slips at (v, x) with v' = rubbed − drag·v, until v is the speed of the rim, 2µgt.
     const auto speed = [&](double t) { return rubbed / drag * (1 - std::exp(-drag * t)); };
     double before = 0.1, after = 1;
     for (int halving = 0; halving < 60; ++halving) {
         const double t = (before + after) / 2;
-        (speed(t) > 2 * friction * fall * t ? before : after) = t;
+        (speed(t) > 2 * friction * standard_gravity * t ? before : after) = t;
     }
     const double slipped = rubbed / drag * before - speed(before) / drag;
     // Then it rolls with v' = ⅔(pull − drag·v).
@@ -54,7 +54,7 @@ TEST(Slip, EndsWhenDragHasSlowedTheBall) {
             run_for(*world, 1, dt);
             const Ball& ball = world->balls()[0];
             EXPECT_NEAR(ball.velocity.x, pull / drag + faster * left, 1e-11);
-            EXPECT_NEAR(ball.spin, -ball.velocity.x / rim, 1e-10);
+            EXPECT_NEAR(ball.spin, -ball.velocity.x / ball_radius, 1e-10);
             EXPECT_NEAR(ball.position.x, slipped + pull / drag * rolled + faster * (1 - left) / rate, 1e-11);
             world->restore(start);
         }
@@ -65,12 +65,12 @@ TEST(Slip, EndsNearTheTopOfAHill) {
     const double friction = 0.2, slope = 24.5 * std::numbers::pi / 180, speed = 1.6;
     // The hill is turned so that the ball starts on the vertical line through its centre, just before the
     // place at 23.9 degrees from which on friction is strong enough.
-    Scene scene = empty_scene(fall * Vec2{std::sin(slope), -std::cos(slope)});
+    Scene scene = empty_scene(standard_gravity * Vec2{std::sin(slope), -std::cos(slope)});
     scene.materials[0].friction = friction;
-    add_ball(scene, {0, 1 + rim}, {-speed, 0}).spin = speed / rim;
+    add_ball(scene, {0, 1 + ball_radius}, {-speed, 0}).spin = speed / ball_radius;
     add_part(scene, {shape::Circle{{0, 0}, 1}}, {"", 0, friction, 0});
     const auto slip = [](const Ball& ball) {
-        return dot(ball.velocity, perp(unit(ball.position))) - rim * ball.spin;
+        return dot(ball.velocity, perp(unit(ball.position))) - ball_radius * ball.spin;
     };
     std::vector<Vec2> ends;
     for (const auto& world : exact_worlds(scene)) {
@@ -78,7 +78,7 @@ TEST(Slip, EndsNearTheTopOfAHill) {
         EXPECT_GT(std::abs(slip(world->balls()[0])), 1e-4);
         run_for(*world, 0.025, 0.001);
         EXPECT_NEAR(slip(world->balls()[0]), 0, 1e-14);
-        EXPECT_NEAR(length(world->balls()[0].position), 1 + rim, 1e-14);
+        EXPECT_NEAR(length(world->balls()[0].position), 1 + ball_radius, 1e-14);
         ends.push_back(world->balls()[0].position);
     }
     EXPECT_LT(length(ends[0] - ends[1]), 1e-14);
@@ -96,7 +96,7 @@ struct OnCircle {
     };
     enum class Mode { slips_forwards, slips_backwards, rolls };
 
-    [[nodiscard]] double length() const { return 1 + side * rim; }
+    [[nodiscard]] double length() const { return 1 + side * ball_radius; }
     [[nodiscard]] Vec2 out() const { return from_angle(angle); }
     [[nodiscard]] double slip() const { return side * speed - spin_speed; }
     [[nodiscard]] double force() const { return -side * (speed * speed / length() + dot(gravity, out())); }
@@ -162,14 +162,14 @@ TEST(Slip, BeginsAndEndsAsTheEquationsOfMotionSay) {
         on.side = k % 2 == 0 ? 1 : -1;
         on.friction = number(0.02, 0.6);
         on.drag = k % 3 == 0 ? number(0, 3) : 0;
-        on.gravity = -fall * from_angle(number(-0.9, 0.9)) * on.side;
+        on.gravity = -standard_gravity * from_angle(number(-0.9, 0.9)) * on.side;
         on.speed = number(-2, 2);
         // Every other ball begins without slip.
         on.spin_speed = k % 4 < 2 ? on.side * on.speed : number(-2, 2);
         Scene scene = empty_scene(on.gravity);
         scene.damping = on.drag;
         scene.materials[0].friction = on.friction;
-        add_ball(scene, {on.length(), 0}, {0, on.speed}).spin = on.spin_speed / rim;
+        add_ball(scene, {on.length(), 0}, {0, on.speed}).spin = on.spin_speed / ball_radius;
         const Shape circle = on.side > 0 ? Shape{shape::Circle{{0, 0}, 1}}
                                          : Shape{shape::Arc{{0, 0}, 1, 0, 2 * std::numbers::pi}};
         add_part(scene, circle, {"", 0, on.friction, 0});
@@ -185,7 +185,7 @@ TEST(Slip, BeginsAndEndsAsTheEquationsOfMotionSay) {
                 const Ball& ball = world->balls()[0];
                 ASSERT_LT(length(ball.position - on.length() * on.out()), 1e-9)
                     << "ball " << k << ", " << world->time() << " s";
-                ASSERT_NEAR(ball.spin * rim, on.spin_speed, 1e-8) << "ball " << k;
+                ASSERT_NEAR(ball.spin * ball_radius, on.spin_speed, 1e-8) << "ball " << k;
             }
             ++compared;
         }
