@@ -26,7 +26,7 @@ struct SweepOptions {
     std::vector<std::string> contenders, engines;
     std::vector<std::string> defined;  ///< contenders, as texts
     int finest = sweep::finest_steps;
-    bool quick = false;
+    bool quick = false, every_window = false;
     std::string shard = "1/1";
     std::uint64_t seed = 1;
     std::string out;
@@ -122,6 +122,7 @@ int run_sweep(const SweepOptions& options) {
     sweep::Plan plan = options.quick ? sweep::quick_plan(std::move(variants), options.seed)
                                      : sweep::Plan{.variants = std::move(variants), .seed = options.seed};
     plan.finest = std::min(plan.finest, options.finest);
+    if (options.every_window) plan.most_work = sweep::unlimited_work;
     if (!options.contenders.empty()) plan.contenders.clear();
     for (const std::string& name : options.contenders)
         plan.contenders.push_back(&sweep::contender_named(name));
@@ -174,6 +175,9 @@ void add_sweep(CLI::App& program, Action& chosen) {
         ->check(number_from(sweep::coarsest_steps, sweep::finest_steps))
         ->type_name("N");
     command.add_flag("--quick", options->quick, "Fewer windows, and no step below 1/960 s");
+    CLI::Option* every_window =
+        command.add_flag("--every-window", options->every_window,
+                         "Also those that are left out otherwise, where many balls take many steps");
     command.add_option("--shard", options->shard, "Only the K-th of N parts; in any order, at the same time")
         ->type_name("K/N");
     command.add_option("--seed", options->seed, "Of the windows (default 1)")
@@ -185,6 +189,7 @@ void add_sweep(CLI::App& program, Action& chosen) {
         ->excludes("--contenders")
         ->excludes("--contender")
         ->excludes("--shard")
+        ->excludes(every_window)
         ->type_name("ENGINE");
     command
         .add_option("--error", options->errors,

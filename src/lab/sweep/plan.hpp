@@ -11,6 +11,9 @@ namespace flipside::lab::sweep {
 /// The largest number up to which a JSON number tells every seed from the next.
 inline constexpr double largest_seed = 9007199254740991;
 
+/// Plan::most_work where no window is left out.
+inline constexpr double unlimited_work = 1e12;
+
 struct Plan {
     std::vector<Variant> variants{};
     std::vector<const Contender*> contenders = all_contenders();

@@ -92,6 +92,8 @@ TEST(SweepPlan, ThinsWhereManyBallsTakeManySteps) {
     EXPECT_EQ(thinning(plan, 320, 0.1, 1.0 / 240), 1U);
     EXPECT_EQ(thinning(plan, 320, 0.1, 1.0 / 480), 2U);
     EXPECT_EQ(thinning(plan, 320, 0.1, 1.0 / 7680), 32U);
+    const Plan whole{.most_work = unlimited_work};
+    EXPECT_EQ(thinning(whole, 100'000, 0.5, 1.0 / 7680), 1U);
 }
 
 TEST(SweepVariants, ByScenesAndBalls) {
