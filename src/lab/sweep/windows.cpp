@@ -1,6 +1,8 @@
 #include "lab/sweep/windows.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
 #include <set>
 
@@ -20,43 +22,60 @@ struct Found {
     std::string skipped;  ///< "" for a window
 };
 
-/// The worlds that windows are run in.
+/// The worlds that windows are run in. Of two runs in double precision each rounds in its own way: by chance
+/// one may end close to the exact outcome where rounding has decided.
 struct Reference {
-    std::unique_ptr<World> exact, in_double;
+    std::unique_ptr<World> exact, in_double, again;
+
+    [[nodiscard]] std::array<World*, 3> all() const { return {&*in_double, &*again, &*exact}; }
 };
+
+/// The same state but for the last digit of all positions and velocities.
+State with_other_rounding(State state) {
+    for (Ball& ball : state.balls)
+        for (double* part : {&ball.position.x, &ball.position.y, &ball.velocity.x, &ball.velocity.y})
+            if (*part != 0) *part = std::nextafter(*part, ball.number % 2 == 0 ? INFINITY : -INFINITY);
+    state.origin = nullptr;
+    return state;
+}
 
 bool waits(const State& state) {
     return !state.launches.empty();
 }
 
-/// The ends of the balls that the reference claims, and that its run in double precision knows too.
-void note_ends(Window& window, const World& exact, const World& in_double) {
+/// The ends of the balls that the reference claims, and that its runs in double precision know too.
+void note_ends(Window& window, const Reference& reference) {
+    const World& exact = *reference.exact;
     std::set<BallNumber> hit;
     for (const Event& impact : window.impacts) {
         hit.insert(impact.ball);
         if (impact.other.is_ball) hit.insert(impact.other.index);
     }
-    const auto balls = exact.balls(), rounded = in_double.balls();
+    const auto balls = exact.balls(), rounded = reference.in_double->balls(),
+               again = reference.again->balls();
     const auto uncertainty = exact.uncertainty();
+    const auto knows = [](const Ball& there, const Ball& ball) {
+        return length(there.position - ball.position) <= horizon_radii * ball.radius;
+    };
     for (std::size_t i = 0; i < balls.size() && i < uncertainty.size(); ++i) {
         const Ball& ball = balls[i];
         if (!(uncertainty[i] <= claim_radii * ball.radius)) continue;
-        if (!(length(rounded[i].position - ball.position) <= horizon_radii * ball.radius)) continue;
+        if (!knows(rounded[i], ball) || !knows(again[i], ball)) continue;
         window.ends.push_back(
             {ball.number, ball.position, ball.radius, uncertainty[i], hit.contains(ball.number)});
     }
 }
 
 /// Runs the reference over the window that starts from `start`.
-Found look(const State& start, double seconds, World& exact, World& in_double) {
+Found look(const State& start, double seconds, const Reference& reference) {
     Found found{{start, seconds, {}, {}}, ""};
     const auto hits = [](const World& world) {
         return std::ranges::any_of(world.events(),
                                    [](const Event& event) { return event.kind == EventKind::impact; });
     };
     try {
-        for (World* world : {&in_double, &exact}) {
-            world->restore(start);
+        for (World* world : reference.all()) {
+            world->restore(world == &*reference.again ? with_other_rounding(start) : start);
             world->step(seconds);
             if (hits(*world)) continue;
             found.skipped = "no hit";
@@ -66,13 +85,14 @@ Found look(const State& start, double seconds, World& exact, World& in_double) {
         found.skipped = "refused";
         return found;
     }
-    for (const Event& event : exact.events())
+    for (const Event& event : reference.exact->events())
         if (event.kind == EventKind::impact) found.window.impacts.push_back(event);
-    if (exact.balls().size() != start.balls.size() || in_double.balls().size() != start.balls.size()) {
+    const auto loses = [&](const World* world) { return world->balls().size() != start.balls.size(); };
+    if (std::ranges::any_of(reference.all(), loses)) {
         found.skipped = "a ball is lost";
         return found;
     }
-    note_ends(found.window, exact, in_double);
+    note_ends(found.window, reference);
     const bool known = std::ranges::any_of(found.window.ends, &Window::End::hit);
     if (!known) found.skipped = "past the horizon";
     return found;
@@ -176,7 +196,7 @@ void follow(const BlockPlan& plan, const std::shared_ptr<const Scene>& scene, co
             ++block.skipped["another number of balls"];
             continue;
         }
-        Found found = look(state, seconds, *reference.exact, *reference.in_double);
+        Found found = look(state, seconds, reference);
         if (found.skipped.empty())
             block.windows.push_back(std::move(found.window));
         else
@@ -200,6 +220,7 @@ Block make_block(const BlockPlan& plan, const std::shared_ptr<const Scene>& scen
     Dice dice(seed_of(plan));
     Block block;
     const Reference reference{truth.engine->make(scene, truth.window),
+                              truth.engine->make(scene, truth.trajectory),
                               truth.engine->make(scene, truth.trajectory)};
     while (block.windows.size() < plan.size && block.trajectories < most_trajectories) {
         ++block.trajectories;
