@@ -201,7 +201,6 @@ void Events::hit_ball(BallIndex i, double time) {
     // bounces of balls that have just left their island.
     const bool in_island = collapsing || sim_.hot[i].in_island || sim_.hot[j].in_island;
     const bool bounces = collide(low, high, in_island ? sim_.slow : sim_.scene.rest_speed, time);
-    const bool lasts = !bounces && lasts_in_contact(i, j, in_island, time);
     for (const BallIndex k : {i, j}) {
         if (sim_.particles[k].frozen) {
             islands_.stay_frozen(k, bounces ? sim_.balls[k].velocity : sim_.particles[k].velocity_end, time);
@@ -210,9 +209,9 @@ void Events::hit_ball(BallIndex i, double time) {
         if (bounces) sim_.leave_island(k);
         paths_.start_path(k, time);
     }
-    // A slow contact of balls that accelerate towards each other is a resting contact.
-    if (lasts ||
-        (!bounces && islands_.closing_acceleration(low, high, time) > 1e-9 * length(sim_.scene.gravity)))
+    // A slow contact with a member, or of balls that accelerate towards each other, is a resting contact.
+    if (!bounces &&
+        (in_island || islands_.closing_acceleration(low, high, time) > 1e-9 * length(sim_.scene.gravity)))
         sim_.join_island(i, time), sim_.join_island(j, time);
     predictions_.predict(i, time);
     predictions_.predict(j, time);
@@ -237,17 +236,6 @@ bool Events::collide(BallIndex low, BallIndex high, double rest_speed, double ti
     if (!within_top_speed(b))
         refuse_speed(engine_name, b, Other::ball(a.number), sim_.start + time, sim_.scene);
     return true;
-}
-
-/// Whether a slow contact of two balls is one of an island: `in_island` says that one of them is a member.
-bool Events::lasts_in_contact(BallIndex i, BallIndex j, bool in_island, double time) const {
-    bool lasts = in_island;
-    for (Particle* particle : {&sim_.particles[i], &sim_.particles[j]}) {
-        // A ball with several slow contacts within a tick lies between other balls.
-        lasts = lasts || time - particle->last_slow < sim_.tick_length;
-        particle->last_slow = time;
-    }
-    return lasts;
 }
 
 /// Wakes the sleeping balls that lie on a ball that has moved, and those that lie on them.

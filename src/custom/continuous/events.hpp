@@ -31,7 +31,6 @@ class Events {
     void hit_feature(BallIndex i, double time);
     void hit_ball(BallIndex i, double time);
     [[nodiscard]] bool collide(BallIndex low, BallIndex high, double rest_speed, double time);
-    [[nodiscard]] bool lasts_in_contact(BallIndex i, BallIndex j, bool in_island, double time) const;
     void restart(BallIndex i, double time);
     void release(PartIndex part, BallIndex hitting, double time);
     void wake_carried(BallIndex i, double time);

@@ -46,7 +46,7 @@ void Simulation::start_with(std::span<const Ball> now) {
         particle.jammed = particle.frozen = particle.on_tick_path = false;
         particle.resting_on = particle.separated_from = nullptr;
         particle.last_event = -1;
-        particle.last_slow = particle.last_hit = particle.last_driven = -INFINITY;
+        particle.last_hit = particle.last_driven = -INFINITY;
         particle.simultaneous_events = particle.idle_events = particle.hits = 0;
         particle.events_until = 0;
         hot[i] = {};

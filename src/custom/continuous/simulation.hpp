@@ -66,7 +66,6 @@ struct Particle {
     std::uint32_t partner = 0;          ///< FeatureIndex, BallIndex or PartIndex, according to `next`
     std::uint32_t partner_version = 0;  ///< version of the partner's path in this prediction
     double last_event = -1;             ///< s
-    double last_slow = -INFINITY;       ///< s, of its last slow contact with a ball
     double last_hit = -INFINITY;        ///< s, of its last contact with a ball
     double last_driven = -INFINITY;     ///< s, of its last contact with a part that moves
     int hits = 0;                 ///< contacts with balls in a row, each within a tick of the one before

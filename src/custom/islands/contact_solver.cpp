@@ -25,6 +25,8 @@ constexpr int squeezed_sweeps = 240;
 constexpr int squeezed_reach = 3;
 /// Over-relaxation there: 2/(1 + sin(π/n)) is best for a row of n contacts, and such a row has about 30.
 constexpr double squeezed_relaxation = 1.8;
+/// Sweeps there without over-relaxation, with which velocities oscillate where masses differ much.
+constexpr int last_sweeps = 60;
 /// Sweeps end when none changes a velocity by more than this part of the velocity that gravity gives in a
 /// tick.
 constexpr double good_enough = 1e-4;
@@ -71,7 +73,7 @@ void ContactSolver::reserve(std::size_t balls) {
     reserve_for(uncorrected_, 2 * balls);
     reserve_for(reached_, 2 * balls);
     reserve_for(squeezed_, balls, contacts_per_ball);
-    residuals_.reserve(most_sweeps * (most_extensions + 1) + squeezed_sweeps);
+    residuals_.reserve(most_sweeps * (most_extensions + 1) + squeezed_sweeps + last_sweeps);
 }
 
 /// Changes the impulse of a contact such that it closes no faster than allowed and slips as little as
@@ -127,7 +129,8 @@ void ContactSolver::converge_squeezed(double enough) {
     };
     squeezed_.clear();
     std::ranges::copy_if(contacts_, std::back_inserter(squeezed_), is_near);
-    converge(squeezed_, squeezed_sweeps, squeezed_relaxation, enough);
+    if (!converge(squeezed_, squeezed_sweeps, squeezed_relaxation, enough))
+        converge(squeezed_, last_sweeps, 1, enough);
     auto solved = squeezed_.begin();
     for (Contact& contact : contacts_)
         if (is_near(contact)) contact = *solved++;
