@@ -36,7 +36,12 @@ void Simulation<R>::predict(BallIndex i) {
     predict_features(particle);
     predict_sensors(particle);
     predict_balls(i);
-    queue_.push_back({particle.next_time, i, particle.predictions});
+    const bool meets_ball = particle.next == Next::ball;
+    const BallIndex low = meets_ball ? std::min(i, particle.next_index) : i,
+                    high = meets_ball ? std::max(i, particle.next_index) : i;
+    const std::uint64_t order =
+        std::uint64_t{meets_ball} << 63 | std::uint64_t{low} << 32 | std::uint64_t{high};
+    queue_.push_back({particle.next_time, i, particle.predictions, order});
     std::push_heap(queue_.begin(), queue_.end());
 }
 

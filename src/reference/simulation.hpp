@@ -6,13 +6,13 @@
 /// Positions at the end of a step are read off the paths. So a trajectory does not depend on the step, bit
 /// for bit, except for the times of controls and a clock that is reset once a second.
 ///
-/// Rules where the physical model leaves a choice: impacts at one instant are solved pair by pair, in the
-/// order of the numbers of the balls; bounces lower than the rounding of a radius become resting contacts
-/// (the end of a Zeno sequence if rest_speed is 0); a ball that starts inside a part is moved out of it and
-/// keeps its velocity. Balls in resting contact with each other are a static heap if their weights can be in
-/// equilibrium (heaps.cpp). Cases without an exact solution throw Refusal: moving balls in resting contact
-/// with each other, an impact on a heap, a ball between two parts of which one moves, and impacts without
-/// end.
+/// Rules where the physical model leaves a choice: impacts at one instant are solved pair by pair, first
+/// those with parts, and each in the order of the numbers of the balls; bounces lower than the rounding of a
+/// radius become resting contacts (the end of a Zeno sequence if rest_speed is 0); a ball that starts inside
+/// a part is moved out of it and keeps its velocity. Balls in resting contact with each other are a static
+/// heap if their weights can be in equilibrium (heaps.cpp). Cases without an exact solution throw Refusal:
+/// moving balls in resting contact with each other, an impact on a heap, a ball between two parts of which
+/// one moves, and impacts without end.
 
 #include <functional>
 #include <map>
@@ -130,8 +130,9 @@ class Simulation final : public Exact {
         R time;
         BallIndex particle;
         std::uint32_t prediction;
+        std::uint64_t order;                                     ///< at one instant
         friend bool operator<(const Entry& a, const Entry& b) {  // the earliest on top of the heap
-            return a.time != b.time ? a.time > b.time : a.particle > b.particle;
+            return a.time != b.time ? a.time > b.time : a.order > b.order;
         }
     };
     struct Touching {
