@@ -7,7 +7,9 @@ namespace flipside::reference {
 template <class R>
 void Simulation<R>::offer(Particle& particle, const R& time, Next next, std::uint32_t index,
                           std::uint32_t changes) {
-    if (!(time < particle.next_time)) return;
+    const bool ball_with_lower_number =
+        next == Next::ball && particle.next == Next::ball && index < particle.next_index;
+    if (!(time < particle.next_time || (time == particle.next_time && ball_with_lower_number))) return;
     particle.next_time = time;
     particle.next = next;
     particle.next_index = index;

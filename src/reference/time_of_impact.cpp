@@ -110,20 +110,23 @@ R time_of_impact(const Feature<R>& feature, const View<R>& view, const R& radius
 
 namespace {
 
-/// Two points that move straight, x + u·e: the first e ≥ 0 at which they are `reach` apart and approach.
+/// Two points that move straight, x + u·e: the first e ≥ 0 at which they are `reach` apart and approach. A
+/// gap up to `rounding` is contact, so that impacts of balls in contact are at one instant.
 template <class R>
-R straight_time_of_impact(const V<R>& x, const V<R>& u, const R& reach, std::uint64_t& grazes) {
+R straight_time_of_impact(const V<R>& x, const V<R>& u, const R& reach, const R& rounding,
+                          std::uint64_t& grazes) {
     using std::sqrt;
     const R approach = dot(x, u), far = length(x), squared = dot(u, u);
     const R apart = (far - reach) * (far + reach);
     if (!(approach < 0)) return infinity<R>();
-    if (apart <= 0) return approach < -rounding_speed(R(length(u))) * far ? R(0) : infinity<R>();
+    if (far - reach <= rounding) return approach < -rounding_speed(R(length(u))) * far ? R(0) : infinity<R>();
     const R inside = approach * approach - squared * apart;
     if (magnitude(inside) <= 32 * epsilon<R>() * (approach * approach + squared * apart)) {
         using Wide = typename Wider<R>::type;
         if constexpr (!std::is_same_v<Wide, R>) {
             ++grazes;
-            return static_cast<R>(straight_time_of_impact(V<Wide>(x), V<Wide>(u), Wide(reach), grazes));
+            return static_cast<R>(
+                straight_time_of_impact(V<Wide>(x), V<Wide>(u), Wide(reach), Wide(rounding), grazes));
         }
     }
     if (inside < 0) return infinity<R>();
@@ -146,7 +149,9 @@ R time_of_impact(const Path<R>& a, const Path<R>& b, const R& reach, const R& fr
     const V<R> x = one.position - other.position, u = one.velocity - other.velocity;
     if (closed_form(a) && closed_form(b) && a.drag == b.drag && a.acceleration.x == b.acceleration.x &&
         a.acceleration.y == b.acceleration.y) {
-        const R e = straight_time_of_impact(x, u, reach, grazes);
+        const R rounding =
+            16 * epsilon<R>() * (std::max(length(one.position), length(other.position)) + reach);
+        const R e = straight_time_of_impact(x, u, reach, rounding, grazes);
         if (!(a.drag > 0)) return from + e;
         return a.drag * e < 1 ? R(from - log1p(R(-a.drag * e)) / a.drag) : infinity<R>();
     }

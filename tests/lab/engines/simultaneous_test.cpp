@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -55,6 +56,47 @@ TEST_P(Simultaneous, ImpactsWithPartsComeFirst) {
     world->step(0.11);
     for (std::size_t i = 0; i < 2; ++i)
         EXPECT_LT(length(world->balls()[i].velocity - expected[i]), 1e-10) << i;
+}
+
+TEST_P(Simultaneous, ImpactsOfBallsComeInTheOrderOfTheirNumbers) {
+    constexpr double r = 0.125, e = 0.9;
+    const Vec2 oblique{0.4, std::sqrt(1 - 0.16)};
+    // One ball lies on the floor beside a second. A third hits the first from above, so that it bounces off
+    // the floor into both at once.
+    for (const bool second_first : {true, false}) {
+        Scene scene = empty_scene();
+        scene.rest_speed = 0;
+        scene.materials[0].restitution = std::sqrt(e);
+        add_part(scene, segment({-2, 0}, {2, 0}), {"", std::sqrt(e), 0, 0});
+        const auto add_second = [&] { add_ball(scene, {-2 * r, r}, {}, r); };
+        if (second_first) add_second();
+        const std::size_t first = scene.balls.size();
+        add_ball(scene, {0, r}, {}, r);
+        const std::size_t third = scene.balls.size();
+        add_ball(scene, Vec2{0, r} + (2 * r + 0.1) * oblique, -1.0 * oblique, r);
+        const std::size_t second = second_first ? 0 : scene.balls.size();
+        if (!second_first) add_second();
+
+        std::vector<Vec2> expected(3);
+        expected[third] = -1.0 * oblique;
+        const auto hit = [&](std::size_t i, std::size_t j, Vec2 normal) {
+            const double closing = -dot(expected[i] - expected[j], normal);
+            if (closing <= 1e-12) return false;
+            expected[i] += (1 + e) / 2 * closing * normal;
+            expected[j] -= (1 + e) / 2 * closing * normal;
+            return true;
+        };
+        const auto hits_second = [&] { return hit(second, first, {-1, 0}); };
+        const auto hits_third = [&] { return hit(third, first, oblique); };
+        for (int round = 0; round < 100; ++round) {
+            for (const std::size_t i : {first, second}) bounce(expected[i], {0, 1}, e);
+            if (second_first ? !hits_second() && !hits_third() : !hits_third() && !hits_second()) break;
+        }
+        const auto world = start(GetParam(), scene);
+        world->step(0.11);
+        for (std::size_t i = 0; i < 3; ++i)
+            EXPECT_LT(length(world->balls()[i].velocity - expected[i]), 1e-10) << i << second_first;
+    }
 }
 
 TEST_P(Simultaneous, SlowContactsInFlightAreImpacts) {
