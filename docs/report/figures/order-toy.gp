@@ -63,16 +63,16 @@ plot csv skip 1 every ::0::8 using (at_x($2)):(at_y($3)) with lines dashtype 1 l
      NaN with linespoints dashtype 1 linewidth 2 pointtype 7 pointsize 0.8 linecolor rgb "#009e73" title "reference-53", \
      csv skip 1 every ::69::70 using (at_x($2)):(at_y($3)) with lines dashtype 3 linewidth 2 linecolor rgb "#e69f00" notitle, \
      csv skip 1 every ::69::70 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 69)) with labels hypertext point pointtype 10 pointsize 0.3 linecolor rgb "#e69f00" notitle, \
-     NaN with linespoints dashtype 3 linewidth 2 pointtype 10 pointsize 0.3 linecolor rgb "#e69f00" title "box2d-no-bullets: order 0.80 (R\302\262 0.983)", \
+     NaN with linespoints dashtype 3 linewidth 2 pointtype 10 pointsize 0.3 linecolor rgb "#e69f00" title "box2d-no-bullets: order 0.80 (R\302\262 0.986)", \
      csv skip 1 every ::71::72 using (at_x($2)):(at_y($3)) with lines dashtype 3 linewidth 2 linecolor rgb "#e69f00" notitle, \
      csv skip 1 every ::71::72 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 71)) with labels hypertext point pointtype 13 pointsize 0.3 linecolor rgb "#e69f00" notitle, \
-     NaN with linespoints dashtype 3 linewidth 2 pointtype 13 pointsize 0.3 linecolor rgb "#e69f00" title "box2d-substeps-4: order 0.60 (R\302\262 0.956)", \
+     NaN with linespoints dashtype 3 linewidth 2 pointtype 13 pointsize 0.3 linecolor rgb "#e69f00" title "box2d-substeps-4: order 0.61 (R\302\262 0.952)", \
      csv skip 1 every ::73::74 using (at_x($2)):(at_y($3)) with lines dashtype 3 linewidth 2 linecolor rgb "#56b4e9" notitle, \
      csv skip 1 every ::73::74 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 73)) with labels hypertext point pointtype 6 pointsize 0.3 linecolor rgb "#56b4e9" notitle, \
      NaN with linespoints dashtype 3 linewidth 2 pointtype 6 pointsize 0.3 linecolor rgb "#56b4e9" title "custom-simple: order 1.05 (R\302\262 0.994)", \
      csv skip 1 every ::75::76 using (at_x($2)):(at_y($3)) with lines dashtype 3 linewidth 2 linecolor rgb "#56b4e9" notitle, \
      csv skip 1 every ::75::76 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 75)) with labels hypertext point pointtype 9 pointsize 0.3 linecolor rgb "#56b4e9" notitle, \
-     NaN with linespoints dashtype 3 linewidth 2 pointtype 9 pointsize 0.3 linecolor rgb "#56b4e9" title "custom-simple-tuned: order 1.15 (R\302\262 0.994)"
+     NaN with linespoints dashtype 3 linewidth 2 pointtype 9 pointsize 0.3 linecolor rgb "#56b4e9" title "custom-simple-tuned: order 1.16 (R\302\262 0.992)"
 set terminal pngcairo size 1800,920 fontscale 1.9 linewidth 2 pointscale 2 font 'DejaVu Sans,11'
 set output png
 replot
