@@ -130,7 +130,8 @@ class Simulation final : public Exact {
         R time;
         BallIndex particle;
         std::uint32_t prediction;
-        std::uint64_t order;                                     ///< at one instant
+        /// At one instant: first events without a second ball, then by the lower number, then by the higher.
+        std::uint64_t order;
         friend bool operator<(const Entry& a, const Entry& b) {  // the earliest on top of the heap
             return a.time != b.time ? a.time > b.time : a.order > b.order;
         }

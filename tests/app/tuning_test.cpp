@@ -38,6 +38,7 @@ TEST_F(TuningCommand, RefusesWhatMakesNoSense) {
     expect_refused(tune("--error much"), 2, "--error");
     expect_refused(tune("--shard 1/2"), 2, "--shard");
     expect_refused(tune("--contenders box2d"), 2, "--contenders");
+    expect_refused(tune("--every-window"), 2, "--every-window");
     EXPECT_FALSE(fs::exists(file("a")));
     EXPECT_FALSE(fs::exists(file("tuned")));
 }

@@ -30,7 +30,7 @@ struct Reference {
     [[nodiscard]] std::array<World*, 3> all() const { return {&*in_double, &*again, &*exact}; }
 };
 
-/// The same state but for the last digit of all positions and velocities.
+/// The same state but for the last bit of all positions and velocities.
 State with_other_rounding(State state) {
     for (Ball& ball : state.balls)
         for (double* part : {&ball.position.x, &ball.position.y, &ball.velocity.x, &ball.velocity.y})

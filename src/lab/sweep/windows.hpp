@@ -6,8 +6,7 @@
 ///
 /// The outcome is the reference's at 113 bits, and only balls count
 ///   - whose position it claims, against 226 bits, to `claim_radii`: more digits than a double holds, and
-///   - which two of its runs in double precision know to `horizon_radii`, whose starts differ by the last
-///   digit
+///   - which two of its runs in double precision know to `horizon_radii`, whose starts differ by the last bit
 ///     of positions and velocities. Past that horizon rounding alone decides (a ball that rolls over an edge
 ///     turns 1e-16 into 1e-8, and of impacts at one instant it chooses the first), so no engine that computes
 ///     in double could do better, and the window would tell nothing of the engine.
