@@ -5,8 +5,8 @@
 #     examples/scenes/gas.sh 1000 > gas.json
 set -eu
 case ${1:-} in
-    '' | *[!0-9]* | 0*)
-        echo "usage: $0 N    (a number of balls, from 1)" >&2
+    '' | *[!0-9]* | 0* | ????????*)
+        echo "usage: $0 N    (a number of balls, from 1 to 9999999)" >&2
         exit 2
         ;;
 esac

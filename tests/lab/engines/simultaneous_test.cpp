@@ -1,5 +1,6 @@
 // Impacts at one instant, of which the physical model leaves the order open: the exact engines solve them
-// pair by pair, first those with parts. And slow contacts of balls that fall side by side are impacts too.
+// pair by pair, first those with parts, and each in the order of the numbers of the balls. And slow contacts
+// of balls that fall side by side are impacts too.
 
 #include <array>
 #include <cmath>
@@ -27,6 +28,16 @@ void bounce(Vec2& velocity, Vec2 normal, double e) {
     if (closing > 1e-12) velocity += (1 + e) * closing * normal;
 }
 
+/// Changes the velocities of two balls of the same mass along the normal from b to a, with restitution e, if
+/// they approach. Returns whether they do.
+bool collide(Vec2& a, Vec2& b, Vec2 normal, double e) {
+    const double closing = -dot(a - b, normal);
+    if (closing <= 1e-12) return false;
+    a += (1 + e) / 2 * closing * normal;
+    b -= (1 + e) / 2 * closing * normal;
+    return true;
+}
+
 TEST_P(Simultaneous, ImpactsWithPartsComeFirst) {
     constexpr double r = 0.125, e = 0.8;
     Scene scene = empty_scene();
@@ -44,11 +55,7 @@ TEST_P(Simultaneous, ImpactsWithPartsComeFirst) {
     std::array<Vec2, 2> expected{Vec2{}, Vec2{-1, 0}};
     const Vec2 normal{-across / (2 * r), rise / (2 * r)};
     for (int round = 0; round < 100; ++round) {
-        const double closing = -dot(expected[0] - expected[1], normal);
-        if (closing > 1e-12) {
-            expected[0] += (1 + e) / 2 * closing * normal;
-            expected[1] -= (1 + e) / 2 * closing * normal;
-        }
+        collide(expected[0], expected[1], normal, e);
         bounce(expected[0], {1, 0}, e);
         bounce(expected[1], {0, 1}, e);
     }
@@ -79,15 +86,8 @@ TEST_P(Simultaneous, ImpactsOfBallsComeInTheOrderOfTheirNumbers) {
 
         std::vector<Vec2> expected(3);
         expected[third] = -1.0 * oblique;
-        const auto hit = [&](std::size_t i, std::size_t j, Vec2 normal) {
-            const double closing = -dot(expected[i] - expected[j], normal);
-            if (closing <= 1e-12) return false;
-            expected[i] += (1 + e) / 2 * closing * normal;
-            expected[j] -= (1 + e) / 2 * closing * normal;
-            return true;
-        };
-        const auto hits_second = [&] { return hit(second, first, {-1, 0}); };
-        const auto hits_third = [&] { return hit(third, first, oblique); };
+        const auto hits_second = [&] { return collide(expected[second], expected[first], {-1, 0}, e); };
+        const auto hits_third = [&] { return collide(expected[third], expected[first], oblique, e); };
         for (int round = 0; round < 100; ++round) {
             for (const std::size_t i : {first, second}) bounce(expected[i], {0, 1}, e);
             if (second_first ? !hits_second() && !hits_third() : !hits_third() && !hits_second()) break;
