@@ -103,7 +103,6 @@ void ContinuousSolver::advance_to(const Clock& now, std::vector<Ball>& balls) {
 void ContinuousSolver::begin(const std::vector<Ball>& balls) {
     if (!balls_known_) {
         gates_.find_sensed(balls);
-        for (Candidates& near_ball : sim_.candidates) near_ball.forget();
     }
     balls_known_ = true;
     if (!contacts_known_) contacts_.search(sim_.layout, sim_.table, balls, broad_);
@@ -185,8 +184,7 @@ void ContinuousSolver::handle_until(double time) {
             events_.handle(first);
         // What its event will read: with 100,000 balls an event takes a sixth less time.
         const BallIndex soon = queue.soon();
-        prefetch(sim_.particles[soon]), prefetch(sim_.balls[soon]), prefetch(sim_.hot[soon]),
-            prefetch(sim_.candidates[soon]);
+        prefetch(sim_.particles[soon]), prefetch(sim_.balls[soon]), prefetch(sim_.hot[soon]);
     }
 }
 
@@ -269,7 +267,7 @@ void ContinuousSolver::pair_with_parts(std::span<const Ball> balls, BallIndex i)
     const Handle handle = sim_.layout.size() + rank_[i];
     const Box box = near_box(ball);
     const std::size_t first = pairs_.size();
-    for (const FeatureIndex f : sim_.features_near(i, box)) {
+    for (const FeatureIndex f : sim_.features_near(box)) {
         if (!layers_meet(ball, sim_.features[f])) continue;
         // The box of an arc is mostly empty.
         if (std::holds_alternative<Arc>(sim_.features[f].is) &&

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "custom/broad_phase/capacity.hpp"
+#include "custom/tolerances.hpp"
 
 namespace flipside::custom {
 
@@ -17,11 +18,17 @@ constexpr double least_width = 1.25;
 constexpr double cell_slack = 0.1;
 static_assert(least_width * (1 - 2 * cell_slack) >= 1);
 
-/// Limit on the cells along an axis, so that a long and narrow range does not get more cells than boxes.
-constexpr std::size_t most_cells = 1024;
-/// Limit on the cells that list one box, in units of √n: a wall along the table is listed, a box over the
-/// whole table is not.
-constexpr double most_touched = 4;
+/// Margin within which a cell of a BoxIndex lists boxes, and within which it is asked for them, in widths.
+/// The difference exceeds all rounding. A ball reaches beyond its cell by cell_slack and by its radius.
+constexpr double listed_margin = 0.55, asked_margin = 0.54;
+static_assert(asked_margin >= cell_slack + 0.5 / least_width * (1 + sleep_distance));
+/// Limit on the cells of a level, and on their entries: the first, and so many more per box.
+constexpr double least_limit = 65536, most_per_box = 64;
+
+/// Index of the cell at this distance from the border, in widths; that of the outermost cell beyond them.
+std::uint32_t index_of(double at, std::uint32_t cells) {
+    return at > 0 ? static_cast<std::uint32_t>(std::min(at, cells - 1.0)) : 0;
+}
 
 }  // namespace
 
@@ -132,86 +139,78 @@ void Cells::inspect(Inspector& inspector) const {
     }
 }
 
-BoxIndex::Axis BoxIndex::axis(double min, double max, double width, std::size_t most) {
-    if (!(max > min) || !(width > 0)) return {min, 0, 1};
-    const double cells = std::clamp(std::ceil((max - min) / width), 1.0, static_cast<double>(most));
-    return {min, cells / (max - min), static_cast<std::uint32_t>(cells)};
-}
-
-BoxIndex::BoxIndex(const Box& range, std::vector<Box> boxes) : boxes_(std::move(boxes)) {
-    const auto n = static_cast<double>(boxes_.size());
+BoxIndex::BoxIndex(const Box& range, double width, std::vector<Box> boxes)
+    : range_(range), boxes_(std::move(boxes)) {
     const Vec2 size = range.max - range.min;
-    constexpr double boxes_per_cell = 2;  // 1 and 4 take 5 % longer on pinball
-    const double width = std::sqrt(boxes_per_cell * size.x * size.y / std::max(1.0, n));
-    const std::size_t most = std::min(most_cells, std::max<std::size_t>(1, boxes_.size()));
-    x_ = axis(range.min.x, range.max.x, width, most);
-    y_ = axis(range.min.y, range.max.y, width, most);
-    const auto each_in_cells = [&](auto&& visit, auto&& is_large) {
-        for (std::uint32_t i = 0; i < boxes_.size(); ++i) {
-            const Box& box = boxes_[i];
-            if (!(box.min.x <= box.max.x && box.min.y <= box.max.y)) continue;
-            const CellRange cells = cells_of(box);
-            if (static_cast<double>(cells.count()) > most_touched * std::sqrt(n))
-                is_large(i);
-            else
-                cells.each([&](std::uint32_t column, std::uint32_t row) {
-                    visit(cell_at(column, row), Entry{i, column, cells.left, cells.low});
-                });
-        }
+    const double most = least_limit + most_per_box * static_cast<double>(boxes_.size());
+    for (bool last = false; !last; width *= 2) {
+        last = width >= std::max(size.x, size.y);
+        Level level;
+        level.width = width;
+        level.per_width = 1 / width;
+        if (fill(level, last ? INFINITY : most)) levels_.push_back(std::move(level));
+    }
+}
+
+/// Moves what is outside the range onto its border, so that what overlaps still does.
+Box BoxIndex::clamped(const Box& box) const {
+    const auto inside = [&](Vec2 p) {
+        return Vec2{std::min(std::max(p.x, range_.min.x), range_.max.x),
+                    std::min(std::max(p.y, range_.min.y), range_.max.y)};
     };
-    begins_.assign(std::size_t{x_.cells} * y_.cells + 1, 0);
-    each_in_cells([&](std::size_t cell, const Entry&) { ++begins_[cell]; },
-                  [&](std::uint32_t i) { large_.push_back(i); });
+    return {inside(box.min), inside(box.max)};
+}
+
+void BoxIndex::each_listed(const Level& level, auto&& visit) const {
+    for (auto i = static_cast<std::uint32_t>(boxes_.size()); i-- > 0;) {
+        const Box& box = boxes_[i];
+        if (!(box.min.x <= box.max.x && box.min.y <= box.max.y)) continue;
+        const Box wide = grown(clamped(box), listed_margin * level.width);
+        const Vec2 first = level.per_width * (wide.min - level.low);
+        const Vec2 last = level.per_width * (wide.max - level.low);
+        visit(i, CellRange{index_of(first.x, level.columns), index_of(first.y, level.rows),
+                           index_of(last.x, level.columns), index_of(last.y, level.rows)});
+    }
+}
+
+bool BoxIndex::fill(Level& level, double most) const {
+    const auto first = [&](double at) { return std::floor(at * level.per_width); };
+    const Vec2 begin{first(range_.min.x), first(range_.min.y)};
+    const double columns = first(range_.max.x) - begin.x + 1, rows = first(range_.max.y) - begin.y + 1;
+    if (columns * rows > most) return false;
+    level.low = level.width * begin;
+    level.columns = static_cast<std::uint32_t>(columns);
+    level.rows = static_cast<std::uint32_t>(rows);
+    double entries = 0;
+    each_listed(
+        level, [&](std::uint32_t, const CellRange& cells) { entries += static_cast<double>(cells.count()); });
+    if (entries > most) return false;
+    const auto each_entry = [&](auto&& visit) {
+        each_listed(level, [&](std::uint32_t i, const CellRange& cells) {
+            cells.each([&](std::uint32_t column, std::uint32_t row) { visit(i, level.cell(column, row)); });
+        });
+    };
+    level.begins.assign(level.cell(0, level.rows) + 1, 0);
+    each_entry([&](std::uint32_t, std::size_t cell) { ++level.begins[cell]; });
     std::uint32_t end = 0;
-    for (std::uint32_t& begin : begins_) end += begin, begin = end;
-    entries_.resize(end);
-    each_in_cells([&](std::size_t cell, const Entry& entry) { entries_[--begins_[cell]] = entry; },
-                  [](std::uint32_t) {});
+    for (std::uint32_t& begins : level.begins) end += begins, begins = end;
+    level.entries.resize(end);
+    each_entry([&](std::uint32_t i, std::size_t cell) { level.entries[--level.begins[cell]] = i; });
+    return true;
 }
 
-std::uint64_t BoxIndex::find(const Box& box, std::vector<std::uint32_t>& found) const {
-    const std::size_t before = found.size();
-    const CellRange cells = cells_of(box);
-    std::size_t most = large_.size();
-    for (std::uint32_t row = cells.low; row <= cells.high; ++row) most += in_row(cells, row).size();
-    found.resize(before + std::min(most, size() + 1));
-    // Every box is written, and stays if it overlaps: branches would be mispredicted.
-    std::size_t end = before, tests = 1;
-    const auto test = [&](std::uint32_t i, bool wanted) {
-        found[end] = i;
-        end += static_cast<std::size_t>(wanted & overlap(box, boxes_[i]));
-        tests += static_cast<std::size_t>(wanted);
-    };
-    for (const std::uint32_t i : large_) test(i, true);
-    for (std::uint32_t row = cells.low; row <= cells.high; ++row)
-        for (const Entry& entry : in_row(cells, row)) {
-            // A box in several of these cells counts in the first.
-            const bool first_column = entry.column == std::max(entry.left, cells.left);
-            test(entry.index, first_column & (row == std::max(entry.low, cells.low)));
-        }
-    found.resize(end);
-    std::sort(found.begin() + static_cast<std::ptrdiff_t>(before), found.end());
-    return tests;
-}
-
-std::span<const std::uint32_t> Candidates::near(const Box& box, Vec2 velocity, const BoxIndex& index,
-                                                std::vector<std::uint32_t>& found, std::uint64_t& tests) {
-    if (fat_.contains(box.min) && fat_.contains(box.max)) return list();
-    const Vec2 size = box.max - box.min;
-    // A wider box makes longer lists, a narrower one more rebuilds; measured on pinball.
-    constexpr double margin = 0.1;  // of width plus height
-    constexpr double ahead = 0.05;  // s
-    fat_ = grown(box, margin * (size.x + size.y));
-    const Vec2 shift = ahead * velocity;
-    fat_ = united(fat_, {fat_.min + shift, fat_.max + shift});
-    found.clear();
-    tests += index.find(fat_, found);
-    count_ = static_cast<std::uint32_t>(found.size());
-    if (count_ > most_short)
-        long_list_ = found;
-    else
-        std::ranges::copy(found, short_list_.begin());
-    return list();
+std::span<const std::uint32_t> BoxIndex::near(const Box& box) const {
+    const Box inside = clamped(box);
+    const Vec2 center = 0.5 * (inside.min + inside.max), half = 0.5 * (inside.max - inside.min);
+    for (auto level = levels_.begin();; ++level) {
+        const Vec2 at = level->per_width * (center - level->low), reach = level->per_width * half;
+        const std::uint32_t column = index_of(at.x, level->columns), row = index_of(at.y, level->rows);
+        const double beyond =
+            std::max(std::abs(at.x - column - 0.5) + reach.x, std::abs(at.y - row - 0.5) + reach.y) - 0.5;
+        if (beyond > asked_margin && level + 1 != levels_.end()) continue;
+        const std::uint32_t* begin = &level->begins[level->cell(column, row)];
+        return std::span(level->entries).subspan(begin[0], begin[1] - begin[0]);
+    }
 }
 
 }  // namespace flipside::custom

@@ -28,8 +28,8 @@ namespace flipside::custom {
 /// 2²⁸, so cells that far apart share a list, which costs tests and changes no result.
 ///
 /// Cost: constant for a ball that changes its cell. A query visits nine cells on its own level, about four on
-/// each coarser level in use, and on a finer level those that the ball covers, or all balls if these are
-/// fewer.
+/// each coarser level in use, and on a finer level those that the ball covers, or all balls where these are
+/// few.
 class Cells {
   public:
     using BallIndex = std::uint32_t;
@@ -117,9 +117,22 @@ class Cells {
     }
     /// `is_wanted` chooses among the nine cells.
     void each_around(const Cell& at, BallIndex except, auto& visit, auto& is_wanted) const {
+        constexpr std::size_t few = 4;  // balls: a cell takes about as long as two of them
+        if (links_.size() <= few)
+            return each_on_level(at.level, except, [&](BallIndex j) {
+                const auto [level, column, row] = cells_[j];
+                if (std::abs(column - at.column) <= 1 && std::abs(row - at.row) <= 1 &&
+                    is_wanted(column, row))
+                    visit(j);
+            });
         for (std::int64_t row = at.row - 1; row <= at.row + 1; ++row)
             for (std::int64_t column = at.column - 1; column <= at.column + 1; ++column)
                 if (is_wanted(column, row)) each_in({at.level, column, row}, except, visit);
+    }
+    /// For where the balls are fewer than the cells to visit.
+    void each_on_level(std::uint32_t level, BallIndex except, auto&& visit) const {
+        for (BallIndex j = 0; j < links_.size(); ++j)
+            if (links_[j].key != unlisted && cells_[j].level == level && j != except) visit(j);
     }
     void each_on_other(const Level& level, BallIndex i, auto& visit) const {
         const Cell& at = cells_[i];
@@ -133,11 +146,7 @@ class Cells {
         const std::int64_t left = first(at.column), right = last(at.column);
         const std::int64_t low = first(at.row), high = last(at.row);
         const double cells = static_cast<double>(right - left + 1) * static_cast<double>(high - low + 1);
-        if (cells > static_cast<double>(links_.size())) {
-            for (BallIndex j = 0; j < links_.size(); ++j)
-                if (links_[j].key != unlisted && cells_[j].level == level.number && j != i) visit(j);
-            return;
-        }
+        if (cells > static_cast<double>(links_.size())) return each_on_level(level.number, i, visit);
         for (std::int64_t row = low; row <= high; ++row)
             for (std::int64_t column = left; column <= right; ++column)
                 each_in({level.number, column, row}, i, visit);
@@ -152,85 +161,46 @@ class Cells {
     std::vector<Level> levels_;  ///< in use
 };
 
-/// Finds the parts near a ball by a static grid of boxes that never change. It has about half as many
-/// cells as boxes; each cell lists the boxes that touch it. A box that touches too many cells is in no list
-/// and is tested in every query. Cost: n + all list entries to build it; a query costs one test per box
-/// listed in the cells that it touches.
+/// Finds the features near a ball among boxes that never change. Square cells cover their range, on levels
+/// whose widths double. Each cell lists all boxes that overlap it or a margin of about half a width around
+/// it. So a query reads one list, that of the narrowest cell which contains the box together with this
+/// margin.
+///
+/// Cost: a query takes a constant time per level that is too narrow for its box. A small box is in four to
+/// nine lists per level, a wall in two or three per cell along it. Levels with too many cells or entries are
+/// left out.
 class BoxIndex {
   public:
-    /// Most of the boxes should lie in `range`; others are found too, with more tests.
-    BoxIndex(const Box& range, std::vector<Box> boxes);
+    /// Boxes outside `range` are found too, with more tests. `width`: of the narrowest cells, m.
+    BoxIndex(const Box& range, double width, std::vector<Box> boxes);
 
     [[nodiscard]] std::size_t size() const { return boxes_.size(); }
     [[nodiscard]] const Box& operator[](std::size_t i) const { return boxes_[i]; }
 
-    /// Appends the indices of all boxes that overlap `box`, in rising order. Returns the number of box tests;
-    /// finding the cells counts as one. In between `found` grows by up to one more than size().
-    std::uint64_t find(const Box& box, std::vector<std::uint32_t>& found) const;
+    /// The indices of all boxes that overlap `box`, and of some others, in rising order.
+    [[nodiscard]] std::span<const std::uint32_t> near(const Box& box) const;
 
   private:
-    struct Axis {
-        double low = 0, per_cell = 0;
-        std::uint32_t cells = 1;
+    struct Level {
+        double width = 0, per_width = 0;  ///< m, 1/m
+        Vec2 low;                         ///< corner of the first cell, a multiple of the width
+        std::uint32_t columns = 1, rows = 1;
+        std::vector<std::uint32_t> begins;   ///< index of each cell's first entry, row by row, and of the end
+        std::vector<std::uint32_t> entries;  ///< cell by cell
 
-        /// Index of the cell of a coordinate; the first or the last for those outside, also at infinity.
-        [[nodiscard]] std::uint32_t cell(double at) const {
-            const double index = (at - low) * per_cell;
-            return index > 0 ? static_cast<std::uint32_t>(std::min(index, cells - 1.0)) : 0;
+        [[nodiscard]] std::size_t cell(std::uint32_t at_column, std::uint32_t at_row) const {
+            return std::size_t{at_row} * columns + at_column;
         }
     };
-    [[nodiscard]] static Axis axis(double min, double max, double width, std::size_t most);
-    /// A box in the list of a cell of this column, and the first column and row that it touches.
-    struct Entry {
-        std::uint32_t index = 0;
-        std::uint32_t column = 0, left = 0, low = 0;
-    };
-    [[nodiscard]] CellRange cells_of(const Box& box) const {
-        return {x_.cell(box.min.x), y_.cell(box.min.y), x_.cell(box.max.x), y_.cell(box.max.y)};
-    }
-    [[nodiscard]] std::size_t cell_at(std::uint32_t column, std::uint32_t row) const {
-        return std::size_t{row} * x_.cells + column;
-    }
-    /// The entries of these cells, which are adjacent.
-    [[nodiscard]] std::span<const Entry> in_row(const CellRange& cells, std::uint32_t row) const {
-        const std::uint32_t begin = begins_[cell_at(cells.left, row)];
-        return std::span(entries_).subspan(begin, begins_[cell_at(cells.right, row) + 1] - begin);
-    }
+    [[nodiscard]] Box clamped(const Box& box) const;
+    /// Visits the boxes from the last to the first, each with the cells of the level that list it.
+    void each_listed(const Level& level, auto&& visit) const;
+    /// Lists the boxes in the cells of a level, unless these or their entries are more than `most`.
+    [[nodiscard]] bool fill(Level& level, double most) const;
 
+    Box range_;  ///< of the cells
     std::vector<Box> boxes_;
-    Axis x_, y_;
-    std::vector<std::uint32_t> begins_;  ///< index of each cell's first entry, row by row, and the end of all
-    std::vector<Entry> entries_;         ///< cell by cell
-    std::vector<std::uint32_t> large_;   ///< boxes in no cell, tested in every query
-};
-
-/// The boxes of an index that a ball may touch: those that overlap its fat AABB. The list is rebuilt only
-/// when the swept bounds of its path leave that box, which happens once in many steps. A short list lies
-/// beside that box, so that a query takes one or two cache lines.
-class Candidates {
-  public:
-    /// Reserves memory for lists of so many boxes.
-    void reserve(std::size_t boxes) {
-        if (boxes > most_short) long_list_.reserve(boxes);
-    }
-    /// All boxes of the index that overlap `box`, and some others, in rising order; valid until the next
-    /// call. The ball moves at `velocity`. Adds the number of box tests to `tests`. `found` is a buffer.
-    [[nodiscard]] std::span<const std::uint32_t> near(const Box& box, Vec2 velocity, const BoxIndex& index,
-                                                      std::vector<std::uint32_t>& found,
-                                                      std::uint64_t& tests);
-    void forget() { fat_ = nothing; }
-
-  private:
-    static constexpr std::size_t most_short = 17;  // on pinball 5 % of all lists are longer
-    static constexpr Box nothing{{1, 1}, {-1, -1}};
-    [[nodiscard]] std::span<const std::uint32_t> list() const {
-        return count_ > most_short ? std::span(long_list_) : std::span(short_list_).first(count_);
-    }
-
-    Box fat_ = nothing;
-    std::uint32_t count_ = 0;
-    std::array<std::uint32_t, most_short> short_list_{};
-    std::vector<std::uint32_t> long_list_;
+    std::vector<Level> levels_;
 };
 
 }  // namespace flipside::custom

@@ -25,11 +25,12 @@ void Predictions::reserve(std::size_t balls) {
 void Predictions::enter_cell(BallIndex i) {
     const double time = sim_.particles[i].cell_exit;
     const Cells::Cell before = sim_.cells[i];
-    sim_.cells.insert(i, sim_.particles[i].motion.path.position(time));
-    paths_.update_swept_bounds(i, time);
+    const Path::Motion here = sim_.particles[i].motion.path.at(time);
+    sim_.cells.insert(i, here.position);
+    paths_.update_swept_bounds(i, time, here);
     if (sim_.particles[i].cell_exit <= time) sim_.particles[i].cell_exit = never_touch;
     predict_loss(i, time);
-    predict_features(i, time);
+    predict_features(i, time, here.position);
     sim_.cells.query_new_neighbours(i, before, [&](BallIndex j) { predict_ball(i, j, time); });
     schedule(i);
 }
@@ -79,7 +80,8 @@ void Predictions::predict_with(BallIndex i, double time, auto&& each_other) {
     if (sim_.hot[i].lost || sim_.balls[i].asleep || particle.frozen) return queue_.set(i, INFINITY, 0);
     if (!particle.on_tick_path) offer(i, particle.motion.until, EventType::path_end);
     predict_loss(i, time);
-    predict_features(i, time);
+    const Path& path = particle.motion.path;
+    predict_features(i, time, time == path.start ? path.flight.position : path.position(time));
     each_other();
     schedule(i);
 }
@@ -112,17 +114,16 @@ bool Predictions::above_tangent_face(const Particle& particle, const Feature& fe
     return particle.tangent_faces.above(pose.angle == 0 ? feature : posed(feature, pose));
 }
 
-void Predictions::predict_features(BallIndex i, double time) {
+void Predictions::predict_features(BallIndex i, double time, Vec2 from) {
     Particle& particle = sim_.particles[i];
     sim_.near[i].part = particle.resting_on != nullptr;
-    const std::span<const FeatureIndex> near = sim_.features_near(i, particle.bounds);
+    const std::span<const FeatureIndex> near = sim_.features_near(particle.bounds);
     if (near.empty() && !gates_.any_inside() && sim_.table.blocked().empty()) return;
     const Ball& ball = sim_.balls[i];
     const Path& path = particle.motion.path;
     bool any_sensor = false;
     // Bound on the distance of the path from its chord, with a margin greater than sleep_distance.
     const double end = std::min({sim_.end, particle.motion.until, particle.cell_exit}), duration = end - time;
-    const Vec2 from = time == path.start ? path.flight.position : path.position(time);
     const Vec2 to = path.position(end);
     const double sag = path.max_acceleration(end) * duration * duration / 8 + clearance_margin(ball);
     for (const FeatureIndex f : near) {

@@ -96,7 +96,7 @@ class Predictions {
     /// then by the lower ball, then by the higher.
     [[nodiscard]] static std::uint64_t order_of(BallIndex i, EventType next, std::uint32_t partner);
     void predict_with(BallIndex i, double time, auto&& each_other);
-    void predict_features(BallIndex i, double time);
+    void predict_features(BallIndex i, double time, Vec2 from);
     void predict_sensors(BallIndex i, double time, std::span<const FeatureIndex> near);
     void predict_ball(BallIndex i, BallIndex j, double time);
     void predict_flying(BallIndex i, BallIndex j, double time);

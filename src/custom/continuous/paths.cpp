@@ -33,7 +33,6 @@ double direction_rounding(const Feature& feature) {
 
 void Paths::reserve() {
     supports_.reserve(std::min(sim_.features.size(), most_near));
-    crossed_features_.reserve(sim_.features.size() + 1);
 }
 
 void Paths::push_out_of_parts(BallIndex i) {
@@ -44,7 +43,7 @@ void Paths::push_out_of_parts(BallIndex i) {
         deepest.separation = -deep_overlap * ball.radius;
         bool found = false;
         PrimitiveIndex seen = sim_.layout.size();
-        for (const FeatureIndex f : sim_.features_near(i, here)) {
+        for (const FeatureIndex f : sim_.features_near(here)) {
             if (sim_.features[f].gate || gates_.ignores(sim_.features[f], ball)) continue;
             if (sim_.features[f].primitive == seen) continue;
             const Primitive& primitive = sim_.layout.primitive(sim_.features[f].primitive);
@@ -70,10 +69,11 @@ void Paths::push_out_of_parts(BallIndex i) {
 bool Paths::pushes_through(PartIndex by, const Ball& ball, const Touch& touch) {
     if (!Table::moves(sim_.scene.parts[by])) return false;
     const Vec2 from = ball.position, to = from - touch.separation * touch.normal;
-    crossed_features_.clear();
-    sim_.record->statistics.pair_tests +=
-        sim_.ranges.find(united(bounds_of(from, 0), bounds_of(to, 0)), crossed_features_);
-    return std::ranges::any_of(crossed_features_, [&](FeatureIndex f) {
+    const Box pushed = united(bounds_of(from, 0), bounds_of(to, 0));
+    const std::span<const FeatureIndex> near = sim_.ranges.near(pushed);
+    sim_.record->statistics.pair_tests += near.size();
+    return std::ranges::any_of(near, [&](FeatureIndex f) {
+        if (!overlap(pushed, sim_.ranges[f])) return false;
         const Feature& feature = sim_.features[f];
         if (feature.part == by || feature.gate || gates_.ignores(feature, ball)) return false;
         const Pose pose = sim_.table.pose(feature.part);
@@ -111,43 +111,42 @@ void Paths::start_path(BallIndex i, double time) {
 
 void Paths::list_in_cell(BallIndex i, double time) {
     const Ball& ball = sim_.balls[i];
+    const Path& path = sim_.particles[i].motion.path;
     constexpr double soon = 1e-3;  // s
-    sim_.cells.choose_level(
-        i, std::max(Cells::width_for(ball.radius), sim_.particles[i].motion.path.max_speed(sim_.end) * soon));
+    sim_.cells.choose_level(i, std::max(Cells::width_for(ball.radius), path.max_speed(sim_.end) * soon));
     sim_.cells.insert(i, ball.position);
-    update_swept_bounds(i, time);
+    update_swept_bounds(i, time, {path.flight.position, path.flight.velocity});
 }
 
-void Paths::update_swept_bounds(BallIndex i, double time) {
+void Paths::update_swept_bounds(BallIndex i, double time, const Path::Motion& here) {
     Particle& particle = sim_.particles[i];
     const Path& path = particle.motion.path;
-    Vec2 at = path.flight.position;
+    const auto [at, velocity] = here;
     if (sim_.balls[i].asleep) {
         particle.cell_exit = never_touch;
         particle.bounds = bounds_of(at, sim_.balls[i].radius);
         return;
     }
-    const auto [here, velocity] = path.at(time);
     const double left = sim_.end - time;
     Vec2 top{std::abs(path.flight.acceleration.x), std::abs(path.flight.acceleration.y)};
     if (path.is_taylor() || path.flight.drag > 0) {
         const double most = path.max_acceleration(sim_.end);
         top = {most, most};
     }
-    const double duration = std::min(sim_.cells.time_in_cell(i, here, velocity, top), left);
+    const double duration = std::min(sim_.cells.time_in_cell(i, at, velocity, top), left);
     particle.cell_exit = duration < left ? time + duration : never_touch;
     // How far the acceleration alone can take the ball, and with its velocity.
     const Vec2 drift = 0.5 * duration * duration * top;
     const Vec2 far = Vec2{std::abs(velocity.x), std::abs(velocity.y)} * duration + drift;
-    particle.bounds = {here - Vec2{velocity.x > 0 ? drift.x : far.x, velocity.y > 0 ? drift.y : far.y},
-                       here + Vec2{velocity.x > 0 ? far.x : drift.x, velocity.y > 0 ? far.y : drift.y}};
+    particle.bounds = {at - Vec2{velocity.x > 0 ? drift.x : far.x, velocity.y > 0 ? drift.y : far.y},
+                       at + Vec2{velocity.x > 0 ? far.x : drift.x, velocity.y > 0 ? far.y : drift.y}};
     particle.bounds = grown(particle.bounds, (1 + sleep_distance) * sim_.balls[i].radius);
 }
 
 bool Paths::beside_moving_part(BallIndex i) {
     const Ball& ball = sim_.balls[i];
     const Box here = bounds_of(ball.position, ball.radius * (1 + touch_distance));
-    return std::ranges::any_of(sim_.features_near(i, here),
+    return std::ranges::any_of(sim_.features_near(here),
                                [&](FeatureIndex f) { return !sim_.turnings[sim_.features[f].part].still(); });
 }
 
@@ -157,7 +156,7 @@ void Paths::find_supports(BallIndex i, double time) {
     const Ball& ball = sim_.balls[i];
     const Particle& particle = sim_.particles[i];
     const Box here = bounds_of(ball.position, ball.radius * (1 + 1e-6));
-    for (const FeatureIndex f : sim_.features_near(i, here)) {
+    for (const FeatureIndex f : sim_.features_near(here)) {
         const Feature& feature = sim_.features[f];
         if (&feature == particle.separated_from || gates_.ignores(feature, ball)) continue;
         const Turning& turning = sim_.turnings[feature.part];

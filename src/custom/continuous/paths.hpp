@@ -25,7 +25,7 @@ class Paths {
     /// more than a thousand times a second.
     void list_in_cell(BallIndex i, double time);
     /// Finds when the ball leaves its cell, its swept bounds until then, and the features within them.
-    void update_swept_bounds(BallIndex i, double time);
+    void update_swept_bounds(BallIndex i, double time, const Path::Motion& here);
 
   private:
     struct Support {
@@ -47,7 +47,6 @@ class Paths {
     Simulation& sim_;
     Gates& gates_;
     std::vector<Support> supports_;
-    std::vector<FeatureIndex> crossed_features_;  ///< buffer of pushes_through()
 };
 
 }  // namespace flipside::custom

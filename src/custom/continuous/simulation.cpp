@@ -7,6 +7,17 @@
 
 namespace flipside::custom {
 
+namespace {
+
+/// m: of all balls that the scene has or launches.
+double smallest_radius(const Scene& scene) {
+    double smallest = scene.launcher ? scene.launcher->ball.radius : INFINITY;
+    for (const Ball& ball : scene.balls) smallest = std::min(smallest, ball.radius);
+    return std::isfinite(smallest) ? smallest : 1;
+}
+
+}  // namespace
+
 Simulation::Simulation(Table& of_table, const Layout& of_layout, const SolverSettings& with)
     : table(of_table),
       scene(of_table.scene()),
@@ -14,7 +25,8 @@ Simulation::Simulation(Table& of_table, const Layout& of_layout, const SolverSet
       settings(with),
       external{scene.gravity, scene.damping},
       features(features_of(layout.primitives(), scene)),
-      ranges(scene.bounds, ranges_of(features, layout.primitives(), table)),
+      ranges(scene.bounds, Cells::width_for(smallest_radius(scene)),
+             ranges_of(features, layout.primitives(), table)),
       turnings(scene.parts.size()),
       near_features_(features.size()) {}
 
@@ -28,11 +40,9 @@ void Simulation::reserve(std::size_t most) {
     reserve_for(balls, most);
     reserve_for(pending, most, events_per_ball);
     if (hot.size() < most) {
-        hot.resize(most), near.resize(most), candidates.resize(most);
-        for (Candidates& near_ball : candidates) near_ball.reserve(std::min(features.size(), most_near));
+        hot.resize(most), near.resize(most);
     }
     cells.reserve(most);
-    found_features_.reserve(features.size() + 1);
 }
 
 void Simulation::start_with(std::span<const Ball> now) {
@@ -41,7 +51,6 @@ void Simulation::start_with(std::span<const Ball> now) {
     particles = std::span(pool_).first(balls.size());
     for (BallIndex i = 0; i < balls.size(); ++i) {
         Particle& particle = particles[i];
-        if (particle.number != balls[i].number) candidates[i].forget();
         particle.number = balls[i].number;
         particle.jammed = particle.frozen = particle.on_tick_path = false;
         particle.resting_on = particle.separated_from = nullptr;
@@ -99,11 +108,12 @@ Ball Simulation::ball_at(BallIndex i, double time) const {
     return ball;
 }
 
-std::span<const FeatureIndex> Simulation::features_near(BallIndex i, const Box& box) {
+std::span<const FeatureIndex> Simulation::features_near(const Box& box) {
+    const std::span<const FeatureIndex> listed = ranges.near(box);
+    record->statistics.pair_tests += listed.size();
     // Each is written, and stays if it overlaps: a branch would be mispredicted.
     std::size_t count = 0;
-    for (const FeatureIndex f :
-         candidates[i].near(box, balls[i].velocity, ranges, found_features_, record->statistics.pair_tests)) {
+    for (const FeatureIndex f : listed) {
         near_features_[count] = f;
         count += static_cast<std::size_t>(overlap(box, ranges[f]));
     }

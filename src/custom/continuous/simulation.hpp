@@ -102,7 +102,7 @@ struct Simulation {
     /// creeping member has its new velocity right after the tick.
     [[nodiscard]] Vec2 true_velocity(BallIndex i, double time) const;
     /// All features whose ranges overlap the box, in rising order. Valid until the next call.
-    [[nodiscard]] std::span<const FeatureIndex> features_near(BallIndex i, const Box& box);
+    [[nodiscard]] std::span<const FeatureIndex> features_near(const Box& box);
 
     /// Next point after `time` on the grid of spacing `length` that ends with the window, s.
     [[nodiscard]] double next_on_grid(double time, double length) const;
@@ -143,7 +143,6 @@ struct Simulation {
     std::span<Particle> particles;  ///< the first of the pool
     std::vector<HotState> hot;
     std::vector<NearTimes> near;
-    std::vector<Candidates> candidates;  ///< the features near it
 
     std::vector<Turning> turnings;  ///< per part
     Cells cells;
@@ -151,8 +150,8 @@ struct Simulation {
   private:
     void choose_tick();
 
-    std::vector<Particle> pool_;  ///< keeps the memory of their Taylor polynomials
-    std::vector<FeatureIndex> found_features_, near_features_;  ///< buffers of features_near()
+    std::vector<Particle> pool_;               ///< keeps the memory of their Taylor polynomials
+    std::vector<FeatureIndex> near_features_;  ///< buffer of features_near()
 };
 
 /// Moves a ball along a path to `time`.

@@ -235,7 +235,7 @@ double Islands::overlap_with_moving_parts(BallIndex i, double time) {
     const Ball& ball = sim_.balls[i];
     const Box box = bounds_of(ball.position, ball.radius);
     double deepest = 0;
-    for (const FeatureIndex f : sim_.features_near(i, box)) {
+    for (const FeatureIndex f : sim_.features_near(box)) {
         const Feature& feature = sim_.features[f];
         const Turning& turning = sim_.turnings[feature.part];
         if (turning.still() || gates_.ignores(feature, ball)) continue;
@@ -253,7 +253,7 @@ void Islands::add_part_contacts(BallIndex i, double time, double duration) {
     const double slack = sim_.slow * duration + resting_distance * ball.radius + 2 * deepest_;
     const Box box = bounds_of(ball.position, ball.radius + slack);
     PrimitiveIndex seen = sim_.layout.size();
-    for (const FeatureIndex f : sim_.features_near(i, box)) {
+    for (const FeatureIndex f : sim_.features_near(box)) {
         if (gates_.ignores(sim_.features[f], ball) || sim_.features[f].primitive == seen) continue;
         seen = sim_.features[f].primitive;
         const Primitive& primitive = sim_.layout.primitive(seen);
