@@ -30,7 +30,7 @@ std::string file_of(const sweep::Variant& variant, const Engine& engine) {
     return "tuning-" + variant.name + "-" + std::string(engine.name) + ".csv";
 }
 
-/// A row each: the tuned one, the engine as it comes, and ours; `ratio`: the tuned one's cost over that.
+/// A row each: the tuned one, the engine as it comes, and our continuous solver; `ratio`: the tuned one's cost over that.
 std::string to_csv(const std::vector<tune::Tuning>& all, const Engine& engine) {
     TextStream file;
     CsvRow row;
@@ -50,7 +50,7 @@ std::string to_csv(const std::vector<tune::Tuning>& all, const Engine& engine) {
         };
         add("tuned", tuning.tuned, Median{1, 1, 1});
         add("as it comes", tuning.untuned, tuning.over_untuned);
-        add("ours as it comes", tuning.ours, tuning.over_ours);
+        add("ours, continuous", tuning.ours, tuning.over_ours);
     }
     return file.str();
 }
@@ -88,7 +88,7 @@ void tell(Told& told, const CsvTable& csv) {
                                    {rounded_text(error), true, error <= good_enough ? "good" : "bad"},
                                    {std::isfinite(cost) ? time_text(cost) : "–", true},
                                    {times, true}});
-        if (csv.text(row, "role") != "ours as it comes") continue;
+        if (csv.text(row, "role") != "ours, continuous") continue;
         const bool is_reached = csv.number(row - 2, "error") <= good_enough;
         std::string& list = is_reached ? told.reached : told.missed;
         list += (list.empty() ? "" : "; ") + csv.text(row, "engine");
@@ -113,7 +113,7 @@ Content show_tuning(const Data& data, const std::vector<sweep::Variant>& variant
                 tell(told, CsvTable(data.path(file), data.read(file)));
     if (told.table.rows.empty()) return {};
     std::string finding = "Against the cheapest settings that a search finds for an error of at most " +
-                          rounded_text(good_enough) + " radii, beside ours as it comes:";
+                          rounded_text(good_enough) + " radii, beside our continuous solver:";
     if (!told.reached.empty()) finding += " " + told.reached + ".";
     if (!told.missed.empty()) finding += " Nothing that was tried gets there: " + told.missed + ".";
     return {{}, {told.table}, {finding}, {}};

@@ -58,17 +58,19 @@ std::vector<Tuning> tune(const Request& request, const sweep::Variant& variant,
     std::vector<double> targets = request.targets;
     std::ranges::sort(targets, std::greater<>());
     Tuner tuner(*request.engine, search, request.finest, request.most_seconds);
+    const Engine& custom = engine_named("custom");
+    const SettingChange exact{&custom, "solver", "continuous"};
     std::vector<Tuning> all;
     for (const double target : targets) {
-        const auto as_it_comes = [&](const Engine& engine) {
-            return Judged{untuned(engine, search, request.finest, target).contender};
+        const auto plain = [&](const Engine& engine, std::span<const SettingChange> changes) {
+            return Judged{untuned(engine, search, request.finest, target, changes).contender};
         };
         const Found found = tuner.cheapest(target);
         Tuning tuning{variant.name,
                       target,
                       {found.contender},
-                      as_it_comes(*request.engine),
-                      as_it_comes(engine_named("custom")),
+                      plain(*request.engine, {}),
+                      plain(custom, std::span(&exact, 1)),
                       found.tried};
         judge(tuning, check);
         all.push_back(std::move(tuning));

@@ -99,9 +99,10 @@ Found Tuner::cheapest(double target) {
     return best;
 }
 
-Found untuned(const Engine& engine, const Trials& trials, int finest, double target) {
+Found untuned(const Engine& engine, const Trials& trials, int finest, double target,
+              std::span<const SettingChange> changes) {
     constexpr double any = std::numeric_limits<double>::infinity();
-    Found found{{&engine, settings_for(engine, trials.scene()), std::string(engine.name)}};
+    Found found{{&engine, settings_for(engine, trials.scene(), changes), std::string(engine.name)}};
     for (const double dt : steps_to(finest)) {
         found.contender.dt = dt;
         found.score = trials.score(found.contender, any, any);

@@ -6,8 +6,10 @@
 /// candidates cost nearly the same.
 
 #include <set>
+#include <span>
 
 #include "lab/process/cpu_clock.hpp"
+#include "lab/session/run_settings.hpp"
 #include "lab/tune/trial.hpp"
 
 namespace flipside::lab::tune {
@@ -45,8 +47,9 @@ class Tuner {
 };
 inline constexpr std::size_t most_trials = 400;  ///< for one target
 
-/// The engine's defaults, with the scene's, at the longest of these steps that meets the target, or the
-/// shortest.
-[[nodiscard]] Found untuned(const Engine& engine, const Trials& trials, int finest, double target);
+/// The engine's defaults, with the scene's and then these changes, at the longest of these steps that meets
+/// the target, or the shortest.
+[[nodiscard]] Found untuned(const Engine& engine, const Trials& trials, int finest, double target,
+                            std::span<const SettingChange> changes = {});
 
 }  // namespace flipside::lab::tune

@@ -104,5 +104,13 @@ TEST(Tune, JudgesOnWindowsThatNobodyWasTunedOn) {
     EXPECT_EQ(all[0].tuned.score.error, other.error(all[0].tuned.contender));
 }
 
+TEST(Tune, OursIsTheContinuousSolverAlsoWhereASceneAsksForTheSimpleOne) {
+    const Request request{.engine = &engine_named("box2d"), .targets = {1e3}, .windows = 2, .finest = 30};
+    const auto all = tune(request, sweep::variants_of({"toy"}, 0).front(), [](double) {});
+    ASSERT_EQ(all.size(), 1U);
+    EXPECT_LT(all[0].ours.score.error, 1e-9);
+    EXPECT_NE(all[0].ours.text.find("solver=continuous"), std::string::npos) << all[0].ours.text;
+}
+
 }  // namespace
 }  // namespace flipside::lab::tune
