@@ -96,9 +96,10 @@ void add_hunt(CLI::App& program, Action& chosen) {
     command.add_option("--contender", options->contender, "Or an engine with a step and settings of its own")
         ->type_name("NAME=E[,dt=H][,K=V]...");
     command
-        .add_option("--goal", options->goal,
-                    "overlap, energy (gained), escape (balls lost), error (against the reference) or work "
-                    "(tests per ball and step)")
+        .add_option(
+            "--goal", options->goal,
+            "overlap, energy (gained), escape or lost (balls lost), error (against the reference), work "
+            "or time (tests per ball and step, which take it)")
         ->capture_default_str()
         ->type_name("GOAL");
     command.add_option("--seconds", options->seconds, "Length of each run")

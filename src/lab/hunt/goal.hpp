@@ -18,7 +18,7 @@ enum class Goal {
 };
 inline constexpr std::string_view goal_names[] = {"overlap", "energy", "escape", "error", "work"};
 
-/// Throws InputError that names what is allowed.
+/// Of a name; also `lost` for escape and `time` for work. Throws InputError that names what is allowed.
 [[nodiscard]] Goal goal_named(std::string_view name);
 [[nodiscard]] inline std::string_view name_of(Goal goal) {
     return goal_names[static_cast<int>(goal)];

@@ -169,6 +169,8 @@ TEST(Goals, SayNothingWhereSomethingMovesOrGivesEnergy) {
     scene.parts.back().motion = motion::Turn{{0, 0}, 1, true};
     EXPECT_FALSE(says_something(Goal::escape, scene));
     EXPECT_TRUE(says_something(Goal::error, scene));
+    EXPECT_EQ(goal_named("lost"), Goal::escape);
+    EXPECT_EQ(goal_named("time"), Goal::work);
     EXPECT_THROW(static_cast<void>(goal_named("speed")), InputError);
 }
 
