@@ -33,7 +33,7 @@ struct Statistics {
     std::uint64_t impacts = 0;       ///< impact events
     std::uint64_t substeps = 0;
     std::uint64_t asleep = 0;           ///< balls asleep at the end of the step
-    std::uint64_t handed_over = 0;      ///< balls that an event-ordered solver gave to a time-stepping one
+    std::uint64_t handed_over = 0;      ///< balls in contact islands, which are solved at ticks
     std::uint64_t grazing = 0;          ///< touches too close to call, decided in a wider type
     std::array<StageTime, 8> stages{};  ///< in order; unused ones have an empty name
     BroadPhaseFacts broad_phase;

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 #include <gtest/gtest.h>
 
@@ -168,23 +170,49 @@ TEST(CrowdedRooms, KeepTheirBallsAndTheirPace) {
     }
 }
 
+/// Of rooms in which no part moves: the deepest overlap of each, radii.
+struct Overlaps {
+    int rooms = 0, above_two_percent = 0;
+    double deepest = 0;
+
+    void add(const Scene& scene) {
+        const auto world = world_of(scene);
+        double deepest_here = 0;
+        for (int step = 0; step < 120; ++step) {
+            world->step(1.0 / 60);
+            deepest_here = std::max(deepest_here, deepest_in_radii(*world));
+        }
+        ++rooms;
+        above_two_percent += deepest_here > 0.02;
+        deepest = std::max(deepest, deepest_here);
+    }
+    void print(const char* kind) const {
+        std::printf("%s: %d rooms, %d above 0.02 radii, %.3f at most\n", kind, rooms, above_two_percent,
+                    deepest);
+    }
+};
+
 /// Under strong gravity balls of 5 mm fall by a tenth of their radius in 1/240 s: ticks must be shorter.
+/// FLIPSIDE_ROOMS=N takes the rooms of the first N seeds.
 TEST(CrowdedRooms, OfSmallBallsOverlapLittle) {
-    // In the first five, ticks of 1/240 s led to 0.09 to 0.46 radii.
+    const char* const wish = std::getenv("FLIPSIDE_ROOMS");
+    const unsigned many = wish != nullptr ? static_cast<unsigned>(std::atoi(wish)) : test::in_small ? 5 : 100;
+    // In these, ticks of 1/240 s led to 0.09 to 0.46 radii.
     std::vector<unsigned> seeds{300, 414, 1238, 1795, 6740};
-    for (unsigned seed = 0; seed < (test::in_small ? 5 : 100); ++seed) seeds.push_back(seed);
+    std::erase_if(seeds, [&](unsigned seed) { return seed < many; });
+    for (unsigned seed = 0; seed < many; ++seed) seeds.push_back(seed);
+    Overlaps one_density, any_masses;
     for (const unsigned seed : seeds) {
         Scene scene = crowded_room(seed, 60);
         if (std::ranges::any_of(scene.parts, &Table::moves)) continue;
+        any_masses.add(scene);
         for (Ball& ball : scene.balls) ball.mass = 1000 * ball.radius * ball.radius;
-        const auto world = world_of(scene);
-        double deepest = 0;
-        for (int step = 0; step < 120; ++step) {
-            world->step(1.0 / 60);
-            deepest = std::max(deepest, deepest_in_radii(*world));
-        }
-        EXPECT_LE(deepest, 0.03) << "room " << seed;
+        one_density.add(scene);
     }
+    one_density.print("one density"), any_masses.print("masses of up to 1:10,000");
+    EXPECT_GT(one_density.rooms, 0);
+    EXPECT_LE(one_density.deepest, wish != nullptr ? 0.1 : 0.03);
+    EXPECT_LE(any_masses.deepest, 0.1);
 }
 
 }  // namespace
