@@ -43,8 +43,20 @@ std::vector<std::string> with_command(const CLI::App& program, std::vector<std::
     return arguments;
 }
 
+/// An empty word, as an unset variable of a shell gives one, would count as an option that is not there.
+void require_words(const std::vector<std::string>& arguments) {
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const bool is_option = arguments[i].starts_with("--");
+        if (arguments[i].empty() || (is_option && arguments[i].ends_with('=')))
+            throw InputError("argument " + std::to_string(i + 1) + " is empty" +
+                             (i > 0 || is_option ? " (" + arguments[is_option ? i : i - 1] + ")" : "") +
+                             "; allowed are arguments with a text");
+    }
+}
+
 /// Sets `chosen` to what the arguments ask for; --help and --version among them.
 void parse(CLI::App& program, app::Action& chosen, std::vector<std::string> arguments) {
+    require_words(arguments);
     try {
         arguments = with_command(program, std::move(arguments));
         std::ranges::reverse(arguments);  // as CLI11 takes them

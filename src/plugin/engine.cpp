@@ -62,6 +62,8 @@ std::unique_ptr<const Plugin> load(const std::filesystem::path& file,
     std::error_code why;
     const std::filesystem::path whole = std::filesystem::canonical(file, why);
     if (why) throw InputError(printable(file.string()), "", "cannot be read (" + why.message() + ")");
+    if (!std::filesystem::is_regular_file(whole, why))
+        throw InputError(printable(file.string()), "", "is no regular file; allowed is a shared library");
     auto plugin = std::make_unique<Plugin>();
     plugin->file = whole.string();
     plugin->description = describe(whole);

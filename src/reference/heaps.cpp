@@ -21,12 +21,13 @@ Body<R> Simulation<R>::body_now(const Particle& particle) const {
     return {now.position, now.velocity, spinning.angle, spinning.spin, particle.radius};
 }
 
-/// Whether a ball is at rest: its bounces are lower than the rounding of a radius.
+/// Whether a ball is at rest: its bounces are lower than the rounding of its position.
 template <class R>
 bool Simulation<R>::is_at_rest(const Particle& particle) const {
     using std::sqrt;
-    const R lowest_bounce = sqrt(2 * epsilon<R>() * particle.radius * length(external_.gravity));
     const Body<R> body = body_now(particle);
+    const R rounding = epsilon<R>() * (length(body.position) + particle.radius);
+    const R lowest_bounce = sqrt(2 * rounding * length(external_.gravity));
     return length(body.velocity) <= lowest_bounce && magnitude(body.spin) * particle.radius <= lowest_bounce;
 }
 

@@ -19,6 +19,14 @@ R direction_scale(const Feature<R>& feature) {
     const auto* line = std::get_if<Line<R>>(&feature.is);
     return line == nullptr ? R(1) : R(1 + length(line->start) / line->length);
 }
+/// Speed of bounces that never end, in units of √(2·force·rounding): an impact found late by a gap of the
+/// rounding gains in it the speed that the bounce loses. At least 1.
+template <class R>
+R unending(double restitution) {
+    using std::sqrt;
+    const R e(restitution), lost = 1 - e * e;
+    return e < 1 && e * e > lost ? R(e / sqrt(lost)) : R(1);
+}
 /// Relative size of an acceleration that is rounding.
 template <class R>
 R no_force() {
@@ -94,10 +102,13 @@ void Simulation<R>::find_touching(Particle& particle) {
         if (!seen.facing || seen.gap > snap) continue;
         const bool is_gate = gate_of(scene_->parts[part]) != nullptr;
         if (is_gate && passes(part, particle)) continue;
-        const R friction(mixed(particle.ball.material, scene_->parts[part].material).friction);
+        const Mixed& material = mixed(particle.ball.material, scene_->parts[part].material);
+        const R friction(material.friction);
         const RestingContact<R> contact =
             resting_contact_at(shape(f), turning(part), particle.body, now_, friction, external_, snap);
-        const R lowest_bounce = sqrt(2 * epsilon<R>() * particle.radius * std::max(R(0), contact.force));
+        const R rounding = epsilon<R>() * (length(particle.body.position) + particle.radius);
+        const R lowest_bounce =
+            unending<R>(material.restitution) * sqrt(2 * rounding * std::max(R(0), contact.force));
         const R speed = length(particle.body.velocity) + magnitude(contact.tangential_speed);
         const R turned = (16 * epsilon<R>() + given) * direction_scale(shape(f));
         if (magnitude(contact.separating_speed) > (4096 * epsilon<R>() + turned) * speed + lowest_bounce)
@@ -231,7 +242,8 @@ void Simulation<R>::find_path(Particle& particle) {
     using std::sqrt;
     const R speed = length(particle.body.velocity);
     // Between two surfaces, bounces lower than the rounding of its position (see find_touching) are rest.
-    if (speed <= 4 * sqrt(2 * epsilon<R>() * particle.radius * scale) && rest_on_two(particle)) return;
+    const R rounding = epsilon<R>() * (length(particle.body.position) + particle.radius);
+    if (speed <= 4 * sqrt(2 * rounding * scale) && rest_on_two(particle)) return;
     // A surface from which the ball separates does not support it.
     const auto recedes = [&](const Touching& one) {
         return one.contact.separating_speed > rounding_speed(speed);

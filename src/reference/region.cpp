@@ -44,7 +44,14 @@ struct RegionBuilder {
     }
     void operator()(const primitive::Arc& a) {
         const auto features = features_of<R>({Primitive{a, 0}}, one_part());
-        regions.push_back({typename Region<R>::Band{std::get<Curve<R>>(features.front().is)}});
+        Curve<R> first = std::get<Curve<R>>(features.front().is);
+        if (first.wide) {
+            // Beyond half a turn it is no common part of two half-planes.
+            Curve<R> second = first;
+            first.to = second.from = -first.from;
+            regions.push_back({typename Region<R>::Band{second}});
+        }
+        regions.push_back({typename Region<R>::Band{first}});
     }
     void operator()(const primitive::Polygon& p) {
         std::vector<V<R>> corners;
@@ -109,10 +116,12 @@ void each_condition(const Region<R>& region, const R& radius, const Bounds<R>& b
     if (arc.full) return;
     visit(
         [&arc](const Motion<R>& m) {
-            const V<R> out = m.position - arc.center;
-            const Value<R> x{cross(arc.from, out), cross(arc.from, m.velocity)};
-            const Value<R> y{cross(out, arc.to), cross(m.velocity, arc.to)};
-            return (x.value < y.value) != arc.wide ? x : y;
+            return Value<R>{cross(arc.from, m.position - arc.center), cross(arc.from, m.velocity)};
+        },
+        a);
+    visit(
+        [&arc](const Motion<R>& m) {
+            return Value<R>{cross(m.position - arc.center, arc.to), cross(m.velocity, arc.to)};
         },
         a);
 }

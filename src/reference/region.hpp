@@ -23,6 +23,7 @@ struct Region {
     struct Polygon {
         std::vector<Plane> planes;
     };
+    /// Along at most half a turn.
     struct Band {
         Curve<R> arc;
     };

@@ -31,6 +31,13 @@ TEST_F(CommandLine, TheBotsGamesAreReplaysToTheBit) {
         EXPECT_NE(replay.out.find(row.at("score")), std::string::npos) << replay.out;
     }
     expect_refused("bot pinball --engine custom --games 1 --replays " + file("games.csv"), 1, "games.csv");
+    const std::string before = text_of(file("new/games/game-3.flipside-replay"));
+    expect_refused("bot pinball --engine custom --games 2 --seed 2 --replays " + file("new/games"), 2,
+                   "game-3.flipside-replay");
+    EXPECT_EQ(text_of(file("new/games/game-3.flipside-replay")), before);
+    expect_refused("bot pinball --engine custom --games 1 --seed 9 --replays " + file("new/games") +
+                       " --out " + file("new/games/game-9.flipside-replay"),
+                   2, "game-9.flipside-replay");
 }
 
 TEST_F(CommandLine, TheBotNeedsATableToPlayOn) {

@@ -290,6 +290,21 @@ TEST_F(CommandLine, CasesGiveATableAndAFileAndExitOneWhereOneFails) {
     EXPECT_EQ(rows_of(file("map.csv")).size(), 216U);
 }
 
+TEST_F(CommandLine, NothingThatIsAskedForIsIgnored) {
+    const std::string json = " --json " + file("cases.json");
+    for (const std::string other : {" 1", " --engine box2d", " --set substeps=4", " --quick", json.c_str()}) {
+        expect_refused("cases --hard" + other, 2, "excludes");
+        expect_refused("cases --list" + other, 2, "excludes");
+    }
+    expect_refused("cases 1 --map " + file("map.csv"), 2, "excludes");
+    expect_refused("sweep --contenders custom-simple,custom-simple --out " + file("sweep"), 2, "there twice");
+    EXPECT_FALSE(fs::exists(file("sweep")));
+    // As an unset variable of a shell gives them.
+    expect_refused("run drop --engine custom --seconds 1 --save ''", 2, "argument 8 is empty (--save)");
+    expect_refused("run drop --engine custom --seconds 1 --from=", 2, "argument 7 is empty (--from=)");
+    expect_refused("''", 2, "argument 1 is empty");
+}
+
 TEST_F(CommandLine, AnInterruptLeavesNoFile) {
     const std::string out = file("t.csv");
     const pid_t child = fork();

@@ -1,5 +1,5 @@
-// SIGINT and SIGTERM end every command within a second, also in the middle of a step that lasts for minutes,
-// with exit code 1, one line, and whole files only.
+// SIGINT, SIGTERM and SIGHUP end every command within a second, also in the middle of a step that lasts for
+// minutes, with exit code 1, one line, and whole files only.
 
 #include <chrono>
 #include <csignal>
@@ -103,7 +103,7 @@ TEST_F(Interrupt, EndsARunInTheMiddleOfAStep) {
     const std::vector<std::vector<std::string>> engines = {
         {"custom", "solver=simple"}, {"custom", "solver=continuous"}, {"box2d"}, {"reference"}};
     for (const auto& engine : engines)
-        for (const int signal : {SIGINT, SIGTERM}) {
+        for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
             std::vector<std::string> arguments{
                 "run",      scene,   "--engine",   engine[0],  "--dt",         "1",      "--seconds",
                 "10000000", "--out", file("traj"), "--events", file("events"), "--save", file("state")};

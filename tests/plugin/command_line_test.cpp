@@ -28,6 +28,20 @@ TEST_F(CommandLine, ALibraryIsAnEngineEverywhere) {
 TEST_F(CommandLine, WhatALibraryCannotDoIsSaidInOneLine) {
     expect_refused("run pinball --engine " + engine_in_c, 2, "needs what this engine does not support: arcs");
     expect_refused("run drop --engine ./nowhere.so", 2, "nowhere.so");
+    const std::string fifo = file("fifo");
+    ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
+    expect_refused("run drop --engine " + fifo, 2, "is no regular file");
+    // A library is an input, also through a link.
+    const std::string copy = file("copy.so"), link = file("link.csv");
+    fs::copy_file(engine_in_c, copy);
+    fs::create_symlink(copy, link);
+    const std::string bytes = text_of(copy);
+    for (const std::string command : {"run drop --seconds 0.1 --out ", "trace drop --at 0 --json ",
+                                      "compare drop --seconds 0.1 --json ", "cases 1 --json "}) {
+        const std::string engine = command.starts_with("compare") ? " --engines custom," : " --engine ";
+        expect_refused(command + link + engine + copy, 2, "which is read");
+    }
+    EXPECT_EQ(text_of(copy), bytes);
     expect_refused("run drop --engine " + test::source("README.md"), 2, "cannot be loaded");
     expect_refused("run drop --set does=crash --engine " + naughty_engine, 1,
                    "custom-2: in the step from 0.1 s");

@@ -34,6 +34,28 @@ TEST(ReferenceWorld, TheStepChangesNothingButRounding) {
         EXPECT_LT(length(coarse->balls()[i].position - fine->balls()[i].position), 1e-10);
 }
 
+// Far from the origin a position is rounded to more than a radius is; bounces below that are rest.
+TEST(ReferenceWorld, BouncesEndAlsoFarFromTheOrigin) {
+    for (const double height : {0.0, 1.0, 100.0, 5000.0})
+        for (const double restitution : {0.3, 0.5, 0.9}) {
+            SCOPED_TRACE(std::to_string(height) + " m, e = " + std::to_string(restitution));
+            Scene scene = empty_scene({0, -9.81});
+            scene.bounds = {{-1e4, -1e4}, {1e4, 1e4}};
+            scene.rest_speed = 0;
+            add_part(scene, segment({-1, height}, {1, height}), {"", restitution, 0, 0});
+            add_ball(scene, {0, height + 1}, {}, 0.0135);
+            const auto world = make_world(scene);
+            std::uint64_t impacts = 0;
+            for (int step = 0; step < 600; ++step) {
+                ASSERT_NO_THROW(world->step(1.0 / 60));
+                impacts += world->statistics().impacts;
+            }
+            // Each is e times as fast as the one before, from 4.4 m/s down to what rounding leaves.
+            EXPECT_LT(static_cast<double>(impacts), 5 + std::log(1e-9) / std::log(restitution)) << height;
+            EXPECT_NEAR(world->balls()[0].position.y, height + 0.0135, 1e-9) << height;
+        }
+}
+
 TEST(ReferenceWorld, AStepInPortionsIsTheSameStepAndShowsNothingBeforeItsEnd) {
     const auto whole = make_world(gas(), {{"twin", "on"}}), portions = make_world(gas(), {{"twin", "on"}});
     int calls = 0;

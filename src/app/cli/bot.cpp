@@ -5,6 +5,7 @@
 #include "lab/bot/figures.hpp"
 #include "lab/files/assets.hpp"
 #include "lab/files/whole_file.hpp"
+#include "world/input_error.hpp"
 #include "world/printable.hpp"
 #include "world/scene_file.hpp"
 
@@ -55,12 +56,25 @@ void print_figures(const bots::Figures& figures, std::size_t games) {
     print("\n");
 }
 
+/// A game that somebody saved is never replaced.
+void require_new_replays(const BotOptions& options) {
+    namespace fs = std::filesystem;
+    const fs::path out = options.out.empty() ? fs::path() : fs::weakly_canonical(options.out);
+    for (std::uint64_t game = 0; game < options.games; ++game) {
+        const fs::path file = bots::replay_file(options.replays, options.seed + game);
+        if (fs::exists(file) || fs::weakly_canonical(file) == out)
+            throw InputError("--replays would write '" + printable(file.string()) +
+                             "', which is another file already; allowed is a folder without it");
+    }
+}
+
 int play_games(const BotOptions& options) {
-    require_distinct({{{"the scene", lab::scene_file(options.scene)}}, {{"--out", options.out}}, true});
     bots::Request request = bot_request(options);
+    require_distinct({{{"the scene", lab::scene_file(options.scene)}}, {{"--out", options.out}}, true});
     if (!options.replays.empty()) {
         lab::make_folder(options.replays);
         request.replays = options.replays;
+        require_new_replays(options);
     }
     std::vector<bots::Played> games;
     {
@@ -68,13 +82,13 @@ int play_games(const BotOptions& options) {
         games = bots::play(request, options.seed, options.games,
                            [&](std::size_t done) { progress.at(static_cast<double>(done)); });
     }
+    print_figures(bots::figures_of(games), games.size());
     if (!options.out.empty()) {
         lab::WholeFile file(options.out);
         file.out() << bots::games_header;
         bots::write_games(file.out(), games);
         file.finish();
     }
-    print_figures(bots::figures_of(games), games.size());
     return 0;
 }
 

@@ -12,12 +12,9 @@ namespace flipside::app {
 void require_display() {
     const char* name = std::getenv("DISPLAY");
     const bool named = name != nullptr && *name != '\0';
-    if (named) {
-        if (Display* display = XOpenDisplay(name)) {
-            XCloseDisplay(display);
-            return;
-        }
-    }
+    // It stays open until the program ends: a server whose last client leaves may reset itself, as Xvfb does,
+    // and then refuses the next one for a moment.
+    if (named && XOpenDisplay(name) != nullptr) return;
     const std::string why =
         named ? "no X server answers at DISPLAY=" + std::string(name) : "DISPLAY is not set";
     throw lab::Failure("no display (" + why + "); run and compare need none, and xvfb-run gives one");

@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "lab/contenders/engines.hpp"
 #include "world/input_error.hpp"
 
 namespace flipside::app {
@@ -57,13 +58,15 @@ std::string quoted(const NamedFile& file) {
 }  // namespace
 
 void require_distinct(const FilesOfCommand& files) {
+    std::vector<NamedFile> inputs = files.inputs;
+    for (const Engine* engine : lab::engines()) inputs.push_back({"the library", engine->file});
     const auto null = identity_of("/dev/null"), printed = files.prints ? stdout_file() : std::nullopt;
     for (const NamedFile& output : files.outputs) {
         if (output.path.empty()) continue;
         const auto identity = identity_of(output.path);
         if (!identity || identity == null) continue;
         const std::string allowed = "; allowed are different files";
-        for (const NamedFile& input : files.inputs)
+        for (const NamedFile& input : inputs)
             if (!input.path.empty() && identity_of(input.path) == identity)
                 throw InputError(quoted(output) + " is " + quoted(input) + ", which is read" + allowed);
         for (const NamedFile& other : files.outputs) {

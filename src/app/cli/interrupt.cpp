@@ -26,13 +26,17 @@ void end_program(int /*signal*/) {
 
 void end_on_interrupts() {
     message = isatty(STDERR_FILENO) != 0 ? "\r\033[Kflipside: interrupted\n" : "flipside: interrupted\n";
+    constexpr int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU};
     struct sigaction action {};
     action.sa_handler = end_program;
     sigemptyset(&action.sa_mask);
-    sigaddset(&action.sa_mask, SIGINT);
-    sigaddset(&action.sa_mask, SIGTERM);
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
+    for (const int signal : signals) sigaddset(&action.sa_mask, signal);
+    for (const int signal : signals) {
+        struct sigaction before {};
+        sigaction(signal, nullptr, &before);
+        // nohup, or a shell that runs a command in the background, asks that a signal be ignored.
+        if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
+    }
 }
 
 }  // namespace flipside::app

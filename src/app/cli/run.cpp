@@ -59,6 +59,7 @@ lab::Session make_session(const SingleRunOptions& options, const std::shared_ptr
 }
 
 int run_scene(const SingleRunOptions& options) {
+    static_cast<void>(lab::engine_named(options.engine));
     require_distinct(options.files());
     const auto scene = options.load();
     lab::Session session = make_session(options, scene);

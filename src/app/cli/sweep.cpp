@@ -124,8 +124,13 @@ int run_sweep(const SweepOptions& options) {
     plan.finest = std::min(plan.finest, options.finest);
     if (options.every_window) plan.most_work = sweep::unlimited_work;
     if (!options.contenders.empty()) plan.contenders.clear();
-    for (const std::string& name : options.contenders)
-        plan.contenders.push_back(&sweep::contender_named(name));
+    for (const std::string& name : options.contenders) {
+        const auto* contender = &sweep::contender_named(name);
+        if (std::ranges::find(plan.contenders, contender) != plan.contenders.end())
+            throw InputError("--contenders: " + in_quotes(name) +
+                             " is there twice; allowed are different ones");
+        plan.contenders.push_back(contender);
+    }
     add_defined(plan, options.defined);
     const std::filesystem::path folder = options.out;
     require_distinct(files_of(options));

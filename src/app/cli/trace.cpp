@@ -33,9 +33,9 @@ void require_ball(BallNumber ball, const lab::TracedStep& step, std::span<const 
 int trace(const TraceOptions& options) {
     FilesOfCommand files{options.inputs(), {{"--json", options.json}}};
     files.inputs.push_back({"--from", options.from});
+    const Engine& engine = lab::engine_named(options.engine);
     require_distinct(files);
     const auto scene = options.load();
-    const Engine& engine = lab::engine_named(options.engine);
     const Engine* const used[] = {&engine};
     lab::Session session(scene, engine,
                          lab::settings_for(engine, *scene, lab::parse_changes(options.settings, used)));

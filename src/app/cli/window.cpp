@@ -24,6 +24,7 @@ int render(RenderArguments arguments) {
     run.scene = options.scene;
     run.dt = arguments.dt;
     run.script = arguments.script;
+    static_cast<void>(lab::engine_named(options.engine));
     require_distinct({run.inputs(), {{"--out", options.out}}});
     if (options.out.extension() != ".png")
         throw InputError("--out '" + options.out.string() +

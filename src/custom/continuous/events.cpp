@@ -66,8 +66,12 @@ void Events::reserve(std::size_t balls) {
 
 void Events::handle(BallIndex i) {
     Particle& particle = sim_.particles[i];
-    if (particle.cell_exit <= particle.next_time) return predictions_.enter_cell(i);
-    const double time = particle.next_time;
+    const bool leaves_cell = particle.cell_exit <= particle.next_time;
+    const double time = leaves_cell ? particle.cell_exit : particle.next_time;
+    if (sim_.search_steps > most_search_steps + search_steps_per_ball * sim_.particles.size() ||
+        (!leaves_cell && handled_ >= sim_.settings.max_impacts))
+        return freeze_all(time);
+    if (leaves_cell) return predictions_.enter_cell(i);
     // An event of two balls is counted for the lower one.
     Particle& counted = particle.next == EventType::ball && !sim_.balls[particle.partner].asleep
                             ? sim_.particles[std::min(i, particle.partner)]
@@ -77,12 +81,7 @@ void Events::handle(BallIndex i) {
         // Of two balls the counted one, or the other if that is frozen already.
         return islands_.freeze(&counted == &particle || counted.frozen ? i : particle.partner, time);
     }
-    if (++handled_ > sim_.settings.max_impacts ||
-        sim_.search_steps > most_search_steps + search_steps_per_ball * sim_.particles.size()) {
-        for (BallIndex j = 0; j < sim_.particles.size(); ++j)
-            if (!sim_.hot[j].lost && !sim_.balls[j].asleep) islands_.freeze(j, time);
-        return;
-    }
+    ++handled_;
     particle.separated_from = nullptr;
     switch (particle.next) {
         case EventType::feature:
@@ -104,6 +103,11 @@ void Events::handle(BallIndex i) {
         case EventType::none:
             return;
     }
+}
+
+void Events::freeze_all(double time) {
+    for (BallIndex j = 0; j < sim_.particles.size(); ++j)
+        if (!sim_.hot[j].lost && !sim_.balls[j].asleep) islands_.freeze(j, time);
 }
 
 void Events::restart(BallIndex i, double time) {

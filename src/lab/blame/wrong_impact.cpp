@@ -29,8 +29,9 @@ WrongImpact compare_impacts(const ImpactPair& pair) {
                                    ? WrongImpact{Fault::normal, error.normal}
                                    : WrongImpact{error.late >= 0 ? Fault::late : Fault::early,
                                                  speed > 0 ? error.distance / speed : 0};
-    const WrongImpact sideways = pair.rubs ? WrongImpact{Fault::friction, across}
-                                           : WrongImpact{Fault::normal, jump > 0 ? across / jump : 0};
+    const WrongImpact sideways = pair.rubs
+                                     ? WrongImpact{Fault::friction, across}
+                                     : WrongImpact{Fault::normal, jump > 0 ? std::atan(across / jump) : 0};
     const double left = pair.end - pair.exact.time;
     struct Part {
         double moves = 0;  ///< m until the end

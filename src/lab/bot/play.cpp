@@ -16,8 +16,7 @@ namespace {
 
 void save_replay(const Request& request, const Session& session, std::uint64_t seed) {
     const RecordedRun runs[] = {{std::string(request.engine->name), &session, request.dt}};
-    write_whole_file(*request.replays / ("game-" + std::to_string(seed) + std::string(replay_ending)),
-                     to_json(replay_of(runs)));
+    write_whole_file(replay_file(*request.replays, seed), to_json(replay_of(runs)));
 }
 
 /// What every ball in play met last of that by which a drain is told from another.
@@ -47,6 +46,10 @@ class LastMet {
 };
 
 }  // namespace
+
+std::filesystem::path replay_file(const std::filesystem::path& folder, std::uint64_t seed) {
+    return folder / ("game-" + std::to_string(seed) + std::string(replay_ending));
+}
 
 void require_playable(const Scene& scene) {
     const auto flips = [](const Part& part) { return std::holds_alternative<motion::Flip>(part.motion); };

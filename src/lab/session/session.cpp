@@ -13,7 +13,8 @@ namespace flipside::lab {
 
 namespace {
 
-/// Fraction of a step within which a control counts as at the step's end.
+/// s: a control so little before the end of a step is done in the next one, which may be that of another run
+/// (next_control()).
 constexpr double same_moment = 1e-9;
 
 }  // namespace
@@ -94,8 +95,8 @@ bool Session::step_within(double dt, const Script& script, std::size_t& next, do
     auto& [start, done] = *under_way_;
     for (; next < script.size(); ++next) {
         const double ahead = script[next].time - start;
-        if (ahead >= dt * (1 - same_moment)) break;
-        if (ahead > done + dt * same_moment) {
+        if (ahead >= dt - same_moment) break;
+        if (ahead > done + same_moment) {
             if (!advance(ahead - done, seconds)) return false;
             done = ahead;
         }
@@ -199,9 +200,8 @@ void Session::restore(const Snapshot& snapshot) {
 }
 
 std::size_t next_control(const Script& script, double time) {
-    constexpr double same_time = 1e-9;
     const auto at = std::ranges::find_if(
-        script, [&](const TimedControl& control) { return control.time >= time - same_time; });
+        script, [&](const TimedControl& control) { return control.time >= time - same_moment; });
     return static_cast<std::size_t>(at - script.begin());
 }
 

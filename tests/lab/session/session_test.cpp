@@ -184,6 +184,27 @@ TEST(NextControl, IsTheFirstNotBeforeTheStart) {
     EXPECT_EQ(next_control(script, 3), 4U);
 }
 
+TEST(NextControl, ThatARunHasDoneIsNotDoneAgainByTheNext) {
+    // Up to a nanosecond before the end of the first run.
+    for (const double before : {0.0, 1e-13, 7e-11, 6.7e-10, 9.9e-10, 1.1e-9, 1e-6}) {
+        Session session = session_on("custom", flight("[0, 0]"));
+        const double dt = 7.0 / 60;
+        const Script script{{dt - before, control::Nudge{{0.01, 0}}}};
+        const double speed = session.world().balls()[0].velocity.x;
+        std::size_t next = 0;
+        session.step(dt, script, next);
+        next = next_control(script, session.world().time());
+        session.step(dt, script, next);
+        EXPECT_EQ(next, 1U) << before;
+        const double once = session.world().balls()[0].velocity.x - speed;
+        Session plain = session_on("custom", flight("[0, 0]"));
+        plain.step(dt);
+        plain.press(script[0].control);
+        plain.step(dt);
+        EXPECT_NEAR(once, plain.world().balls()[0].velocity.x - speed, 1e-9) << before;
+    }
+}
+
 TEST(Overlaps, CountsBallsAtAnotherBallsPlace) {
     std::vector<Ball> balls(5);
     for (Ball& ball : balls) ball.radius = 1;
