@@ -32,9 +32,9 @@ class TouchList {
     [[nodiscard]] std::span<const Pair> pairs() const { return pairs_; }
     /// Number of narrow-phase tests in the last search.
     [[nodiscard]] std::uint64_t narrow_tests() const { return narrow_tests_; }
-    /// Reports contacts and sensor overlaps that began or ended between the last two searches. `crossed`: the
-    /// sensors with which balls overlapped in between (used as a buffer).
+    /// Reports the contacts that began or ended between the last two searches.
     void report_touches(double time, std::vector<Event>& events) const;
+    /// The same for overlaps with sensors. `crossed`: those in between (used as a buffer).
     void report_sensors(double time, std::vector<Sensed>& crossed, std::vector<Event>& events) const;
 
     /// Wakes the sleeping balls that lost a support between the last two searches, and all that they touch

@@ -82,13 +82,13 @@ int play_games(const BotOptions& options) {
         games = bots::play(request, options.seed, options.games,
                            [&](std::size_t done) { progress.at(static_cast<double>(done)); });
     }
-    print_figures(bots::figures_of(games), games.size());
     if (!options.out.empty()) {
         lab::WholeFile file(options.out);
         file.out() << bots::games_header;
         bots::write_games(file.out(), games);
         file.finish();
     }
+    print_figures(bots::figures_of(games), games.size());
     return 0;
 }
 

@@ -10,6 +10,7 @@
 #include "lab/contenders/engines.hpp"
 #include "lab/files/whole_file.hpp"
 #include "lab/hunt/hard.hpp"
+#include "world/input_error.hpp"
 #include "world/printable.hpp"
 #include "world/scene_file.hpp"
 
@@ -157,46 +158,45 @@ int run_cases(const CasesOptions& options) {
     return std::ranges::any_of(runs, failed) ? 1 : 0;
 }
 
+/// Throws where more is given than this option: nothing is ignored.
+void require_alone(const CLI::App& command, const std::string& option) {
+    for (const CLI::Option* given : command.get_options())
+        if (given->count() > 0 && given->get_name() != option)
+            throw InputError(option + " takes no " + given->get_name() + "; it is given alone");
+}
+
 }  // namespace
 
 void add_cases(CLI::App& program, Action& chosen) {
     auto options = std::make_shared<CasesOptions>();
     CLI::App& command = *program.add_subcommand(
         "cases", "Run experiments with known answers: expected against measured (exit 1 where one failed)");
-    CLI::Option* names =
-        command.add_option("names", options->names, "Names or numbers (default: all; --list shows them)")
-            ->type_name("CASE");
-    CLI::Option* engine =
-        command.add_option("--engine", options->engine, "The engine (see `flipside engines`)")
-            ->capture_default_str()
-            ->type_name("E");
-    CLI::Option* dt = command.add_option("--dt", options->dt, "Step, s, as 0.01 or 1/60")
-                          ->capture_default_str()
-                          ->type_name("H");
-    CLI::Option* set =
-        command.add_option("--set", options->settings, "A setting of the engine; may be given several times")
-            ->allow_extra_args(false)
-            ->type_name("K=V");
-    CLI::Option* quick =
-        command.add_flag("--quick", options->quick, "Fewer hits and shorter runs; the rows name the numbers");
-    CLI::Option* json =
-        command.add_option("--json", options->json, "Everything found, as JSON")->type_name("FILE");
-    CLI::Option* map =
-        command
-            .add_option("--map", options->map,
-                        "Instead of the cases: where the engine holds, mass ratio x speed x step, as CSV")
-            ->excludes(names)
-            ->excludes(json)
-            ->type_name("FILE");
-    CLI::Option* list = command.add_flag("--list", options->list, "List the cases, a sentence each");
-    CLI::Option* hard = command.add_flag(
+    command.add_option("names", options->names, "Names or numbers (default: all; --list shows them)")
+        ->type_name("CASE");
+    command.add_option("--engine", options->engine, "The engine (see `flipside engines`)")
+        ->capture_default_str()
+        ->type_name("E");
+    command.add_option("--dt", options->dt, "Step, s, as 0.01 or 1/60")
+        ->capture_default_str()
+        ->type_name("H");
+    command.add_option("--set", options->settings, "A setting of the engine; may be given several times")
+        ->allow_extra_args(false)
+        ->type_name("K=V");
+    command.add_flag("--quick", options->quick, "Fewer hits and shorter runs; the rows name the numbers");
+    command.add_flag("--list", options->list, "List the cases, a sentence each");
+    command.add_flag(
         "--hard", options->hard,
         "Instead of the cases: ours and Box2D on the scenes that hunts found (exit 1 where one got worse)");
-    // These two take nothing else.
-    for (CLI::Option* alone : {list, hard})
-        for (CLI::Option* other : {names, engine, dt, set, quick, json, map}) alone->excludes(other);
-    list->excludes(hard);
-    command.callback([options, &chosen] {
+    CLI::Option* json =
+        command.add_option("--json", options->json, "Everything found, as JSON")->type_name("FILE");
+    command
+        .add_option("--map", options->map,
+                    "Instead of the cases: where the engine holds, mass ratio x speed x step, as CSV")
+        ->excludes(json)
+        ->type_name("FILE");
+    command.callback([options, &command, &chosen] {
+        if (options->list) require_alone(command, "--list");
+        if (options->hard) require_alone(command, "--hard");
         chosen = [options] {
             if (options->list) return list_cases();
             if (options->hard) return run_hard();

@@ -166,8 +166,8 @@ int compare(const CompareOptions& options) {
         Progress progress(1);
         return lab::compare(std::move(input), [&](double share) { progress.at(share); });
     }();
-    print_comparison(comparison);
     if (!options.json.empty()) lab::write_whole_file(options.json, to_json(comparison));
+    print_comparison(comparison);
     const auto ended = [](const lab::EngineRun& run) { return run.ended.has_value(); };
     return std::ranges::any_of(comparison.runs, ended) ? 1 : 0;
 }

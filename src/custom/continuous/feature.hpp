@@ -98,7 +98,7 @@ struct Turning {
 
 /// Result of a closest-point query, in the pose of the scene file.
 struct Closest {
-    double distance = 0;  ///< m, of the point from the curve without ends, ≥ 0
+    double distance = 0;  ///< m, of the point from the curve without ends; negative inside a circle
     Vec2 normal;          ///< unit, from the curve to the point: the gradient of the distance
     bool facing = true;   ///< whether the closest point lies between the ends of the curve
 };

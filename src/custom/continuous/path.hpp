@@ -46,7 +46,7 @@ struct TaylorPath {
 };
 
 struct Path {
-    double start = 0;  ///< s, in the time of the step
+    double start = 0;  ///< s, in the time of the window
     Flight flight;     ///< has the position and velocity at the start for both kinds of path
     /// One element if the path is a Taylor polynomial, else none. It is large and rare, so it is not stored
     /// inline.

@@ -24,7 +24,7 @@ class Paths {
     /// Lists a ball in the cell at its position. Fast balls use wide cells, so that no ball changes its cell
     /// more than a thousand times a second.
     void list_in_cell(BallIndex i, double time);
-    /// Finds when the ball leaves its cell, its swept bounds until then, and the features within them.
+    /// Finds when the ball leaves its cell, and its swept bounds until then; at `time` it is `here`.
     void update_swept_bounds(BallIndex i, double time, const Path::Motion& here);
 
   private:

@@ -11,13 +11,11 @@
 /// Collisions are tested only at the positions after each motion (discrete collision detection). Hence its
 /// errors:
 ///
-/// - Tunnelling: a ball that moves farther than its diameter in one motion iteration can pass through thin
-/// parts, and a
-///   ball whose centre has crossed a wall is pushed out on the wrong side.
+/// - Tunnelling: a ball that moves farther than its diameter in one motion iteration can pass thin parts, and
+///   a ball whose centre has crossed a wall is pushed out on the wrong side.
 /// - An impact is found up to one motion iteration late, so positions are of first order in its duration.
 /// - Overlap: each response treats two shapes alone. In a heap, some overlap remains after the collision
-/// iterations,
-///   more below heavy balls.
+///   iterations, more below heavy balls.
 /// - Order: pairs are solved one after another, so the result depends on the numbers of the balls.
 ///
 /// Cost per step: motion_iterations × (broad phase + collision_iterations × pairs). No ball ever sleeps.
