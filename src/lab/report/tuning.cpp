@@ -30,7 +30,8 @@ std::string file_of(const sweep::Variant& variant, const Engine& engine) {
     return "tuning-" + variant.name + "-" + std::string(engine.name) + ".csv";
 }
 
-/// A row each: the tuned one, the engine as it comes, and our continuous solver; `ratio`: the tuned one's cost over that.
+/// A row each: the tuned one, the engine as it comes, and our continuous solver; `ratio`: the tuned one's
+/// cost over that.
 std::string to_csv(const std::vector<tune::Tuning>& all, const Engine& engine) {
     TextStream file;
     CsvRow row;

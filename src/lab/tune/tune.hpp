@@ -33,7 +33,7 @@ struct Tuning {
     double target;   ///< radii
     Judged tuned;    ///< what the search found, or the engine as it comes where that is judged better
     Judged untuned;  ///< the engine as it comes, at the longest step that meets the target
-    Judged ours;     ///< the custom engine's continuous solver, likewise, also where a scene asks for `simple`
+    Judged ours;     ///< the continuous solver, likewise, whatever the scene recommends
     std::size_t tried;
     /// Cost of the tuned one over that of the others, window by window. Nothing where one of them failed in
     /// all.
