@@ -12,6 +12,7 @@
 #include "lab/files/assets.hpp"
 #include "lab/sweep/blame_counts.hpp"
 #include "world/input_error.hpp"
+#include "world/json_file.hpp"
 #include "world/printable.hpp"
 
 namespace flipside::app {
