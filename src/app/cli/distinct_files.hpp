@@ -21,7 +21,7 @@ struct FilesOfCommand {
 /// Throws InputError where an output is also an input or another output. Files are compared by what they are,
 /// not by name: hard links, symbolic links (of files yet to be made, too) and "./x" are seen through. Where
 /// the command prints, a regular file behind stdout counts as an output. /dev/null may be named often. The
-/// libraries of engines that are loaded are inputs.
+/// libraries of all engines that were loaded before are inputs too.
 void require_distinct(const FilesOfCommand& files);
 
 }  // namespace flipside::app

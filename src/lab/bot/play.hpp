@@ -46,9 +46,9 @@ struct Played {
 /// One game; the same request and seed give the same bits.
 [[nodiscard]] Played play(const Request& request, std::uint64_t seed);
 
-/// So many games, with seeds that follow from `seed`. `after` is called after each with how many are done.
 /// Where the game of this seed is saved.
 [[nodiscard]] std::filesystem::path replay_file(const std::filesystem::path& folder, std::uint64_t seed);
+/// So many games, with seeds that follow from `seed`. `after` is called after each with how many are done.
 [[nodiscard]] std::vector<Played> play(const Request& request, std::uint64_t seed, std::size_t games,
                                        const std::function<void(std::size_t done)>& after);
 
