@@ -157,8 +157,7 @@ void Simulation<R>::hit_ball(BallIndex i) {
     const V<R> relative = a.body.velocity - b.body.velocity;
     const R closing = -dot(relative, normal);
     using std::sqrt;
-    const R rounding = epsilon<R>() * (length(a.body.position) + a.radius);
-    const R lowest_bounce = sqrt(2 * rounding * length(external_.gravity));
+    const R lowest_bounce = sqrt(2 * rounding_of(a.body) * length(external_.gravity));
     bool slow = true;
     if (closing > 4096 * epsilon<R>() * (length(a.body.velocity) + length(b.body.velocity))) {
         const Mixed& material = mixed(a.ball.material, b.ball.material);

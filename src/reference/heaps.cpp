@@ -26,8 +26,7 @@ template <class R>
 bool Simulation<R>::is_at_rest(const Particle& particle) const {
     using std::sqrt;
     const Body<R> body = body_now(particle);
-    const R rounding = epsilon<R>() * (length(body.position) + particle.radius);
-    const R lowest_bounce = sqrt(2 * rounding * length(external_.gravity));
+    const R lowest_bounce = sqrt(2 * rounding_of(body) * length(external_.gravity));
     return length(body.velocity) <= lowest_bounce && magnitude(body.spin) * particle.radius <= lowest_bounce;
 }
 

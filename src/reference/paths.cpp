@@ -106,7 +106,7 @@ void Simulation<R>::find_touching(Particle& particle) {
         const R friction(material.friction);
         const RestingContact<R> contact =
             resting_contact_at(shape(f), turning(part), particle.body, now_, friction, external_, snap);
-        const R rounding = epsilon<R>() * (length(particle.body.position) + particle.radius);
+        const R rounding = rounding_of(particle.body);
         const R lowest_bounce =
             unending<R>(material.restitution) * sqrt(2 * rounding * std::max(R(0), contact.force));
         const R speed = length(particle.body.velocity) + magnitude(contact.tangential_speed);
@@ -242,8 +242,7 @@ void Simulation<R>::find_path(Particle& particle) {
     using std::sqrt;
     const R speed = length(particle.body.velocity);
     // Between two surfaces, bounces lower than the rounding of its position (see find_touching) are rest.
-    const R rounding = epsilon<R>() * (length(particle.body.position) + particle.radius);
-    if (speed <= 4 * sqrt(2 * rounding * scale) && rest_on_two(particle)) return;
+    if (speed <= 4 * sqrt(2 * rounding_of(particle.body) * scale) && rest_on_two(particle)) return;
     // A surface from which the ball separates does not support it.
     const auto recedes = [&](const Touching& one) {
         return one.contact.separating_speed > rounding_speed(speed);

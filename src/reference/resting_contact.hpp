@@ -20,6 +20,11 @@ struct Body {
     V<R> position, velocity;
     R angle{}, spin{}, radius{};
 };
+/// m: rounding of the position. Bounces lower than that are rest.
+template <class R>
+R rounding_of(const Body<R>& body) {
+    return epsilon<R>() * (length(body.position) + body.radius);
+}
 
 template <class R>
 struct ExternalForces {
