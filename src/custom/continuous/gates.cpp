@@ -4,10 +4,8 @@
 #include <cmath>
 
 #include "custom/broad_phase/capacity.hpp"
-#include "custom/engine.hpp"
 #include "custom/geometry/narrow_phase.hpp"
 #include "world/gate.hpp"
-#include "world/limits.hpp"
 
 namespace flipside::custom {
 
@@ -17,6 +15,9 @@ namespace {
 constexpr double sense_gap = gate_clearance;
 /// Radii: least distance that a ball moves between two evaluations of its distance from a sensor.
 constexpr double sense_step = 1e-2;
+/// Limit on these evaluations. A ball that rolls along the border of a sensor needs some hundred, one beside a
+/// sensor that turns fast may need more than that; then it moves further between two of them.
+constexpr double most_steps = 100'000;
 
 }  // namespace
 
@@ -130,17 +131,15 @@ double Gates::sense_time(PartIndex part, const Ball& ball, const Path& path, dou
     const double speed = own + w * far;
     const double error = std::max(gap_rounding(ball.position, ball.radius) / speed, 4 * 0x1p-53 * sim_.end);
     double before = time, left_before = 0;
-    constexpr int most_steps = 100'000;  // some hundred for a ball that rolls along the border of a sensor
-    double t = time;
-    for (int step = 0; step < most_steps; ++step) {
+    const double least_step =
+        std::max({sense_step * ball.radius / speed, (last - time) / most_steps, error});
+    for (double t = time;; t = std::min(sim_.end, t + std::max(left_before / speed, least_step))) {
         const double left = left_at(t);
         if (left <= 0) return first_zero(left_at, before, left_before, t, left, error);
         before = t;
         left_before = left;
         if (t >= last) return never_touch;
-        t = std::min(sim_.end, t + std::max(left, sense_step * ball.radius) / speed);
     }
-    refuse_search(engine_name, ball.number, Other::part(part), sim_.start + time, sim_.scene);
 }
 
 }  // namespace flipside::custom

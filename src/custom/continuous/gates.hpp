@@ -37,8 +37,8 @@ class Gates {
     [[nodiscard]] bool lets_through(PartIndex part, const Ball& ball, double time) const;
     /// Time at which a ball on this path enters a sensor, or leaves a sensor or gate; never_touch if not
     /// before `last`, which the search passes by one step at most. Conservative advancement with a bound on
-    /// the speed, in steps of at least sense_step, and then first_zero(). A contact shallower than sense_step
-    /// may be missed.
+    /// the speed, in steps of at least sense_step or a 100,000th of the interval, and then first_zero(). A
+    /// contact shallower than such a step may be missed.
     [[nodiscard]] double sense_time(PartIndex part, const Ball& ball, const Path& path, double time,
                                     double last, bool inside) const;
 

@@ -155,8 +155,8 @@ void Paths::find_supports(BallIndex i, double time) {
     supports_.clear();
     const Ball& ball = sim_.balls[i];
     const Particle& particle = sim_.particles[i];
-    const Box here = bounds_of(ball.position, ball.radius * (1 + 1e-6));
-    for (const FeatureIndex f : sim_.features_near(here)) {
+    const double slack = support_gap * ball.radius + gap_rounding(ball.position, ball.radius);
+    for (const FeatureIndex f : sim_.features_near(bounds_of(ball.position, ball.radius + 2 * slack))) {
         const Feature& feature = sim_.features[f];
         if (&feature == particle.separated_from || gates_.ignores(feature, ball)) continue;
         const Turning& turning = sim_.turnings[feature.part];
@@ -164,8 +164,7 @@ void Paths::find_supports(BallIndex i, double time) {
         ++sim_.record->statistics.narrow_tests;
         const Closest closest = closest_point(feature, pose, ball.position, ball.radius);
         const double gap = closest.distance - ball.radius;
-        if (!closest.facing || gap > support_gap * ball.radius + gap_rounding(ball.position, ball.radius))
-            continue;
+        if (!closest.facing || gap > slack) continue;
         // To begin on the surface of a part that has moved into the ball would be a jump.
         if (gap < -deep_overlap * ball.radius && Table::moves(sim_.scene.parts[feature.part])) continue;
         const Vec2 normal = closest.normal;

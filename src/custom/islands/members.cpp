@@ -88,10 +88,11 @@ void Islands::solve_jammed(BallIndex first, double time) {
         const BallIndex i = members_[seen++];
         const Vec2 here = sim_.particles[i].motion.path.position(time);
         sim_.cells.query_neighbours(i, [&](BallIndex j) {
-            const double reach = sim_.balls[i].radius + sim_.balls[j].radius;
+            const Ball &ball = sim_.balls[i], &other = sim_.balls[j];
+            const double reach =
+                ball.radius + other.radius + resting_distance * std::min(ball.radius, other.radius);
             const double apart = length(sim_.particles[j].motion.path.position(time) - here);
-            if (apart <= (1 + resting_distance) * reach && layers_meet(sim_.balls[i], sim_.balls[j]))
-                mark_jammed(j);
+            if (apart <= reach && layers_meet(ball, other)) mark_jammed(j);
         });
     }
     tick(time);
