@@ -12,11 +12,11 @@ namespace flipside::custom {
 namespace {
 
 /// Least width of a cell, in diameters of a ball: with cell_slack on both sides, balls two cells apart cannot
-/// be within sleep_distance.
+/// touch. A gap below sleep_distance is overlooked where both balls are at the very end of their slack.
 constexpr double least_width = 1.25;
 /// How far the centre of a ball may be outside its cell, in widths.
-constexpr double cell_slack = 0.099;
-static_assert(least_width * (1 - 2 * cell_slack) >= 1 + sleep_distance / 2);
+constexpr double cell_slack = 0.1;
+static_assert(least_width * (1 - 2 * cell_slack) >= 1);
 
 /// Margin within which a cell of a BoxIndex lists boxes, and within which it is asked for them, in widths.
 /// The difference exceeds all rounding. A ball reaches beyond its cell by cell_slack and by its radius.

@@ -133,9 +133,12 @@ double search(MovingAt&& moving, GapOf&& gap_of, double radius, double rounding,
             h = std::max(h, slide_step);
         }
         if (step >= sure_steps) h = std::max(h, (t1 - t) / (all_steps - step));
-        const double next = t + h;
+        double next = t + h;
         if (!(next <= t1)) return never_touch;
-        if (next <= t) return gap.slope < 0 ? t : never_touch;
+        if (next <= t) {
+            if (gap.outside <= 0) return gap.slope < 0 ? t : never_touch;
+            next = std::nextafter(t, INFINITY);  // it is not between the ends of the curve yet
+        }
         t = next;
     }
     return never_touch;  // the whole interval has been searched

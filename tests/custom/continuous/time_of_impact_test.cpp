@@ -47,6 +47,21 @@ RC_GTEST_PROP(TimeOfImpact, ClosedFormForALineAgreesWithTheSearch, ()) {
     same(closed, searched, dot(path.velocity(first), closest.normal));
 }
 
+// A ball on the surface, but past the end of a line by less than the clock resolves, would else have the same
+// impact without end: handling it changes nothing.
+TEST(TimeOfImpact, IsBetweenTheEndsOfALineAlsoWhereTheClockIsCoarse) {
+    const Feature line{Line{{0, 0}, {1, 0}, 1, {}, {}}, 0, 0};
+    const double r = 0.1, now = 0.75;
+    Path path;
+    path.start = now;
+    path.flight = {{-3e-17, r}, {1, -0.1}, {}, 0};
+    EXPECT_FALSE(closest_point(line, path.position(now), r).facing);
+    const double met = search_impact(line, {}, path, r, now, 1);
+    EXPECT_GT(met, now);
+    EXPECT_LT(met, now + 1e-12);
+    EXPECT_TRUE(closest_point(line, path.position(met), r).facing);
+}
+
 // The first crossing, against an evaluation in small steps.
 RC_GTEST_PROP(TimeOfImpact, FirstCrossingWithDragIsTheFirst, ()) {
     const double gap = between(-1, 1), rate = between(-3, 3), bend = between(-10, 10);
