@@ -153,9 +153,10 @@ class ForceCache {
     [[nodiscard]] std::span<const ContactForce> all() const { return forces_; }
 
   private:
-    [[nodiscard]] static std::uint64_t rank(const ContactForce& force) {
+    /// A function object, which is inlined where a function pointer is called.
+    static constexpr auto rank = [](const ContactForce& force) {
         return std::uint64_t{force.b} << 32 | force.a;
-    }
+    };
 
     std::vector<ContactForce> forces_;  ///< the sorted forces, then the new ones
     std::vector<ContactForce> merged_;  ///< buffer of merge()
