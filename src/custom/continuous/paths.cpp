@@ -87,25 +87,29 @@ void Paths::start_path(BallIndex i, double time) {
     Particle& particle = sim_.particles[i];
     particle.on_tick_path = particle.frozen = sim_.hot[i].creeps = false;
     if (ball.asleep && beside_moving_part(i)) ball.asleep = false;
-    particle.resting_on = nullptr;
-    particle.tangent_faces.clear();
-    particle.motion.fly(ball.asleep
-                            ? Flight{ball.position, ball.velocity, {}, 0}
-                            : Flight{ball.position, ball.velocity, sim_.external.gravity, sim_.external.drag},
-                        time);
-    HotState& hot = sim_.hot[i];
-    ++hot.version;
-    hot.position = ball.position;
-    hot.velocity = ball.velocity;
-    hot.start = time;
-    hot.ballistic = !ball.asleep;
-    list_in_cell(i, time);
+    const ExternalForces forces = ball.asleep ? ExternalForces{} : sim_.external;
+    start_flight(i, {ball.position, ball.velocity, forces.gravity, forces.drag}, time);
     if (ball.asleep) return;
     find_supports(i, time);
     if (supports_.empty()) return;
     choose_support(i, time);
-    hot.ballistic = particle.resting_on == nullptr;
-    if (hot.ballistic) return note_tangent_faces(particle);
+    sim_.hot[i].ballistic = particle.resting_on == nullptr;
+    if (sim_.hot[i].ballistic) return note_tangent_faces(particle);
+    list_in_cell(i, time);
+}
+
+void Paths::start_flight(BallIndex i, const Flight& flight, double time) {
+    Particle& particle = sim_.particles[i];
+    particle.resting_on = nullptr;
+    particle.tangent_faces.clear();
+    particle.motion.fly(flight, time);
+    HotState& hot = sim_.hot[i];
+    ++hot.version;
+    sim_.balls[i].position = hot.position = flight.position;
+    sim_.balls[i].velocity = hot.velocity = flight.velocity;
+    hot.start = time;
+    hot.ballistic = !sim_.balls[i].asleep && flight.acceleration == sim_.external.gravity &&
+                    flight.drag == sim_.external.drag;
     list_in_cell(i, time);
 }
 

@@ -21,9 +21,8 @@ class Paths {
     void push_out_of_parts(BallIndex i);
     /// Starts the path of a ball at its position: along a part in resting contact, or in free flight.
     void start_path(BallIndex i, double time);
-    /// Lists a ball in the cell at its position. Fast balls use wide cells, so that no ball changes its cell
-    /// more than a thousand times a second.
-    void list_in_cell(BallIndex i, double time);
+    /// Starts a path that is a flight, with the position and velocity of the ball at its start.
+    void start_flight(BallIndex i, const Flight& flight, double time);
     /// Finds when the ball leaves its cell, and its swept bounds until then; at `time` it is `here`.
     void update_swept_bounds(BallIndex i, double time, const Path::Motion& here);
 
@@ -34,6 +33,9 @@ class Paths {
         Vec2 direction{};          ///< unit, in which the ball moves along it
         double distance_left = 0;  ///< m, to the end of the feature in that direction
     };
+    /// Lists a ball in the cell at its position. Fast balls use wide cells, so that no ball changes its cell
+    /// more than a thousand times a second.
+    void list_in_cell(BallIndex i, double time);
     [[nodiscard]] bool pushes_through(PartIndex by, const Ball& ball, const Touch& touch);
     [[nodiscard]] bool beside_moving_part(BallIndex i);
     void find_supports(BallIndex i, double time);

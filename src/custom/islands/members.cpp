@@ -121,19 +121,9 @@ void Islands::stay_frozen(BallIndex i, Vec2 velocity, double time) {
 void Islands::start_member_path(BallIndex i, const Flight& flight, double time, double until) {
     Particle& particle = sim_.particles[i];
     sim_.any_in_island = particle.on_tick_path = true;
-    particle.resting_on = particle.separated_from = nullptr;
-    particle.tangent_faces.clear();
-    particle.motion.fly(flight, time);
+    particle.separated_from = nullptr;
+    paths_.start_flight(i, flight, time);
     particle.motion.until = until;
-    sim_.balls[i].position = flight.position;
-    sim_.balls[i].velocity = flight.velocity;
-    HotState& hot = sim_.hot[i];
-    ++hot.version;
-    hot.position = flight.position;
-    hot.velocity = flight.velocity;
-    hot.start = time;
-    hot.ballistic = flight.acceleration == sim_.external.gravity && flight.drag == sim_.external.drag;
-    paths_.list_in_cell(i, time);
 }
 
 /// Starts the path of a member over a tick: the parabola under gravity and drag that ends at the solved
