@@ -333,7 +333,7 @@ void Events::leave_gate(BallNumber ball, PartIndex part, double time) {
     sim_.table.set_open(part, false);
     // Predictions made while the gate was open no longer hold.
     for (BallIndex j = 0; j < sim_.particles.size(); ++j)
-        if (sim_.particles[j].number != ball && !sim_.balls[j].asleep && !sim_.hot[j].lost)
+        if (sim_.balls[j].number != ball && !sim_.balls[j].asleep && !sim_.hot[j].lost)
             predictions_.predict(j, time);
 }
 

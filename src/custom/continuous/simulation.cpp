@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "custom/broad_phase/capacity.hpp"
 
@@ -39,9 +40,7 @@ void Simulation::reserve(std::size_t most) {
     }
     reserve_for(balls, most);
     reserve_for(pending, most, events_per_ball);
-    if (hot.size() < most) {
-        hot.resize(most), near.resize(most);
-    }
+    if (hot.size() < most) hot.resize(most), near.resize(most);
     cells.reserve(most);
 }
 
@@ -50,14 +49,10 @@ void Simulation::start_with(std::span<const Ball> now) {
     choose_tick();
     particles = std::span(pool_).first(balls.size());
     for (BallIndex i = 0; i < balls.size(); ++i) {
-        Particle& particle = particles[i];
-        particle.number = balls[i].number;
-        particle.jammed = particle.frozen = particle.on_tick_path = false;
-        particle.resting_on = particle.separated_from = nullptr;
-        particle.last_event = -1;
-        particle.last_hit = particle.last_driven = -INFINITY;
-        particle.simultaneous_events = particle.idle_events = particle.hits = 0;
-        particle.events_until = 0;
+        std::vector<TaylorPath> memory = std::move(particles[i].motion.path.taylor);
+        memory.clear();
+        particles[i] = {};
+        particles[i].motion.path.taylor = std::move(memory);
         hot[i] = {};
         near[i] = {};
         hot[i].radius = balls[i].radius;

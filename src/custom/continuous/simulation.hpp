@@ -55,11 +55,10 @@ struct NearTimes {
 struct Particle {
     ConstrainedPath motion;     ///< since its last event
     bool on_tick_path = false;  ///< in an island, on the path that the last tick gave it
-    BallNumber number = 0;
-    bool jammed = false;     ///< since the last regular tick: Islands::solve_jammed()
-    bool frozen = false;     ///< stays in place without events until the next tick: Islands::freeze()
-    double last_loaded = 0;  ///< s: when it last had a load from a ball, or from two sides
-    int loads = 0;           ///< contacts that carry a force; those with balls count twice
+    bool jammed = false;        ///< since the last regular tick: Islands::solve_jammed()
+    bool frozen = false;        ///< stays in place without events until the next tick: Islands::freeze()
+    double last_loaded = 0;     ///< s: when it last had a load from a ball, or from two sides
+    int loads = 0;              ///< contacts that carry a force; those with balls count twice
     Vec2 velocity_begin, velocity_end;  ///< m/s, at the ends of a tick; the parabola between has others
     EventType next = EventType::none;
     double next_time = 0;
@@ -89,8 +88,7 @@ struct Simulation {
 
     /// Reserves memory for so many balls.
     void reserve(std::size_t most);
-    /// Starts a window with these balls: assigns a particle to each, and clears what it holds of the ball
-    /// that had it before.
+    /// Starts a window with these balls: assigns a particle to each.
     void start_with(std::span<const Ball> now);
 
     /// Moves a ball along its path to `time`, with its true velocity.

@@ -316,7 +316,7 @@ void Islands::store_forces() {
     known.clear();
     for (const ContactForce& force : ball_forces_.all())
         known.push_back(
-            {sim_.particles[force.a].number, sim_.particles[force.b].number, force.normal, force.tangent});
+            {sim_.balls[force.a].number, sim_.balls[force.b].number, force.normal, force.tangent});
 }
 
 }  // namespace flipside::custom

@@ -107,7 +107,7 @@ void trace_event(const Simulation& sim, BallIndex i, const std::function<void()>
     trace.stages[stage]
         .add("event")
         .with("time", sim.start + time)
-        .with("ball", particle.number)
+        .with("ball", sim.balls[i].number)
         .with("event", name);
     const auto velocity = [&](BallIndex k) { return sim.ball_at(k, time).velocity; };
     const Vec2 before = velocity(i), other_before = velocity(other);
