@@ -77,11 +77,17 @@ struct Flight {
     [[nodiscard]] Vec2 displacement(const TimeInterval& s) const {
         return s.shrunk * velocity + s.fallen * acceleration;
     }
-    [[nodiscard]] Vec2 displacement(double t) const { return displacement(TimeInterval(drag, t)); }
     [[nodiscard]] Vec2 velocity_after(const TimeInterval& s) const {
         return s.kept * velocity + s.shrunk * acceleration;
     }
     [[nodiscard]] Vec2 velocity_at(double t) const { return velocity_after(TimeInterval(drag, t)); }
+    struct Motion {
+        Vec2 position, velocity;
+    };
+    [[nodiscard]] Motion at(double t) const {
+        const TimeInterval s(drag, t);
+        return {position + displacement(s), velocity_after(s)};
+    }
     /// Bounds on speed and on the size of dv/dt over [0, t].
     [[nodiscard]] double max_speed(double t) const { return length(velocity) + length(acceleration) * t; }
     [[nodiscard]] double max_acceleration(double t) const {

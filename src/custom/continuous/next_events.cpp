@@ -25,7 +25,7 @@ void Predictions::reserve(std::size_t balls) {
 void Predictions::enter_cell(BallIndex i) {
     const double time = sim_.particles[i].cell_exit;
     const Cells::Cell before = sim_.cells[i];
-    const Path::Motion here = sim_.particles[i].motion.path.at(time);
+    const Flight::Motion here = sim_.particles[i].motion.path.at(time);
     sim_.cells.insert(i, here.position);
     paths_.update_swept_bounds(i, time, here);
     if (sim_.particles[i].cell_exit <= time) sim_.particles[i].cell_exit = never_touch;
@@ -197,11 +197,9 @@ void Predictions::predict_flying(BallIndex i, BallIndex j, double time) {
     const HotState &a = sim_.hot[i], &b = sim_.hot[j];
     const double from = std::max(a.start, b.start);
     const auto at = [&](const HotState& hot) {
-        const double t = from - hot.start;
-        if (t == 0) return Path::Motion{hot.position, hot.velocity};
-        const TimeInterval interval(sim_.external.drag, t);
+        if (from == hot.start) return Flight::Motion{hot.position, hot.velocity};
         const Flight flight{hot.position, hot.velocity, sim_.external.gravity, sim_.external.drag};
-        return Path::Motion{flight.position + flight.displacement(interval), flight.velocity_after(interval)};
+        return flight.at(from - hot.start);
     };
     const auto [p, v] = at(a);
     const auto [q, u] = at(b);

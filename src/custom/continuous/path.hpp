@@ -53,28 +53,17 @@ struct Path {
     std::vector<TaylorPath> taylor;
 
     [[nodiscard]] bool is_taylor() const { return !taylor.empty(); }
-    [[nodiscard]] Vec2 position(double time) const {
+    [[nodiscard]] Flight::Motion at(double time) const {
         const double t = time - start;
-        return flight.position + (is_taylor() ? taylor[0].displacement.change(t) : flight.displacement(t));
+        if (!is_taylor()) return flight.at(t);
+        return {flight.position + taylor[0].displacement.change(t), taylor[0].displacement.slope(t)};
     }
-    [[nodiscard]] Vec2 velocity(double time) const {
-        const double t = time - start;
-        return is_taylor() ? taylor[0].displacement.slope(t) : flight.velocity_at(t);
-    }
+    [[nodiscard]] Vec2 position(double time) const { return at(time).position; }
+    [[nodiscard]] Vec2 velocity(double time) const { return at(time).velocity; }
     [[nodiscard]] Vec2 acceleration(double time) const {
         const double t = time - start;
         return is_taylor() ? taylor[0].displacement.bend(t)
                            : flight.acceleration - flight.drag * flight.velocity_at(t);
-    }
-    struct Motion {
-        Vec2 position, velocity;
-    };
-    [[nodiscard]] Motion at(double time) const {
-        const double t = time - start;
-        if (is_taylor())
-            return {flight.position + taylor[0].displacement.change(t), taylor[0].displacement.slope(t)};
-        const TimeInterval interval(flight.drag, t);
-        return {flight.position + flight.displacement(interval), flight.velocity_after(interval)};
     }
     /// Bounds on speed and acceleration from the start to `time`.
     [[nodiscard]] double max_speed(double time) const {

@@ -122,7 +122,7 @@ void Paths::list_in_cell(BallIndex i, double time) {
     update_swept_bounds(i, time, {path.flight.position, path.flight.velocity});
 }
 
-void Paths::update_swept_bounds(BallIndex i, double time, const Path::Motion& here) {
+void Paths::update_swept_bounds(BallIndex i, double time, const Flight::Motion& here) {
     Particle& particle = sim_.particles[i];
     const Path& path = particle.motion.path;
     const auto [at, velocity] = here;

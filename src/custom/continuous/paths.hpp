@@ -24,7 +24,7 @@ class Paths {
     /// Starts a path that is a flight, with the position and velocity of the ball at its start.
     void start_flight(BallIndex i, const Flight& flight, double time);
     /// Finds when the ball leaves its cell, and its swept bounds until then; at `time` it is `here`.
-    void update_swept_bounds(BallIndex i, double time, const Path::Motion& here);
+    void update_swept_bounds(BallIndex i, double time, const Flight::Motion& here);
 
   private:
     struct Support {
