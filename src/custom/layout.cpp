@@ -16,7 +16,6 @@ Layout::Layout(const Scene& scene)
     for (const Primitive& primitive : primitives_) {
         const Part& part = scene.parts[primitive.part];
         always_collides_.push_back(!part.sensor && !part.target && gate_of(part) == nullptr);
-        material_of_.push_back(part.material);
     }
     for (PartIndex part = 0; part < scene.parts.size(); ++part)
         if (gate_of(scene.parts[part]) != nullptr) gates_.push_back(part);

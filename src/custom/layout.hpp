@@ -50,13 +50,9 @@ class Layout {
         for (const Ball& ball : balls) moving.push_back({box_of(ball), ball.layer, ball.collides_with, true});
     }
 
-    /// Restitution, friction and kick between two materials.
-    [[nodiscard]] const Mixed& mixed(std::uint32_t a, std::uint32_t b) const {
-        return mixed_[a * materials_ + b];
-    }
-
-    [[nodiscard]] const Mixed& mixed(const Ball& ball, PrimitiveIndex i) const {
-        return mixed(ball.material, material_of_[i]);
+    /// Restitution, friction and kick between a ball and a ball or part.
+    [[nodiscard]] const Mixed& mixed(const Ball& ball, const auto& other) const {
+        return mixed_[ball.material * materials_ + other.material];
     }
 
   private:
@@ -68,8 +64,7 @@ class Layout {
     PrimitiveIndex still_ = 0;
     std::vector<Proxy> still_proxies_;
     std::vector<PartIndex> gates_;
-    std::vector<char> always_collides_;       ///< per primitive: no part of a sensor, target or gate
-    std::vector<std::uint32_t> material_of_;  ///< per primitive
+    std::vector<char> always_collides_;  ///< per primitive: no part of a sensor, target or gate
     std::size_t materials_;
     std::vector<Mixed> mixed_;
 };

@@ -148,7 +148,7 @@ void Events::hit_feature(BallIndex i, double time) {
         return restart(i, time);
     }
     const Touch touch{point, normal, 0, false};
-    const Impact impact = respond(ball, touch, surface, sim_.layout.mixed(ball.material, part.material),
+    const Impact impact = respond(ball, touch, surface, sim_.layout.mixed(ball, part),
                                   {sim_.scene.gravity, sim_.scene.rest_speed});
     if (impact.happened) {
         ++sim_.record->statistics.impacts;
@@ -229,8 +229,7 @@ bool Events::collide(BallIndex low, BallIndex high, double rest_speed, double ti
     Ball &hitting = a.asleep ? b : a, &other = a.asleep ? a : b;
     const double mass = other.mass;
     if (other.asleep) other.mass = INFINITY;
-    const Impact impact =
-        respond(hitting, other, sim_.layout.mixed(a.material, b.material), {sim_.scene.gravity, rest_speed});
+    const Impact impact = respond(hitting, other, sim_.layout.mixed(a, b), {sim_.scene.gravity, rest_speed});
     other.mass = mass;
     if (!impact.happened) return false;
     ++sim_.record->statistics.impacts;

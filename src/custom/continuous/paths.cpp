@@ -174,7 +174,7 @@ void Paths::find_supports(BallIndex i, double time) {
         const Vec2 normal = closest.normal;
         if (feature.gate && gates_.lets_through(feature.part, ball, time)) continue;
         RestingContact contact = resting_contact_at(feature, turning, ball, normal, time, sim_.external);
-        const Mixed mixed = sim_.layout.mixed(ball.material, sim_.scene.parts[feature.part].material);
+        const Mixed mixed = sim_.layout.mixed(ball, sim_.scene.parts[feature.part]);
         contact.friction = mixed.friction;
         const Vec2 relative = ball.velocity - contact.surface_velocity;
         const double force = std::max(0.0, contact.force);

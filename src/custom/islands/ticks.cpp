@@ -215,7 +215,7 @@ void Islands::add_ball_contact(BallIndex i, BallIndex j, double time, double dur
     contact.lower = i_above ? other : rank_[i];
     contact.normal = i_above ? normal : -normal;
     contact.detected_gap = gap;
-    contact.friction = sim_.layout.mixed(a.material, b.material).friction;
+    contact.friction = sim_.layout.mixed(a, b).friction;
     contact.height = -dot(a.position + there, sim_.scene.gravity);
     contact.a = std::min(i, j), contact.b = std::max(i, j);
     add_contact(contact, ball_forces_, duration);
@@ -273,8 +273,7 @@ void Islands::add_part_contacts(BallIndex i, double time, double duration) {
         contact.lower = contact_solver_.add({found.point, surface, {}, 0, 0, 0, 0});
         contact.normal = found.normal;
         contact.detected_gap = found.separation;
-        contact.friction =
-            sim_.layout.mixed(ball.material, sim_.scene.parts[primitive.part].material).friction;
+        contact.friction = sim_.layout.mixed(ball, sim_.scene.parts[primitive.part]).friction;
         contact.height = -2 * dot(found.point, sim_.scene.gravity);
         contact.with =
             turning.rate_at(time) == 0 ? ContactSolver::With::still_part : ContactSolver::With::moving_part;

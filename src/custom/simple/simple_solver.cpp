@@ -99,12 +99,13 @@ bool SimpleSolver::respond_to_primitive(Ball& ball, PrimitiveIndex index, const 
     if (found.separation >= -overlap_slop * ball.radius || found.past_end) return false;
     ++record_->statistics.contacts;
     const Vec2 surface_velocity = cross(layout_.rate(*table_, index, ahead_), found.point - pose.pivot);
-    const Impact impact = respond(ball, found, surface_velocity, layout_.mixed(ball, index), around);
+    const Part& part = scene_.parts[primitive.part];
+    const Impact impact = respond(ball, found, surface_velocity, layout_.mixed(ball, part), around);
     push_out(ball, found);
-    if (trace_) trace_->responded(ball, index, surface_velocity, impact, layout_.mixed(ball, index));
+    if (trace_) trace_->responded(ball, index, surface_velocity, impact, layout_.mixed(ball, part));
     if (impact.happened) {
         report(ball, Other::part(primitive.part), impact, found.point);
-        if (scene_.parts[primitive.part].target) table_->set_down(primitive.part, true);
+        if (part.target) table_->set_down(primitive.part, true);
     }
     return true;
 }
@@ -115,9 +116,9 @@ bool SimpleSolver::respond_to_ball(Ball& lower, Ball& upper, const Surroundings&
     if (trace_) trace_->tested(lower, upper, found);
     if (found.separation >= -overlap_slop * std::min(lower.radius, upper.radius)) return false;
     ++record_->statistics.contacts;
-    const Impact impact = respond(lower, upper, layout_.mixed(lower.material, upper.material), around);
+    const Impact impact = respond(lower, upper, layout_.mixed(lower, upper), around);
     push_out(lower, upper);
-    if (trace_) trace_->responded(lower, upper, impact, layout_.mixed(lower.material, upper.material));
+    if (trace_) trace_->responded(lower, upper, impact, layout_.mixed(lower, upper));
     if (impact.happened) report(lower, Other::ball(upper.number), impact, found.point);
     return true;
 }

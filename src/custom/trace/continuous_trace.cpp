@@ -132,9 +132,8 @@ void trace_event(const Simulation& sim, BallIndex i, const std::function<void()>
     if (stale) item.with("answer", "the other has changed its path meanwhile: predicted again");
     if (impact) {
         const Event& event = sim.pending[reported];
-        const Mixed& material = meets_ball
-                                    ? sim.layout.mixed(sim.balls[i].material, sim.balls[other].material)
-                                    : sim.layout.mixed(sim.balls[i].material, sim.scene.parts[part].material);
+        const Mixed& material = meets_ball ? sim.layout.mixed(sim.balls[i], sim.balls[other])
+                                           : sim.layout.mixed(sim.balls[i], sim.scene.parts[part]);
         item.with("answer", "impact")
             .with("point", event.point)
             .with("normal", event.normal)

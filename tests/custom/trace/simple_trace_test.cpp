@@ -142,14 +142,15 @@ class Recomputed {
         Impact impact;
         if (const TraceValue* number = seen.find("other_ball")) {
             Ball& other = balls_.at(static_cast<BallNumber>(std::get<std::int64_t>(*number)));
-            impact = respond(ball, other, layout_.mixed(ball.material, other.material), around_);
+            impact = respond(ball, other, layout_.mixed(ball, other), around_);
             push_out(ball, other);
             EXPECT_EQ(item.get<Vec2>("other_velocity"), other.velocity);
             EXPECT_EQ(item.get<Vec2>("other_position"), other.position);
         } else {
             const auto primitive = static_cast<PrimitiveIndex>(seen.get<std::int64_t>("primitive"));
-            impact = respond(ball, found, item.get<Vec2>("surface_velocity"), layout_.mixed(ball, primitive),
-                             around_);
+            const Part& part = scene_.parts[layout_.primitive(primitive).part];
+            impact =
+                respond(ball, found, item.get<Vec2>("surface_velocity"), layout_.mixed(ball, part), around_);
             push_out(ball, found);
         }
         EXPECT_EQ(item.get<Vec2>("velocity"), ball.velocity);
