@@ -4,8 +4,7 @@
 
 #include "custom/broad_phase/capacity.hpp"
 #include "custom/engine.hpp"
-#include "custom/flight.hpp"
-#include "custom/simple/decide_gate.hpp"
+#include "world/gate.hpp"
 #include "world/limits.hpp"
 
 namespace flipside::custom {
@@ -63,14 +62,40 @@ void SimpleSolver::find_pairs(BroadPhase& broad) {
 
 /// Gates decide by the positions of the balls before they moved.
 void SimpleSolver::decide_gates(double duration) {
-    for (const PartIndex part : layout_.gates())
-        decide_gate(*table_, part, ahead_ - duration, ahead_, *balls_, record_->statistics.narrow_tests,
-                    [&](auto&& visit) {
-                        for (const Pair pair : pairs_)
-                            if (!is_ball(pair.a) && layout_.primitive(pair.a).part == part)
-                                visit(ball_of(pair.b), started_[index_of(pair.b)]);
-                    });
+    for (const PartIndex part : layout_.gates()) decide_gate(part, table_->pose(part, ahead_ - duration));
     if (trace_) trace_->decided_gates(*table_);
+}
+
+/// Decides for each ball that overlaps a gate whether the gate lets it through, and keeps the gate open as
+/// long as such a ball overlaps it. The rule is in world/gate.hpp. `before`: the gate before the balls moved.
+void SimpleSolver::decide_gate(PartIndex part, const Pose& before) {
+    const shape::Gate& gate = *gate_of(scene_.parts[part]);
+    const Pose now = table_->pose(part, ahead_);
+    const Primitive line{primitive::Segment{gate.a, gate.b}, part};
+    const auto separation = [&](const Ball& ball) {
+        ++record_->statistics.narrow_tests;
+        return touch(ball.position, ball.radius, line, now).separation;
+    };
+    std::erase_if(table_->blocked(), [&](const Blocked& blocked) {
+        if (blocked.gate != part) return false;
+        const Ball* ball = find_ball(*balls_, blocked.ball);
+        return ball != nullptr && separation(*ball) > touch_distance * ball->radius;
+    });
+    const bool was_open = table_->parts()[part].open;
+    bool occupied = false;
+    for (const Pair pair : pairs_) {
+        if (is_ball(pair.a) || layout_.primitive(pair.a).part != part) continue;
+        const Ball& ball = ball_of(pair.b);
+        if (separation(ball) >= 0) continue;
+        const Vec2 started = before.undo(started_[index_of(pair.b)]);
+        const bool is_blocked =
+            !was_open && (table_->is_blocked(part, ball.number) ||
+                          !lets_through(gate, started, rotated(ball.velocity, -now.angle), ball.radius));
+        occupied = occupied || !is_blocked;
+        if (is_blocked) table_->set_blocked(part, ball.number, true);
+    }
+    table_->set_open(part, occupied);
+    if (occupied) std::erase_if(table_->blocked(), [&](const Blocked& b) { return b.gate == part; });
 }
 
 /// One collision iteration: narrow phase and response of every pair, in order. Each response uses the results
