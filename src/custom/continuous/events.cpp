@@ -97,7 +97,8 @@ void Events::handle(BallIndex i) {
             if (particle.motion.separates) particle.separated_from = particle.resting_on;
             return restart(i, time);
         case EventType::sensor:
-            return sense(i, time);
+            enter_or_leave(i, particle.partner, time);
+            return predictions_.predict(i, time);
         case EventType::leave_bounds:
             return lose(i, time);
         case EventType::none:
@@ -278,30 +279,18 @@ void Events::lose(BallIndex i, double time) {
     sim_.cells.remove(i);
     predictions_.forget(i);
     std::erase_if(sim_.table.blocked(), [&](const Blocked& blocked) { return blocked.ball == ball.number; });
-    for (PartIndex part = 0; part < sim_.scene.parts.size(); ++part) {
-        if (!gates_.inside(ball.number, part)) continue;
-        if (!sim_.scene.parts[part].sensor) {
-            leave_gate(ball.number, part, time);
-            continue;
-        }
-        gates_.set_inside(ball.number, part, false);
-        report(time, EventKind::sensor_end, ball, Other::part(part), {}, {});
-    }
+    while (!gates_.around(ball.number).empty())
+        enter_or_leave(i, gates_.around(ball.number).front().sensor, time);
 }
 
 /// Handles a ball that enters or leaves a sensor, or leaves a gate.
-void Events::sense(BallIndex i, double time) {
+void Events::enter_or_leave(BallIndex i, PartIndex part, double time) {
     const Ball& ball = sim_.balls[i];
-    const PartIndex part = sim_.particles[i].partner;
-    if (sim_.scene.parts[part].sensor) {
-        const bool enters = !gates_.inside(ball.number, part);
-        gates_.set_inside(ball.number, part, enters);
-        const EventKind kind = enters ? EventKind::sensor_begin : EventKind::sensor_end;
-        report(time, kind, ball, Other::part(part), {}, {});
-    } else {
-        leave_gate(ball.number, part, time);
-    }
-    predictions_.predict(i, time);
+    if (!sim_.scene.parts[part].sensor) return leave_gate(ball.number, part, time);
+    const bool enters = !gates_.inside(ball.number, part);
+    gates_.set_inside(ball.number, part, enters);
+    const EventKind kind = enters ? EventKind::sensor_begin : EventKind::sensor_end;
+    report(time, kind, ball, Other::part(part), {}, {});
 }
 
 /// Handles a ball that reaches a gate. Returns whether the gate lets it through; it is then open for all

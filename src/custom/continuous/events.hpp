@@ -37,7 +37,7 @@ class Events {
     void release(PartIndex part, BallIndex hitting, double time);
     void wake_carried(BallIndex i, double time);
     void lose(BallIndex i, double time);
-    void sense(BallIndex i, double time);
+    void enter_or_leave(BallIndex i, PartIndex part, double time);
     [[nodiscard]] bool meet_gate(BallIndex i, PartIndex part, double time);
     void leave_gate(BallNumber ball, PartIndex part, double time);
     void report(double time, EventKind kind, const Ball& ball, Other other, const Impact& impact, Vec2 point);
