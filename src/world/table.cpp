@@ -137,11 +137,7 @@ bool Table::is_blocked(PartIndex gate, BallNumber ball) const {
 }
 
 void Table::set_blocked(PartIndex gate, BallNumber ball, bool blocked) {
-    const Blocked pair{gate, ball};
-    const auto at = std::ranges::lower_bound(state_.blocked, pair);
-    const bool was = at != state_.blocked.end() && *at == pair;
-    if (blocked && !was) state_.blocked.insert(at, pair);
-    if (!blocked && was) state_.blocked.erase(at);
+    set_listed(state_.blocked, {gate, ball}, blocked);
 }
 
 State Table::save(std::span<const Ball> balls) const {

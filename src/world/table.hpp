@@ -3,6 +3,7 @@
 /// are, which gates are open and targets down, and the balls waiting to be launched. Every engine owns
 /// one, so engines can only differ in what they do with balls.
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -27,6 +28,15 @@ struct Pose {
     if (const auto* flipper = std::get_if<shape::Flipper>(&part.shape.is))
         return {flipper->pivot, state.angle};
     return {};
+}
+
+/// Adds an item to a sorted list that lacks it, or removes it from one that has it.
+template <class T>
+void set_listed(std::vector<T>& sorted, const T& item, bool listed) {
+    const auto at = std::ranges::lower_bound(sorted, item);
+    const bool was = at != sorted.end() && *at == item;
+    if (listed && !was) sorted.insert(at, item);
+    if (!listed && was) sorted.erase(at);
 }
 
 class Table {

@@ -48,14 +48,6 @@ bool Gates::inside(BallNumber ball, PartIndex part) const {
     return std::ranges::binary_search(inside_, Sensed{ball, part});
 }
 
-void Gates::set_inside(BallNumber ball, PartIndex part, bool is_inside) {
-    const Sensed sensed{ball, part};
-    const auto at = std::ranges::lower_bound(inside_, sensed);
-    const bool was = at != inside_.end() && *at == sensed;
-    if (is_inside && !was) inside_.insert(at, sensed);
-    if (!is_inside && was) inside_.erase(at);
-}
-
 bool Gates::any_inside(PartIndex part) const {
     return std::ranges::any_of(inside_, [&](const Sensed& sensed) { return sensed.sensor == part; });
 }

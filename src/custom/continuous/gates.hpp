@@ -25,7 +25,9 @@ class Gates {
 
     /// Whether a ball is inside a sensor, or inside a gate that lets it through.
     [[nodiscard]] bool inside(BallNumber ball, PartIndex part) const;
-    void set_inside(BallNumber ball, PartIndex part, bool inside);
+    void set_inside(BallNumber ball, PartIndex part, bool inside) {
+        set_listed(inside_, {ball, part}, inside);
+    }
     [[nodiscard]] bool any_inside() const { return !inside_.empty(); }
     [[nodiscard]] bool any_inside(PartIndex part) const;
     /// The sensors and gates around a ball.
