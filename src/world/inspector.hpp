@@ -1,5 +1,6 @@
 #pragma once
-/// Debug drawing: the engine calls this interface, and its implementation draws. Engines know no screen.
+/// Debug drawing: the engine calls this interface, and its implementation draws what it is interested in.
+/// Engines know no screen.
 
 #include <string_view>
 
@@ -21,13 +22,14 @@ class Inspector {
     virtual ~Inspector() = default;
     /// Whether this topic is shown; engines need not draw the others.
     [[nodiscard]] virtual bool wants(Topic topic) const = 0;
-    virtual void box(Topic topic, const Box& box) = 0;
-    virtual void cell(const Box& box, int count) = 0;
-    virtual void pair(Vec2 a, Vec2 b) = 0;
-    virtual void contact(const Contact& contact) = 0;
-    virtual void segment(Topic topic, Vec2 a, Vec2 b) = 0;
-    virtual void circle(Topic topic, Vec2 center, double radius) = 0;
-    virtual void text(Topic topic, Vec2 at, std::string_view words) = 0;
+    virtual void box(Topic, const Box&) {}
+    virtual void cell(const Box&, int /*count*/) {}
+    /// A line between the two.
+    virtual void pair(Vec2, Vec2) {}
+    virtual void contact(const Contact&) {}
+    virtual void segment(Topic, Vec2 /*a*/, Vec2 /*b*/) {}
+    virtual void circle(Topic, Vec2 /*center*/, double /*radius*/) {}
+    virtual void text(Topic, Vec2 /*at*/, std::string_view) {}
 };
 
 }  // namespace flipside

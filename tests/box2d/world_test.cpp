@@ -147,12 +147,9 @@ TEST(Box2dWorld, inspectShowsWhatIsAskedFor) {
         int boxes = 0, pairs = 0, contacts = 0, circles = 0;
         bool wants(Topic t) const override { return t == topic; }
         void box(Topic, const Box&) override { ++boxes; }
-        void cell(const Box&, int) override {}
         void pair(Vec2, Vec2) override { ++pairs; }
         void contact(const Contact&) override { ++contacts; }
-        void segment(Topic, Vec2, Vec2) override {}
         void circle(Topic, Vec2, double) override { ++circles; }
-        void text(Topic, Vec2, std::string_view) override {}
     };
     TableTop top;
     top.part(shape::Segment{{-1, 0}, {1, 0}}, top.material(0));

@@ -291,7 +291,6 @@ TEST(World, ShowsItsInsides) {
         void contact(const Contact&) override { ++contacts; }
         void segment(Topic, Vec2, Vec2) override { ++others; }
         void circle(Topic topic, Vec2, double) override { ++(topic == Topic::sleep ? sleepers : others); }
-        void text(Topic, Vec2, std::string_view) override {}
     } counter;
     Scene scene = empty_scene({0, -9.81});
     add_ball(scene, {0, 0.1});

@@ -17,12 +17,6 @@ class CellLister final : public Inspector {
     void cell(const Box& box, int count) override {
         if (count > 0) stage_.add("cell").with("box", box).with("listed", static_cast<std::int64_t>(count));
     }
-    void box(Topic, const Box&) override {}
-    void pair(Vec2, Vec2) override {}
-    void contact(const Contact&) override {}
-    void segment(Topic, Vec2, Vec2) override {}
-    void circle(Topic, Vec2, double) override {}
-    void text(Topic, Vec2, std::string_view) override {}
 
   private:
     TraceStage& stage_;

@@ -21,15 +21,9 @@ class CellList : public Inspector {
     std::vector<ShownCell> cells;
 
     [[nodiscard]] bool wants(Topic topic) const override { return topic == Topic::cells; }
-    void box(Topic, const Box&) override {}
     void cell(const Box& box, int count) override {
         cells.push_back({box.min.x, box.min.y, box.max.x - box.min.x, count});
     }
-    void pair(Vec2, Vec2) override {}
-    void contact(const Contact&) override {}
-    void segment(Topic, Vec2, Vec2) override {}
-    void circle(Topic, Vec2, double) override {}
-    void text(Topic, Vec2, std::string_view) override {}
 };
 
 /// Those that list something.
