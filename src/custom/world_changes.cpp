@@ -1,6 +1,5 @@
 // Changes of the world from outside: controls, balls that are added and removed, saved states.
 
-#include <algorithm>
 #include <utility>
 
 #include "custom/world.hpp"

@@ -13,7 +13,6 @@
 // Design and Analysis of Spatial Data Structures", 3.4 (the MX-CIF tree, after Kedem 1982).
 
 #include <algorithm>
-#include <cmath>
 
 #include "custom/broad_phase/broad_phase.hpp"
 

@@ -17,14 +17,6 @@ namespace flipside::custom {
 [[nodiscard]] constexpr bool overlap(const Box& a, const Box& b) {
     return (a.min.x <= b.max.x) & (b.min.x <= a.max.x) & (a.min.y <= b.max.y) & (b.min.y <= a.max.y);
 }
-/// Whether a closed disc and a closed box overlap.
-[[nodiscard]] constexpr bool overlap(const Box& box, Vec2 center, double radius) {
-    const auto beyond = [](double min, double at, double max) {
-        return at < min ? min - at : at > max ? at - max : 0;
-    };
-    const Vec2 gap{beyond(box.min.x, center.x, box.max.x), beyond(box.min.y, center.y, box.max.y)};
-    return dot(gap, gap) <= radius * radius;
-}
 /// Smallest box that contains both.
 [[nodiscard]] constexpr Box united(const Box& a, const Box& b) {
     return {{a.min.x < b.min.x ? a.min.x : b.min.x, a.min.y < b.min.y ? a.min.y : b.min.y},

@@ -1,6 +1,6 @@
 #include "custom/geometry/narrow_phase.hpp"
 
-#include <algorithm>
+#include <limits>
 #include <numbers>
 
 namespace flipside::custom {

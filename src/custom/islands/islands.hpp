@@ -7,7 +7,6 @@
 /// move creep: they are solved at every fourth tick, and in between they are obstacles to the other members,
 /// until one of these pushes them. Statistics count members as handed_over.
 
-#include <span>
 #include <vector>
 
 #include "custom/continuous/gates.hpp"

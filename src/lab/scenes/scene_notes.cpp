@@ -21,7 +21,7 @@ std::vector<std::string> notes_on(const Scene& scene) {
     std::vector<std::string> notes;
     auto contact = contacts.begin();
     for (const Ball& ball : scene.balls) {
-        if (!custom::overlap(scene.bounds, ball.position, ball.radius))
+        if (!custom::overlap(scene.bounds, custom::bounds_of(ball.position, ball.radius)))
             notes.push_back(name_of(ball) + " starts outside the bounds");
         for (; contact != contacts.end() && contact->ball == ball.number; ++contact) {
             if (contact->other.is_ball) {

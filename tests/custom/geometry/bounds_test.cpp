@@ -66,27 +66,5 @@ TEST(Bounds, BoxesThatShareABorderOverlap) {
     EXPECT_TRUE(overlap(a, {{0.5, 0.5}, {0.5, 0.5}}));
 }
 
-/// A multiple of 1e-3 between −limit and limit.
-double any(int limit) {
-    return *rc::gen::inRange(-limit * 1000, limit * 1000) * 1e-3;
-}
-
-/// A disc overlaps a box if it contains its centre or the closest point of its border.
-RC_GTEST_PROP(Bounds, DiscsOverlapBoxesAtTheirClosestPoint, ()) {
-    const Box box{{-1, -0.5}, {any(2) + 2, any(1) + 1}};
-    const Vec2 center{any(4), any(4)};
-    const double radius = std::abs(any(2));
-    const Vec2 corners[] = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
-    double nearest = 1e9;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const Vec2 a = corners[i], side = corners[(i + 1) % 4] - a;
-        RC_PRE(dot(side, side) > 0);
-        const double along = std::clamp(dot(center - a, side) / dot(side, side), 0.0, 1.0);
-        nearest = std::min(nearest, length(center - a - along * side));
-    }
-    RC_PRE(std::abs(nearest - radius) > 1e-9);
-    RC_ASSERT(overlap(box, center, radius) == (box.contains(center) || nearest < radius));
-}
-
 }  // namespace
 }  // namespace flipside::custom
