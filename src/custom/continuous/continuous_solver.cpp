@@ -86,6 +86,7 @@ void ContinuousSolver::step(double dt, std::vector<Ball>& balls, StepRecord& rec
 /// Advances to `now`, with stops at the ends of windows and at the instants at which sleep_ watches the
 /// balls.
 void ContinuousSolver::advance_to(const Clock& now, std::vector<Ball>& balls) {
+    sim_.now = now.time;
     for (;;) {
         if (!in_window_) begin(balls);
         if (quiet_) return sim_.table.set_to(now, start().parts, now.time - sim_.start);
@@ -96,11 +97,11 @@ void ContinuousSolver::advance_to(const Clock& now, std::vector<Ball>& balls) {
         sim_.table.set_to(here, start().parts, ahead);
         sim_.table.memory().engine = engine_name;
         sim_.table.memory().time = here.time;
-        if (here.time < stop) return read(ahead, now.time, balls);
+        if (here.time < stop) return read(ahead, balls);
         if (watched_) {
-            end(now.time, balls);
+            end(balls);
         } else {
-            read(ahead, now.time, balls);
+            read(ahead, balls);
             sleep_.watch(balls, end_on_clock_ - watch_at_);
             watched_ = true;
         }
@@ -119,7 +120,6 @@ void ContinuousSolver::begin(const std::vector<Ball>& balls) {
     choose_end();
     EngineMemory& memory = sim_.table.memory();
     if (memory.engine != engine_name || memory.time != sim_.start) memory.forces.clear();
-    sim_.pending.clear();
     events_.clear();
     sim_.search_steps = 0;
     paths_started_ = sim_.any_in_island = false;
@@ -197,22 +197,8 @@ void ContinuousSolver::handle_until(double time) {
     }
 }
 
-/// Records the events up to `time` that are not recorded yet; their times are clamped to `now`.
-void ContinuousSolver::report_until(double time, double now) {
-    auto kept = sim_.pending.begin();
-    for (Event& event : sim_.pending) {
-        if (event.time - sim_.start > time) {
-            *kept++ = event;
-            continue;
-        }
-        event.time = std::min(event.time, now);
-        sim_.record->events.push_back(event);
-    }
-    sim_.pending.erase(kept, sim_.pending.end());
-}
-
 /// Replaces `balls` by their state at `time`, without lost balls.
-void ContinuousSolver::read(double time, double now, std::vector<Ball>& balls) {
+void ContinuousSolver::read(double time, std::vector<Ball>& balls) {
     balls.clear();
     read_at_ = time;
     constexpr BallIndex ahead = 6;  // balls; loading one takes about as long as reading these
@@ -221,13 +207,11 @@ void ContinuousSolver::read(double time, double now, std::vector<Ball>& balls) {
         rank_[i] = static_cast<BallIndex>(balls.size());
         if (!sim_.hot[i].lost) balls.push_back(sim_.ball_at(i, time));
     }
-    report_until(time, now);
 }
 
 /// Reads the balls at the end of the window, and updates contacts and sleep.
-void ContinuousSolver::end(double now, std::vector<Ball>& balls) {
-    read(sim_.end, now, balls);
-    report_until(INFINITY, now);
+void ContinuousSolver::end(std::vector<Ball>& balls) {
+    read(sim_.end, balls);
     in_window_ = false;
     contacts_.refresh(sim_.layout, sim_.table, balls, find_pairs(balls));
     contacts_.wake_unsupported(balls, sim_.scene.gravity);

@@ -74,9 +74,8 @@ class ContinuousSolver {
     void run(double until);
     void start_all_paths();
     void handle_until(double time);
-    void read(double time, double now, std::vector<Ball>& balls);
-    void report_until(double time, double now);
-    void end(double now, std::vector<Ball>& balls);
+    void read(double time, std::vector<Ball>& balls);
+    void end(std::vector<Ball>& balls);
     void pair_with_parts(std::span<const Ball> balls, BallIndex i);
     void pair_with_balls(std::span<const Ball> balls, BallIndex i);
     [[nodiscard]] const State& start() const { return starts_[current_]; }

@@ -119,8 +119,9 @@ void Events::restart(BallIndex i, double time) {
 void Events::report(double time, EventKind kind, const Ball& ball, Other other, const Impact& impact,
                     Vec2 point) {
     if (!within_top_speed(ball)) refuse_speed(engine_name, ball, other, sim_.start + time, sim_.scene);
-    sim_.pending.push_back(
-        {sim_.start + time, kind, ball.number, other, point, impact.normal, impact.speed, impact.impulse});
+    const double on_clock = std::min(sim_.start + time, sim_.now);  // it can be later by rounding
+    sim_.record->events.push_back(
+        {on_clock, kind, ball.number, other, point, impact.normal, impact.speed, impact.impulse});
 }
 
 bool Events::is_significant(const Impact& impact, const Ball& ball) const {

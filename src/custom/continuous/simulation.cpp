@@ -39,7 +39,6 @@ void Simulation::reserve(std::size_t most) {
         for (Particle& particle : pool_) particle.motion.path.taylor.reserve(1);
     }
     reserve_for(balls, most);
-    reserve_for(pending, most, events_per_ball);
     if (hot.size() < most) hot.resize(most), near.resize(most);
     cells.reserve(most);
 }

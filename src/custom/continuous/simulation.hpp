@@ -129,7 +129,7 @@ struct Simulation {
     double start = 0;                   ///< s, on the table's clock
     double end = 0;                     ///< s
     double after_end = 0;               ///< the next number after `end`
-    std::vector<Event> pending;         ///< not recorded yet
+    double now = 0;                     ///< s, on the table's clock: the end of the current step
     std::uint64_t search_steps = 0;     ///< of all root searches
     double tick_length = longest_tick;  ///< s
     double slow = 0;     ///< m/s: slower approaches inside an island are resting contacts, not impacts

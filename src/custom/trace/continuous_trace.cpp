@@ -118,7 +118,8 @@ void trace_event(const Simulation& sim, BallIndex i, const std::function<void()>
     const bool stale = meets_ball && sim.hot[other].version != particle.partner_version;
     const PartIndex part = name == "meets a part" ? sim.features[particle.partner].part : 0;
     const bool meets_part = name == "meets a part";
-    const std::size_t reported = sim.pending.size();
+    const std::vector<Event>& recorded = sim.record->events;
+    const std::size_t before_it = recorded.size();
     handle();
     TraceItem& item = trace.stages[stage].items[at];
     if (meets_ball) item.with("other_ball", sim.balls[other].number);
@@ -126,12 +127,12 @@ void trace_event(const Simulation& sim, BallIndex i, const std::function<void()>
     item.with("position", sim.ball_at(i, time).position).with("velocity_before", before);
     item.with("velocity", velocity(i));
     if (meets_ball) item.with("other_velocity_before", other_before).with("other_velocity", velocity(other));
-    const bool impact = sim.pending.size() > reported && sim.pending[reported].kind == EventKind::impact;
+    const bool impact = recorded.size() > before_it && recorded[before_it].kind == EventKind::impact;
     item.with("swept", std::move(way));
     if (meets_ball) item.with("other_swept", std::move(other_way));
     if (stale) item.with("answer", "the other has changed its path meanwhile: predicted again");
     if (impact) {
-        const Event& event = sim.pending[reported];
+        const Event& event = recorded[before_it];
         const Mixed& material = meets_ball ? sim.layout.mixed(sim.balls[i], sim.balls[other])
                                            : sim.layout.mixed(sim.balls[i], sim.scene.parts[part]);
         item.with("answer", "impact")
