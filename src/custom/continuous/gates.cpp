@@ -27,6 +27,7 @@ Gates::Gates(Simulation& sim) : sim_(sim), primitives_(sim.scene.parts.size()) {
         if (sim.scene.parts[part].sensor || gate_of(sim.scene.parts[part]) != nullptr)
             primitives_[part].push_back(i);
     }
+    near_.reserve(sim.layout.size());
 }
 
 void Gates::reserve(std::size_t balls) {
@@ -107,6 +108,16 @@ bool Gates::lets_through(PartIndex part, const Ball& ball, double time) const {
 bool Gates::ignores(const Feature& feature, const Ball& ball) const {
     return feature.sensor || sim_.table.parts()[feature.part].down || !layers_meet(ball, feature) ||
            (feature.gate && inside(ball.number, feature.part));
+}
+
+std::span<const PrimitiveIndex> Gates::primitives_near(const Box& box, const Ball& ball) {
+    near_.clear();
+    for (const FeatureIndex f : sim_.features_near(box)) {
+        const Feature& feature = sim_.features[f];
+        const bool listed = !near_.empty() && near_.back() == feature.primitive;
+        if (!listed && !ignores(feature, ball)) near_.push_back(feature.primitive);
+    }
+    return near_;
 }
 
 double Gates::sense_time(PartIndex part, const Ball& ball, const Path& path, double time, double last,

@@ -35,6 +35,9 @@ class Gates {
 
     /// Whether the feature does not collide with the ball now.
     [[nodiscard]] bool ignores(const Feature& feature, const Ball& ball) const;
+    /// The primitives that do not ignore the ball and whose features overlap the box. Valid until the next
+    /// call.
+    [[nodiscard]] std::span<const PrimitiveIndex> primitives_near(const Box& box, const Ball& ball);
     /// Whether the gate lets a ball through that touches it.
     [[nodiscard]] bool lets_through(PartIndex part, const Ball& ball, double time) const;
     /// Time at which a ball on this path enters a sensor, or leaves a sensor or gate; never_touch if not
@@ -51,6 +54,7 @@ class Gates {
     Simulation& sim_;
     std::vector<std::vector<PrimitiveIndex>> primitives_;  ///< per part, of sensors and gates only
     std::vector<Sensed> inside_;                           ///< sorted
+    std::vector<PrimitiveIndex> near_;                     ///< buffer of primitives_near()
 };
 
 }  // namespace flipside::custom

@@ -38,28 +38,18 @@ void Paths::reserve() {
 void Paths::push_out_of_parts(BallIndex i) {
     Ball& ball = sim_.balls[i];
     for (int round = 0; round < 4; ++round) {
+        const double allowed = -deep_overlap * ball.radius;
+        Touch deepest{{}, {}, allowed, false};
         const Box here = bounds_of(ball.position, ball.radius);
-        Touch deepest;
-        deepest.separation = -deep_overlap * ball.radius;
-        bool found = false;
-        PrimitiveIndex seen = sim_.layout.size();
-        for (const FeatureIndex f : sim_.features_near(here)) {
-            if (sim_.features[f].gate || gates_.ignores(sim_.features[f], ball)) continue;
-            if (sim_.features[f].primitive == seen) continue;
-            const Primitive& primitive = sim_.layout.primitive(sim_.features[f].primitive);
-            const Pose pose = sim_.table.pose(primitive.part);
-            if (std::holds_alternative<Arc>(sim_.features[f].is) &&
-                closest_point(sim_.features[f], pose.undo(ball.position), ball.radius).distance > ball.radius)
-                continue;
-            seen = sim_.features[f].primitive;
-            if (!should_collide(sim_.table, primitive, pose, ball)) continue;
-            const Touch touch_now = touch(ball.position, ball.radius, primitive, pose);
-            if (touch_now.past_end || touch_now.separation >= deepest.separation) continue;
-            if (pushes_through(primitive.part, ball, touch_now)) continue;
-            deepest = touch_now;
-            found = true;
+        for (const PrimitiveIndex near : gates_.primitives_near(here, ball)) {
+            const Primitive& primitive = sim_.layout.primitive(near);
+            if (gate_of(sim_.scene.parts[primitive.part]) != nullptr) continue;
+            const Touch found =
+                touch(ball.position, ball.radius, primitive, sim_.turnings[primitive.part].pose(0));
+            if (found.past_end || found.separation >= deepest.separation) continue;
+            if (!pushes_through(primitive.part, ball, found)) deepest = found;
         }
-        if (!found) return;
+        if (deepest.separation == allowed) return;
         push_out(ball, deepest);
     }
 }
@@ -76,9 +66,8 @@ bool Paths::pushes_through(PartIndex by, const Ball& ball, const Touch& touch) {
         if (!overlap(pushed, sim_.ranges[f])) return false;
         const Feature& feature = sim_.features[f];
         if (feature.part == by || feature.gate || gates_.ignores(feature, ball)) return false;
-        const Pose pose = sim_.table.pose(feature.part);
-        return should_collide(sim_.table, sim_.layout.primitive(feature.primitive), pose, ball) &&
-               crosses(feature, pose.undo(from), pose.undo(to));
+        const Pose pose = sim_.turnings[feature.part].pose(0);
+        return crosses(feature, pose.undo(from), pose.undo(to));
     });
 }
 

@@ -235,11 +235,10 @@ double Islands::overlap_with_moving_parts(BallIndex i, double time) {
     const Ball& ball = sim_.balls[i];
     const Box box = bounds_of(ball.position, ball.radius);
     double deepest = 0;
-    for (const FeatureIndex f : sim_.features_near(box)) {
-        const Feature& feature = sim_.features[f];
-        const Turning& turning = sim_.turnings[feature.part];
-        if (turning.still() || gates_.ignores(feature, ball)) continue;
-        const Primitive& primitive = sim_.layout.primitive(feature.primitive);
+    for (const PrimitiveIndex near : gates_.primitives_near(box, ball)) {
+        const Primitive& primitive = sim_.layout.primitive(near);
+        const Turning& turning = sim_.turnings[primitive.part];
+        if (turning.still()) continue;
         const Touch found = touch(ball.position, ball.radius, primitive, turning.pose(time));
         if (!found.past_end) deepest = std::max(deepest, -found.separation);
     }
@@ -252,14 +251,11 @@ void Islands::add_part_contacts(BallIndex i, double time, double duration) {
     // Includes the parts into which the position correction of overlaps could push this ball.
     const double slack = sim_.slow * duration + resting_distance * ball.radius + 2 * deepest_;
     const Box box = bounds_of(ball.position, ball.radius + slack);
-    PrimitiveIndex seen = sim_.layout.size();
-    for (const FeatureIndex f : sim_.features_near(box)) {
-        if (gates_.ignores(sim_.features[f], ball) || sim_.features[f].primitive == seen) continue;
-        seen = sim_.features[f].primitive;
-        const Primitive& primitive = sim_.layout.primitive(seen);
+    for (const PrimitiveIndex near : gates_.primitives_near(box, ball)) {
+        const Primitive& primitive = sim_.layout.primitive(near);
         const Turning& turning = sim_.turnings[primitive.part];
         const Pose pose = turning.pose(time);
-        if (!sim_.layout.should_collide(sim_.table, seen, pose, ball)) continue;
+        if (!sim_.layout.should_collide(sim_.table, near, pose, ball)) continue;
         ++sim_.record->statistics.narrow_tests;
         const Touch found = touch(ball.position, ball.radius, primitive, pose);
         if (found.past_end || found.separation > slack) continue;
@@ -277,7 +273,7 @@ void Islands::add_part_contacts(BallIndex i, double time, double duration) {
         contact.height = -2 * dot(found.point, sim_.scene.gravity);
         contact.with =
             turning.rate_at(time) == 0 ? ContactSolver::With::still_part : ContactSolver::With::moving_part;
-        contact.a = seen, contact.b = i;
+        contact.a = near, contact.b = i;
         add_contact(contact, part_forces_, duration);
     }
 }
