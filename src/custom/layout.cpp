@@ -28,14 +28,15 @@ Proxy Layout::proxy_of(const Primitive& primitive, const Pose& pose) const {
     return {bounds_of(primitive, pose), part.layer, part.collides_with, false};
 }
 
-bool should_collide(const Table& table, const Primitive& primitive, const Pose& pose, const Ball& ball) {
-    const Part& part = table.scene().parts[primitive.part];
-    const PartState& state = table.parts()[primitive.part];
-    if (part.sensor || state.down) return false;
-    const shape::Gate* gate = gate_of(part);
+bool Layout::should_collide(const Table& table, PrimitiveIndex i, const Pose& pose, const Ball& ball) const {
+    if (always_collides_[i]) return true;
+    const PartIndex part = primitives_[i].part;
+    const PartState& state = table.parts()[part];
+    if (scene_.parts[part].sensor || state.down) return false;
+    const shape::Gate* gate = gate_of(scene_.parts[part]);
     if (gate == nullptr) return true;
-    if (state.open || table.is_blocked(primitive.part, ball.number)) return !state.open;
-    const Vec2 relative = ball.velocity - cross(table.rate(primitive.part), ball.position - pose.pivot);
+    if (state.open || table.is_blocked(part, ball.number)) return !state.open;
+    const Vec2 relative = ball.velocity - cross(table.rate(part), ball.position - pose.pivot);
     return !lets_through(*gate, pose.undo(ball.position), rotated(relative, -pose.angle), ball.radius);
 }
 

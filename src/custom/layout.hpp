@@ -11,11 +11,6 @@ namespace flipside::custom {
 
 using PrimitiveIndex = std::uint32_t;
 
-/// Whether a primitive collides with a ball now. Sensors, targets that are down, and gates that let the ball
-/// through (gate.hpp) do not.
-[[nodiscard]] bool should_collide(const Table& table, const Primitive& primitive, const Pose& pose,
-                                  const Ball& ball);
-
 class Layout {
   public:
     explicit Layout(const Scene& scene);
@@ -30,11 +25,10 @@ class Layout {
     [[nodiscard]] double rate(const Table& table, PrimitiveIndex i, double ahead) const {
         return moves(i) ? table.rate(primitives_[i].part, ahead) : 0;
     }
-    /// The same as should_collide() above; cheap for most primitives.
+    /// Whether a primitive collides with a ball now. Sensors, targets that are down, and gates that let the
+    /// ball through (gate.hpp) do not. Cheap for most primitives.
     [[nodiscard]] bool should_collide(const Table& table, PrimitiveIndex i, const Pose& pose,
-                                      const Ball& ball) const {
-        return always_collides_[i] || custom::should_collide(table, primitives_[i], pose, ball);
-    }
+                                      const Ball& ball) const;
     /// Proxies of the still primitives, by index.
     [[nodiscard]] const std::vector<Proxy>& still_proxies() const { return still_proxies_; }
     /// Indices of the parts that are gates.
