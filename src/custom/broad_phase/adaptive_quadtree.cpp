@@ -67,13 +67,8 @@ class Tree {
             visit(i, std::span(items_).subspan(n.begin, n.own_end - n.begin), n.children != 0);
         }
     }
-    /// Visits the box of every leaf with the number of its items.
-    void each_leaf(auto&& visit) const { each_leaf(0, world_, visit); }
-
-    /// Adds the nodes with items at or below them.
-    void add_cells(std::vector<Cell>& cells, bool still) const {
-        if (!items_.empty()) add_cell(cells, {world_, 0, 0, no_cell, 0, still});
-    }
+    /// Visits the cells of all nodes, parents first, each with whether it is a leaf. `still`: of the cells.
+    void each_cell(bool still, auto&& visit) const { each_cell({world_, 0, 0, no_cell, 0, still}, visit); }
     /// Adds the nodes that a box reaches, from `node` down.
     void add_reached(const Box& box, std::uint32_t node, std::vector<std::uint32_t>& reached) const {
         reached.push_back(node);
@@ -108,15 +103,15 @@ class Tree {
         (child < 2 ? part.max.y : part.min.y) = middle.y;
         return part;
     }
-    void add_cell(std::vector<Cell>& cells, Cell cell) const {
+    void each_cell(Cell cell, auto& visit) const {
         const Node& n = nodes_[cell.index];
-        if (n.begin == n.end) return;
         cell.listed = static_cast<int>(n.own_end - n.begin);
-        cells.push_back(cell);
+        visit(cell, n.children == 0);
         if (n.children == 0) return;
         for (std::uint32_t i = 0; i < 4; ++i)
-            add_cell(cells, {part_of(cell.box, n.middle, i), 0, n.children + i, cell.index, cell.level + 1,
-                             cell.still});
+            each_cell(
+                {part_of(cell.box, n.middle, i), 0, n.children + i, cell.index, cell.level + 1, cell.still},
+                visit);
     }
 
     static Vec2 middle_of(const Box& box) { return 0.5 * (box.min + box.max); }
@@ -155,12 +150,6 @@ class Tree {
         for (std::uint32_t child = first; child < first + 4; ++child) split(child, 0.5 * quarter, level + 1);
     }
 
-    void each_leaf(std::uint32_t node, const Box& box, auto&& visit) const {
-        const Node& n = nodes_[node];
-        if (n.children == 0) return visit(box, static_cast<int>(n.end - n.begin));
-        for (std::uint32_t i = 0; i < 4; ++i) each_leaf(n.children + i, part_of(box, n.middle, i), visit);
-    }
-
     struct Sorted {
         Handle item;
         int child;
@@ -193,13 +182,18 @@ class AdaptiveQuadtree final : public BroadPhase {
     }
 
     void inspect(Inspector& inspector) const override {
-        moving_tree_.each_leaf([&](const Box& box, int count) { inspector.cell(box, count); });
+        moving_tree_.each_cell(false, [&](const Cell& cell, bool leaf) {
+            if (leaf) inspector.cell(cell.box, cell.listed);
+        });
     }
 
     [[nodiscard]] std::vector<Cell> tree() const override {
         std::vector<Cell> cells;
-        still_tree_.add_cells(cells, true);
-        moving_tree_.add_cells(cells, false);
+        const auto add = [&](const Cell& cell, bool leaf) {
+            if (!leaf || cell.listed > 0) cells.push_back(cell);
+        };
+        still_tree_.each_cell(true, add);
+        moving_tree_.each_cell(false, add);
         return cells;
     }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Lists of proxies per cell, for broad phases that list a proxy in every cell that its box overlaps. A pair
-/// that shares several cells is tested only in the first of them.
+/// Lists of proxies per cell, and a base for broad phases that list a proxy in every cell that its box
+/// overlaps. A pair that shares several cells is tested only in the first of them.
 
 #include <algorithm>
 #include <cmath>
@@ -65,6 +65,36 @@ struct CellLists {
         each(cell, [&](const Link&) { ++n; });
         return n;
     }
+};
+
+class CellBroadPhase : public BroadPhase {
+  protected:
+    using BroadPhase::BroadPhase;
+
+    /// Number of proxies that a cell lists.
+    [[nodiscard]] int count(std::uint32_t cell) const {
+        return still_lists_.count(cell) + moving_lists_.count(cell);
+    }
+    /// Tests the pairs of which this is the first shared cell. `node`: its index among those of tree().
+    void search_cell(std::uint32_t cell, std::uint32_t column, std::uint32_t row,
+                     std::uint32_t node = no_cell) {
+        most_in_cell_ = std::max(most_in_cell_, count(cell));
+        moving_lists_.each(cell, [&](CellLists::Link b) {
+            const CellRange& range = moving_cells_[b.proxy];
+            still_lists_.each(cell, [&](CellLists::Link a) {
+                if (is_first_shared(still_cells_[a.proxy], range, column, row))
+                    test_still(a.proxy, b.proxy, node);
+            });
+            moving_lists_.each_from(b.next, [&](CellLists::Link a) {
+                if (is_first_shared(moving_cells_[a.proxy], range, column, row))
+                    test_moving(a.proxy, b.proxy, node);
+            });
+        });
+    }
+
+    CellLists still_lists_, moving_lists_;
+    std::vector<CellRange> still_cells_, moving_cells_;  ///< per proxy
+    int most_in_cell_ = 0;
 };
 
 }  // namespace flipside::custom

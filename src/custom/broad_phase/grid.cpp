@@ -18,10 +18,10 @@ namespace flipside::custom {
 
 namespace {
 
-class Grid final : public BroadPhase {
+class Grid final : public CellBroadPhase {
   public:
     Grid(std::vector<Proxy> still, const BroadPhaseOptions& options)
-        : BroadPhase(std::move(still)), world_(options.world), fits_cells_(options.grid_cell == 0) {
+        : CellBroadPhase(std::move(still)), world_(options.world), fits_cells_(options.grid_cell == 0) {
         const Vec2 size = world_.max - world_.min;
         set_cells(fits_cells_ ? std::max(size.x, size.y) : widened(options.grid_cell, most_cells));
     }
@@ -58,7 +58,7 @@ class Grid final : public BroadPhase {
         reserve_for(wide_, moving_.size());
         for (Handle i = 0; i < moving_.size(); ++i) insert(i);
         most_in_cell_ = 0;
-        for (const std::uint32_t cell : occupied_) search_cell(cell);
+        for (const std::uint32_t cell : occupied_) search_cell(cell, cell % columns_, cell / columns_);
         search_wide();
     }
 
@@ -137,21 +137,6 @@ class Grid final : public BroadPhase {
         });
     }
 
-    void search_cell(std::uint32_t cell) {
-        most_in_cell_ = std::max(most_in_cell_, count(cell));
-        const std::uint32_t column = cell % columns_, row = cell / columns_;
-        moving_lists_.each(cell, [&](CellLists::Link b) {
-            const CellRange& range = moving_cells_[b.proxy];
-            still_lists_.each(cell, [&](CellLists::Link a) {
-                if (is_first_shared(still_cells_[a.proxy], range, column, row)) test_still(a.proxy, b.proxy);
-            });
-            moving_lists_.each_from(b.next, [&](CellLists::Link a) {
-                if (is_first_shared(moving_cells_[a.proxy], range, column, row))
-                    test_moving(a.proxy, b.proxy);
-            });
-        });
-    }
-
     /// Tests wide boxes against all others; each pair of two wide ones once.
     void search_wide() {
         for (const Handle a : wide_still_)
@@ -164,26 +149,16 @@ class Grid final : public BroadPhase {
         }
     }
 
-    /// Number of proxies that a cell lists.
-    [[nodiscard]] int count(std::uint32_t cell) const {
-        return still_lists_.count(cell) + moving_lists_.count(cell);
-    }
-
     Box world_;
     bool fits_cells_;
     double cell_ = 0;  ///< width, m
     std::uint32_t columns_ = 1, rows_ = 1;
-    std::vector<CellRange> still_cells_;  ///< per still proxy
-    CellLists still_lists_;
     std::vector<Handle> wide_still_;
     std::size_t fitted_for_ = 0;  ///< number of moving proxies
     std::vector<double> sizes_;   ///< m, buffer of fit_cells()
 
-    std::vector<CellRange> moving_cells_;  ///< per moving proxy
-    CellLists moving_lists_;
     std::vector<std::uint32_t> occupied_;  ///< cells that list a moving proxy
     std::vector<Handle> wide_;
-    int most_in_cell_ = 0;
 };
 
 }  // namespace

@@ -18,10 +18,10 @@ namespace {
 
 using Node = std::uint32_t;
 
-class Quadtree final : public BroadPhase {
+class Quadtree final : public CellBroadPhase {
   public:
     Quadtree(std::vector<Proxy> still, const BroadPhaseOptions& options)
-        : BroadPhase(std::move(still)),
+        : CellBroadPhase(std::move(still)),
           world_(options.world),
           levels_(options.quadtree_levels),
           side_(1U << levels_),
@@ -31,14 +31,14 @@ class Quadtree final : public BroadPhase {
         still_lists_.reset(side_ * side_);
         moving_lists_.reset(side_ * side_);
         // Lists grow at their front: from the last proxy on, so that they are in rising order.
-        still_leaves_.resize(still_.size());
+        still_cells_.resize(still_.size());
         for (auto i = static_cast<Handle>(still_.size()); i-- > 0;) {
-            still_leaves_[i] = leaves_under(still_[i].box);
-            each_leaf(still_leaves_[i], [&](Node leaf) { still_lists_.add(leaf, i); });
+            still_cells_[i] = leaves_under(still_[i].box);
+            each_leaf(still_cells_[i], [&](Node leaf) { still_lists_.add(leaf, i); });
         }
         for (Node leaf = 0; leaf < side_ * side_; ++leaf)
             most_still_in_leaf_ = std::max(most_still_in_leaf_, count(leaf));
-        most_in_leaf_ = most_still_in_leaf_;
+        most_in_cell_ = most_still_in_leaf_;
     }
 
     [[nodiscard]] BroadPhaseFacts facts() const override {
@@ -48,7 +48,7 @@ class Quadtree final : public BroadPhase {
                 .leaves = static_cast<int>(side_ * side_),
                 .leaf_width = leaf_size_.x,
                 .leaf_height = leaf_size_.y,
-                .most_in_leaf = most_in_leaf_};
+                .most_in_leaf = most_in_cell_};
     }
 
     void inspect(Inspector& inspector) const override {
@@ -72,8 +72,8 @@ class Quadtree final : public BroadPhase {
     [[nodiscard]] Visited visited(Handle moving) const override {
         Visited visited;
         const auto proxy = static_cast<std::size_t>(moving) - still_.size();
-        if (proxy >= moving_leaves_.size()) return visited;
-        each_leaf(moving_leaves_[proxy], [&](Node leaf) { visited.cells.push_back(first_leaf_ + leaf); });
+        if (proxy >= moving_cells_.size()) return visited;
+        each_leaf(moving_cells_[proxy], [&](Node leaf) { visited.cells.push_back(first_leaf_ + leaf); });
         return visited;
     }
 
@@ -81,12 +81,12 @@ class Quadtree final : public BroadPhase {
     void search() override {
         clear(0);
         moving_lists_.links.clear();
-        moving_leaves_.clear();
+        moving_cells_.clear();
         reserve_for(moving_lists_.links, moving_.size(), pairs_per_ball);
-        reserve_for(moving_leaves_, moving_.size());
+        reserve_for(moving_cells_, moving_.size());
         for (Handle i = 0; i < moving_.size(); ++i) insert(i);
-        most_in_leaf_ = most_still_in_leaf_;
-        search_below(0);
+        most_in_cell_ = most_still_in_leaf_;
+        search_below(0, 0, 0);
     }
 
     /// Columns from the left, rows from the top.
@@ -106,10 +106,6 @@ class Quadtree final : public BroadPhase {
     void each_leaf(const CellRange& leaves, auto&& visit) const {
         leaves.each([&](std::uint32_t column, std::uint32_t row) { visit(leaf_at(column, row)); });
     }
-    /// The first leaf that two proxies share.
-    [[nodiscard]] Node first_shared(const CellRange& a, const CellRange& b) const {
-        return leaf_at(std::max(a.left, b.left), std::max(a.low, b.low));
-    }
 
     void clear(Node node) {
         if (!occupied_[node]) return;
@@ -121,9 +117,9 @@ class Quadtree final : public BroadPhase {
     }
 
     void insert(Handle proxy) {
-        moving_leaves_.push_back(leaves_under(moving_[proxy].box));
+        moving_cells_.push_back(leaves_under(moving_[proxy].box));
         ++tests_;
-        each_leaf(moving_leaves_.back(), [&](Node leaf) {
+        each_leaf(moving_cells_.back(), [&](Node leaf) {
             moving_lists_.add(leaf, proxy);
             Node node = first_leaf_ + leaf;
             for (; !occupied_[node]; node = (node - 1) / 4) {
@@ -133,25 +129,12 @@ class Quadtree final : public BroadPhase {
         });
     }
 
-    void search_below(Node node) {
+    /// `column` and `row` of the node among those of its level.
+    void search_below(Node node, std::uint32_t column, std::uint32_t row) {
         if (!occupied_[node]) return;
-        if (node >= first_leaf_) return search_leaf(node - first_leaf_);
-        for (Node child = 4 * node + 1; child <= 4 * node + 4; ++child) search_below(child);
-    }
-
-    void search_leaf(Node leaf) {
-        most_in_leaf_ = std::max(most_in_leaf_, count(leaf));
-        moving_lists_.each(leaf, [&](CellLists::Link b) {
-            const CellRange& leaves = moving_leaves_[b.proxy];
-            still_lists_.each(leaf, [&](CellLists::Link a) {
-                if (first_shared(still_leaves_[a.proxy], leaves) == leaf)
-                    test_still(a.proxy, b.proxy, first_leaf_ + leaf);
-            });
-            moving_lists_.each_from(b.next, [&](CellLists::Link a) {
-                if (first_shared(moving_leaves_[a.proxy], leaves) == leaf)
-                    test_moving(a.proxy, b.proxy, first_leaf_ + leaf);
-            });
-        });
+        if (node >= first_leaf_) return search_cell(node - first_leaf_, column, row, node);
+        for (Node child = 0; child < 4; ++child)
+            search_below(4 * node + 1 + child, 2 * column + child % 2, 2 * row + child / 2);
     }
 
     /// Adds a node and those below it, if they list any proxy. Returns whether they do.
@@ -172,19 +155,13 @@ class Quadtree final : public BroadPhase {
         return any;
     }
 
-    /// Number of proxies that a leaf lists.
-    [[nodiscard]] int count(Node leaf) const { return still_lists_.count(leaf) + moving_lists_.count(leaf); }
-
     Box world_;
     int levels_;
     std::uint32_t side_;  ///< leaves along one side
     Vec2 leaf_size_;
     Node first_leaf_;
     std::vector<char> occupied_;  ///< per node: whether it or a node below it lists a moving proxy
-
-    CellLists still_lists_, moving_lists_;                 ///< per leaf
-    std::vector<CellRange> still_leaves_, moving_leaves_;  ///< per proxy
-    int most_still_in_leaf_ = 0, most_in_leaf_ = 0;
+    int most_still_in_leaf_ = 0;
 };
 
 }  // namespace
