@@ -59,15 +59,11 @@ void SimpleTrace::moved(std::span<const Ball> balls, const TimeInterval& interva
                    " freely for " + brief(1e3 * interval.time) + " ms, through whatever is in the way.";
 }
 
-void SimpleTrace::name_proxy(TraceItem& item, std::string_view prefix, Handle handle,
-                             std::span<const Ball> balls) const {
-    const std::string start(prefix);
-    if (handle >= layout_.size()) {
-        item.with(start + "ball", balls[handle - layout_.size()].number);
-        return;
-    }
-    item.with(start + "part", scene_.parts[layout_.primitive(handle).part].name)
-        .with(start + "primitive", handle);
+TraceItem& SimpleTrace::name_proxy(TraceItem& item, const std::string& prefix, Handle handle,
+                                   std::span<const Ball> balls) const {
+    if (handle >= layout_.size()) return item.with(prefix + "ball", balls[handle - layout_.size()].number);
+    return item.with(prefix + "part", scene_.parts[layout_.primitive(handle).part].name)
+        .with(prefix + "primitive", handle);
 }
 
 void SimpleTrace::found_pairs(std::span<const Proxy> moving, std::span<const Ball> balls,
@@ -78,8 +74,7 @@ void SimpleTrace::found_pairs(std::span<const Proxy> moving, std::span<const Bal
     const std::vector<Cell> tree = broad_.tree();
     const bool two_trees = std::ranges::any_of(tree, &Cell::still);
     for (const auto& [pair, overlap, query, cell] : log_) {
-        TraceItem& item = stage().add("test");
-        name_proxy(item, "", pair.b, balls);
+        TraceItem& item = name_proxy(stage().add("test"), "", pair.b, balls);
         name_proxy(item, pair.a >= layout_.size() ? "other_" : "", pair.a, balls);
         item.with("overlap", overlap);
         if (cell != no_cell) {
@@ -88,16 +83,9 @@ void SimpleTrace::found_pairs(std::span<const Proxy> moving, std::span<const Bal
         }
         overlapping += overlap;
     }
-    for (Handle i = 0; i < first; ++i) {
-        TraceItem& item = stage().add("box");
-        name_proxy(item, "", i, balls);
-        item.with("box", layout_.still_proxies()[i].box);
-    }
-    for (Handle i = 0; i < moving.size(); ++i) {
-        TraceItem& item = stage().add("box");
-        name_proxy(item, "", first + i, balls);
-        item.with("box", moving[i].box);
-    }
+    for (Handle i = 0; i < first + moving.size(); ++i)
+        name_proxy(stage().add("box"), "", i, balls)
+            .with("box", i < first ? layout_.still_proxies()[i].box : moving[i - first].box);
     add_cells(tree, moving.size(), balls);
     const std::uint64_t n = balls.size(), all = n * (n - 1) / 2 + n * layout_.size();
     stage().says = std::to_string(overlapping) + " of " + counted(all, "pair") +
@@ -127,9 +115,9 @@ void SimpleTrace::add_cells(std::span<const Cell> tree, std::size_t moving, std:
     const Handle end = layout_.size() + static_cast<Handle>(balls.size());
     for (Handle i = end - static_cast<Handle>(moving); i < end; ++i) {
         const Visited visited = broad_.visited(i);
-        TraceItem& item = stage().add("search");
-        name_proxy(item, "", i, balls);
-        item.with("cells", numbers(visited.cells)).with("still_cells", numbers(visited.still_cells));
+        name_proxy(stage().add("search"), "", i, balls)
+            .with("cells", numbers(visited.cells))
+            .with("still_cells", numbers(visited.still_cells));
     }
 }
 
@@ -157,9 +145,8 @@ void SimpleTrace::begin_round(int k, int n) {
 }
 
 void SimpleTrace::passed_over(const Ball& ball, PrimitiveIndex primitive) {
-    TraceItem& item = narrow().add("passed over").with("ball", ball.number);
-    name_proxy(item, "", primitive, {});
-    item.with("reason", "a sensor, a target that is down, or a gate that lets this ball through");
+    name_proxy(narrow().add("passed over").with("ball", ball.number), "", primitive, {})
+        .with("reason", "a sensor, a target that is down, or a gate that lets this ball through");
 }
 
 /// Adds an item for each separating axis that is tested for a polygon.
@@ -169,8 +156,8 @@ void SimpleTrace::add_axes(const Ball& ball, PrimitiveIndex primitive, const Pos
     const auto shadow = [](const double(&ends)[2]) { return std::vector<double>{ends[0], ends[1]}; };
     for (const TriedAxis& tried : axes_tried(ball.position, ball.radius, *polygon, pose)) {
         TraceItem& item = narrow().add("axis").with("turn", turn_).with("ball", ball.number);
-        name_proxy(item, "", primitive, {});
-        item.with("of", tried.of)
+        name_proxy(item, "", primitive, {})
+            .with("of", tried.of)
             .with("axis", tried.axis)
             .with("shadow_of_part", shadow(tried.polygon))
             .with("shadow_of_ball", shadow(tried.disc))
@@ -187,8 +174,8 @@ void SimpleTrace::tested(const Ball& ball, PrimitiveIndex primitive, const Pose&
     ++turn_;
     add_axes(ball, primitive, pose);
     TraceItem& item = narrow().add("closest").with("turn", turn_).with("ball", ball.number);
-    name_proxy(item, "", primitive, {});
-    item.with("center", ball.position)
+    name_proxy(item, "", primitive, {})
+        .with("center", ball.position)
         .with("radius", ball.radius)
         .with("pivot", pose.pivot)
         .with("pose_angle", pose.angle)
@@ -253,9 +240,9 @@ void SimpleTrace::responded(const Ball& ball, PrimitiveIndex primitive, Vec2 sur
     const TraceItem& seen = narrow().items.back();
     const double closing = -dot(lower_.velocity - surface_velocity, seen.get<Vec2>("normal"));
     TraceItem& item = add_response(lower_, ball, impact, material, closing);
-    name_proxy(item, "", primitive, {});
-    item.with("surface_velocity", surface_velocity);
-    item.with("formula", "v' = v + (closing + max(e s, k)) n");
+    name_proxy(item, "", primitive, {})
+        .with("surface_velocity", surface_velocity)
+        .with("formula", "v' = v + (closing + max(e s, k)) n");
     const double out = impact.happened ? std::max(material.restitution * impact.speed, material.kick) : 0;
     if (closing > 0) item.with("filled", "|v' - v| = " + brief(closing) + " + " + brief(out) + " m/s");
 }
@@ -270,8 +257,8 @@ void SimpleTrace::responded(const Ball& lower, const Ball& upper, const Impact& 
         .with("other_spin_before", upper_.spin)
         .with("other_spin", upper.spin)
         .with("other_position_before", upper_.position)
-        .with("other_position", upper.position);
-    item.with("formula", "J = (s + max(e s, k)) / (1/m1 + 1/m2), v1' = v1 + J n / m1, v2' = v2 - J n / m2");
+        .with("other_position", upper.position)
+        .with("formula", "J = (s + max(e s, k)) / (1/m1 + 1/m2), v1' = v1 + J n / m1, v2' = v2 - J n / m2");
     if (closing > 0)
         item.with("filled", "J = " + brief(impact.impulse) + " N s at s = " + brief(impact.speed) + " m/s");
 }
@@ -293,9 +280,9 @@ void SimpleTrace::begin_sensors() {
 }
 
 void SimpleTrace::sensed(const Ball& ball, PrimitiveIndex primitive, double separation) {
-    TraceItem& item = stage().add("sensor").with("ball", ball.number);
-    name_proxy(item, "", primitive, {});
-    item.with("separation", separation).with("inside", separation <= 0);
+    name_proxy(stage().add("sensor").with("ball", ball.number), "", primitive, {})
+        .with("separation", separation)
+        .with("inside", separation <= 0);
     stage().says =
         "Balls looked at, for their boxes overlap that of a sensor: " + std::to_string(stage().items.size()) +
         ".";

@@ -48,8 +48,9 @@ class SimpleTrace {
     void add_axes(const Ball& ball, PrimitiveIndex primitive, const Pose& pose);
     TraceItem& add_response(const Ball& before, const Ball& after, const Impact& impact,
                             const Mixed& material, double closing);
-    void name_proxy(TraceItem& item, std::string_view prefix, Handle handle,
-                    std::span<const Ball> balls) const;
+    /// Adds the ball, or the part and primitive, under names that begin with `prefix`.
+    TraceItem& name_proxy(TraceItem& item, const std::string& prefix, Handle handle,
+                          std::span<const Ball> balls) const;
 
     Trace& trace_;
     const Scene& scene_;
