@@ -31,13 +31,16 @@ Proxy Layout::proxy_of(const Primitive& primitive, const Pose& pose) const {
 bool Layout::should_collide(const Table& table, PrimitiveIndex i, const Pose& pose, const Ball& ball) const {
     if (always_collides_[i]) return true;
     const PartIndex part = primitives_[i].part;
-    const PartState& state = table.parts()[part];
-    if (scene_.parts[part].sensor || state.down) return false;
-    const shape::Gate* gate = gate_of(scene_.parts[part]);
-    if (gate == nullptr) return true;
-    if (state.open || table.is_blocked(part, ball.number)) return !state.open;
-    const Vec2 relative = ball.velocity - cross(table.rate(part), ball.position - pose.pivot);
-    return !lets_through(*gate, pose.undo(ball.position), rotated(relative, -pose.angle), ball.radius);
+    if (scene_.parts[part].sensor || table.parts()[part].down) return false;
+    return gate_of(scene_.parts[part]) == nullptr || !lets_through(table, part, pose, table.rate(part), ball);
+}
+
+bool lets_through(const Table& table, PartIndex gate, const Pose& pose, double rate, const Ball& ball) {
+    if (table.parts()[gate].open) return true;
+    if (table.is_blocked(gate, ball.number)) return false;
+    const Vec2 relative = ball.velocity - cross(rate, ball.position - pose.pivot);
+    return flipside::lets_through(*gate_of(table.scene().parts[gate]), pose.undo(ball.position),
+                                  rotated(relative, -pose.angle), ball.radius);
 }
 
 }  // namespace flipside::custom

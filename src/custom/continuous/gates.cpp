@@ -96,13 +96,8 @@ void Gates::settle(PartIndex part) {
 }
 
 bool Gates::lets_through(PartIndex part, const Ball& ball, double time) const {
-    if (sim_.table.parts()[part].open) return true;
-    if (sim_.table.is_blocked(part, ball.number)) return false;
     const Turning& turning = sim_.turnings[part];
-    const Pose pose = turning.pose(time);
-    const Vec2 relative = ball.velocity - cross(turning.rate_at(time), ball.position - pose.pivot);
-    return flipside::lets_through(*gate_of(sim_.scene.parts[part]), pose.undo(ball.position),
-                                  rotated(relative, -pose.angle), ball.radius);
+    return custom::lets_through(sim_.table, part, turning.pose(time), turning.rate_at(time), ball);
 }
 
 bool Gates::ignores(const Feature& feature, const Ball& ball) const {

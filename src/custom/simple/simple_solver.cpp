@@ -89,8 +89,9 @@ void SimpleSolver::decide_gate(PartIndex part, const Pose& before) {
         if (separation(ball) >= 0) continue;
         const Vec2 started = before.undo(started_[index_of(pair.b)]);
         const bool is_blocked =
-            !was_open && (table_->is_blocked(part, ball.number) ||
-                          !lets_through(gate, started, rotated(ball.velocity, -now.angle), ball.radius));
+            !was_open &&
+            (table_->is_blocked(part, ball.number) ||
+             !flipside::lets_through(gate, started, rotated(ball.velocity, -now.angle), ball.radius));
         occupied = occupied || !is_blocked;
         if (is_blocked) table_->set_blocked(part, ball.number, true);
     }
