@@ -111,9 +111,7 @@ void ContinuousSolver::advance_to(const Clock& now, std::vector<Ball>& balls) {
 
 /// Begins a window at the table's time.
 void ContinuousSolver::begin(const std::vector<Ball>& balls) {
-    if (!balls_known_) {
-        gates_.find_sensed(balls);
-    }
+    if (!balls_known_) gates_.find_sensed(balls);
     balls_known_ = true;
     if (!contacts_known_) contacts_.search(sim_.layout, sim_.table, balls, broad_);
     contacts_known_ = true;

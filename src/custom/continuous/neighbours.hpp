@@ -16,6 +16,8 @@
 
 namespace flipside::custom {
 
+using BallIndex = std::uint32_t;  ///< of a ball in Simulation::balls
+
 /// Finds the balls near a ball by a hierarchical hash grid: square cells, on levels whose widths double
 /// (Ericson 2005, "Real-time collision detection", 7.2). A ball is listed on the level whose cells are just
 /// wider than 1.25 diameters (or than its path in a millisecond, if that is longer), in the cell that
@@ -32,8 +34,6 @@ namespace flipside::custom {
 /// few.
 class Cells {
   public:
-    using BallIndex = std::uint32_t;
-
     struct Cell {
         std::uint32_t level = 0;
         std::int64_t column = 0, row = 0;

@@ -15,8 +15,6 @@
 
 namespace flipside::custom {
 
-using BallIndex = std::uint32_t;  ///< of a ball in Simulation::balls
-
 enum class EventType : std::uint8_t { none, feature, ball, path_end, sensor, leave_bounds };
 
 /// s: time step of the island solver, unless balls are small.

@@ -139,9 +139,7 @@ struct Explainer {
 void explain_touch(TraceItem& item, Vec2 center, double radius, const Primitive& primitive,
                    const Pose& pose) {
     const Vec2 local = pose.undo(center);
-    std::visit(Explainer{item, local, radius, pose,
-                         touch(local, radius, Primitive{primitive.is, primitive.part}, Pose{})},
-               primitive.is);
+    std::visit(Explainer{item, local, radius, pose, touch(local, radius, primitive, Pose{})}, primitive.is);
 }
 
 std::vector<TriedAxis> axes_tried(Vec2 center, double radius, const primitive::Polygon& polygon,

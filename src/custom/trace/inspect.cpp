@@ -4,32 +4,23 @@
 
 namespace flipside::custom {
 
-namespace {
-
-Vec2 middle(const Box& box) {
-    return 0.5 * (box.min + box.max);
-}
-
-/// Draws the boxes of balls and parts.
-void inspect_bounds(const Layout& layout, const Table& table, std::span<const Ball> balls,
-                    Inspector& inspector) {
-    for (PrimitiveIndex i = 0; i < layout.size(); ++i)
-        inspector.box(Topic::boxes, bounds_of(layout.primitive(i), table.pose(layout.primitive(i).part)));
-    for (const Ball& ball : balls) inspector.box(Topic::boxes, bounds_of(ball.position, ball.radius));
-}
-
-}  // namespace
-
 void CustomWorld::inspect(Inspector& inspector) const {
-    if (inspector.wants(Topic::boxes)) inspect_bounds(layout_, table_, balls_, inspector);
+    const auto bounds = [&](const Primitive& primitive) {
+        return bounds_of(primitive, table_.pose(primitive.part));
+    };
+    if (inspector.wants(Topic::boxes)) {
+        for (const Primitive& primitive : layout_.primitives())
+            inspector.box(Topic::boxes, bounds(primitive));
+        for (const Ball& ball : balls_) inspector.box(Topic::boxes, bounds_of(ball.position, ball.radius));
+    }
     if (inspector.wants(Topic::cells) && continuous_) continuous_->inspect_cells(inspector);
     if (inspector.wants(Topic::cells) && simple_) broad_->inspect(inspector);
     if (inspector.wants(Topic::pairs)) {
         find_contacts();
         const auto place = [&](Handle handle) {
             if (handle >= layout_.size()) return balls_[handle - layout_.size()].position;
-            const Primitive& primitive = layout_.primitive(handle);
-            return middle(bounds_of(primitive, table_.pose(primitive.part)));
+            const Box box = bounds(layout_.primitive(handle));
+            return 0.5 * (box.min + box.max);
         };
         for (const Pair pair : contacts_.pairs()) inspector.pair(place(pair.a), place(pair.b));
     }

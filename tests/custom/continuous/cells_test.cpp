@@ -10,8 +10,6 @@
 namespace flipside::custom::test {
 namespace {
 
-using BallIndex = Cells::BallIndex;
-
 Ball ball_at(Vec2 position, double radius) {
     Ball ball;
     ball.position = position;
