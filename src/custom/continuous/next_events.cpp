@@ -18,10 +18,6 @@ constexpr double farthest_slide = 0.4;
 
 }  // namespace
 
-void Predictions::reserve(std::size_t balls) {
-    queue_.reserve(balls);
-}
-
 void Predictions::enter_cell(BallIndex i) {
     const double time = sim_.particles[i].cell_exit;
     const Cells::Cell before = sim_.cells[i];

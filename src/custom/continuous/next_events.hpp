@@ -77,7 +77,7 @@ class Predictions {
     Predictions(Simulation& sim, Gates& gates, Paths& paths) : sim_(sim), gates_(gates), paths_(paths) {}
 
     /// Reserves memory for so many balls.
-    void reserve(std::size_t balls);
+    void reserve(std::size_t balls) { queue_.reserve(balls); }
     /// Starts a window: no ball has a next event.
     void clear() { queue_.reset(sim_.balls.size()); }
     [[nodiscard]] const EventQueue& queue() const { return queue_; }

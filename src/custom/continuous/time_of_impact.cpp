@@ -307,21 +307,17 @@ double time_of_impact(const Feature& feature, const Turning& turning, const Path
 
 double time_of_impact(const Path& a, const Path& b, double radii, double t0, double t1,
                       std::uint64_t* steps) {
-    const bool alike = !a.is_taylor() && !b.is_taylor() && a.flight.acceleration == b.flight.acceleration &&
-                       a.flight.drag == b.flight.drag;
-    if (!alike && !a.is_taylor() && !b.is_taylor() && a.flight.drag <= 0 && b.flight.drag <= 0) {
-        const Vec2 p = a.position(t0) - b.position(t0), v = a.velocity(t0) - b.velocity(t0);
-        const double t =
-            t0 +
-            first_crossing(squared_gap(p, v, a.flight.acceleration - b.flight.acceleration, radii), t1 - t0);
-        return t <= t1 ? t : never_touch;
-    }
-    if (!alike) return search_impact(a, b, radii, t0, t1, steps);
+    const Flight &f = a.flight, &g = b.flight;
+    const bool alike = f.acceleration == g.acceleration && f.drag == g.drag;
+    if (a.is_taylor() || b.is_taylor() || (!alike && (f.drag > 0 || g.drag > 0)))
+        return search_impact(a, b, radii, t0, t1, steps);
+    const auto [p, u] = a.at(t0);
+    const auto [q, v] = b.at(t0);
     // Equal accelerations cancel, and drag slows both equally: the relative path is straight.
-    const Vec2 p = a.position(t0), q = b.position(t0);
-    const double e = straight_touch(p - q, a.velocity(t0) - b.velocity(t0), radii, gap_rounding(p, q, radii));
-    const double t = t0 + drag_time(a.flight.drag, e);
-    return t <= t1 ? t : never_touch;
+    const double after =
+        alike ? drag_time(f.drag, straight_touch(p - q, u - v, radii, gap_rounding(p, q, radii)))
+              : first_crossing(squared_gap(p - q, u - v, f.acceleration - g.acceleration, radii), t1 - t0);
+    return t0 + after <= t1 ? t0 + after : never_touch;
 }
 
 double first_exit(const Path& path, const Box& box, double t0, double t1) {
