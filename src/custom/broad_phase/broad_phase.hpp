@@ -86,7 +86,7 @@ class BroadPhase {
     /// Adds every box test of two proxies to `log` from now on; null stops that.
     void log_tests(std::vector<PairTest>* log) { log_ = log; }
     /// Draws the cells of the last find_pairs().
-    virtual void inspect(Inspector& inspector) const = 0;
+    virtual void inspect(Inspector&) const {}
     /// For traces: the nodes of the last find_pairs() that have proxies at or below them, parents first.
     /// Empty if there is no tree.
     [[nodiscard]] virtual std::vector<Cell> tree() const { return {}; }

@@ -11,7 +11,6 @@ class BruteForce final : public BroadPhase {
     using BroadPhase::BroadPhase;
 
     [[nodiscard]] BroadPhaseFacts facts() const override { return {.name = "brute force"}; }
-    void inspect(Inspector&) const override {}
 
   private:
     void search() override {

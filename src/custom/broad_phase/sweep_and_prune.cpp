@@ -31,7 +31,6 @@ class Sweep final : public BroadPhase {
     }
 
     [[nodiscard]] BroadPhaseFacts facts() const override { return {.name = "sweep and prune"}; }
-    void inspect(Inspector&) const override {}
 
   private:
     using Position = std::vector<Edge>::const_iterator;

@@ -58,7 +58,6 @@ void ContinuousSolver::reserve(std::size_t balls) {
     const std::size_t most = std::bit_ceil(balls + (sim_.scene.launcher ? spare : 0));
     sim_.reserve(most);
     gates_.reserve(most);
-    paths_.reserve();
     predictions_.reserve(most);
     islands_.reserve(most);
     events_.reserve(most);

@@ -31,8 +31,8 @@ double direction_rounding(const Feature& feature) {
 
 }  // namespace
 
-void Paths::reserve() {
-    supports_.reserve(std::min(sim_.features.size(), most_near));
+Paths::Paths(Simulation& sim, Gates& gates) : sim_(sim), gates_(gates) {
+    supports_.reserve(std::min(sim.features.size(), most_near));
 }
 
 void Paths::push_out_of_parts(BallIndex i) {

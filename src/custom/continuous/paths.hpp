@@ -11,10 +11,8 @@ namespace flipside::custom {
 class Paths {
   public:
     /// Keeps references to both arguments.
-    Paths(Simulation& sim, Gates& gates) : sim_(sim), gates_(gates) {}
+    Paths(Simulation& sim, Gates& gates);
 
-    /// Reserves memory.
-    void reserve();
     /// Moves a ball that deeply overlaps a part at the start of the window out of it, by position only. Gates
     /// are ignored: such a ball passes through them. Each round corrects the deepest overlap; what four
     /// rounds leave remains for later windows.
