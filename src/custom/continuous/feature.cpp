@@ -254,9 +254,8 @@ bool crosses(const Feature& feature, Vec2 a, Vec2 b) {
         return at >= 0 && at <= line->length;
     }
     const auto* arc = std::get_if<Arc>(&feature.is);
-    const auto* circle = std::get_if<Circle>(&feature.is);
-    const double radius = arc != nullptr ? arc->radius : circle->radius;
-    const Vec2 out = a - (arc != nullptr ? arc->center : circle->center);
+    const auto [center, radius] = circle_of(feature);
+    const Vec2 out = a - center;
     // |out + t way| = radius
     const double square = length_squared(way), half = dot(out, way);
     const double discriminant = half * half - square * (length_squared(out) - radius * radius);

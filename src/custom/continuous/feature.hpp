@@ -76,6 +76,12 @@ struct Feature {
     bool gate = false;
 };
 
+/// The whole circle of an arc or circle.
+[[nodiscard]] inline Circle circle_of(const Feature& feature) {
+    const auto* arc = std::get_if<Arc>(&feature.is);
+    return arc != nullptr ? Circle{arc->center, arc->radius} : std::get<Circle>(feature.is);
+}
+
 /// How a part turns during a window: at `rate` until `stop`, then not at all. Times are those of the window.
 struct Turning {
     Pose begin;
@@ -148,17 +154,13 @@ class TangentFaces {
     /// Whether a feature at rest, where it stands, lies entirely below one of the faces, to rounding. Tests
     /// the full circle of an arc; returns false for a line.
     [[nodiscard]] bool above(const Feature& feature) const {
-        const auto below = [&](Vec2 center, double radius) {
-            for (std::size_t i = 0; i < count_; ++i) {
-                const Vec2 from_face = center - faces_[i].at;
-                const double size = std::abs(center.x) + std::abs(center.y) + length(from_face) + radius;
-                if (dot(from_face, faces_[i].normal) + radius <= 64 * 0x1p-53 * size) return true;
-            }
-            return false;
-        };
-        if (const auto* circle = std::get_if<Circle>(&feature.is))
-            return below(circle->center, circle->radius);
-        if (const auto* arc = std::get_if<Arc>(&feature.is)) return below(arc->center, arc->radius);
+        if (std::holds_alternative<Line>(feature.is)) return false;
+        const auto [center, radius] = circle_of(feature);
+        for (std::size_t i = 0; i < count_; ++i) {
+            const Vec2 from_face = center - faces_[i].at;
+            const double size = std::abs(center.x) + std::abs(center.y) + length(from_face) + radius;
+            if (dot(from_face, faces_[i].normal) + radius <= 64 * 0x1p-53 * size) return true;
+        }
         return false;
     }
 

@@ -55,17 +55,10 @@ Guide guide_of(const RestingContact& contact, const Ball& ball, double time) {
         guide.offset = dot(start - guide.pivot, contact.normal) + ball.radius;
         return guide;
     }
-    Vec2 center;
-    if (const auto* arc = std::get_if<Arc>(&contact.feature->is)) {
-        center = pose.apply(arc->center);
-        guide.out = unit(ball.position - center);
-        guide.radius = arc->radius + (dot(guide.out, contact.normal) > 0 ? ball.radius : -ball.radius);
-    } else {
-        const auto& circle = std::get<Circle>(contact.feature->is);
-        center = pose.apply(circle.center);
-        guide.out = unit(ball.position - center);
-        guide.radius = circle.radius + ball.radius;
-    }
+    const Circle circle = circle_of(*contact.feature);
+    const Vec2 center = pose.apply(circle.center);
+    guide.out = unit(ball.position - center);
+    guide.radius = circle.radius + (dot(guide.out, contact.normal) > 0 ? ball.radius : -ball.radius);
     guide.pivot = guide.rate == 0 ? center : pose.pivot;
     guide.arm = center - guide.pivot;
     return guide;
