@@ -68,8 +68,6 @@ void apply(Vec2 normal, const ContactImpulse& impulse, ContactSolver::Body& uppe
 void ContactSolver::reserve(std::size_t balls) {
     reserve_for(bodies_, 2 * balls);
     reserve_for(contacts_, balls, contacts_per_ball);
-    reserve_for(unsorted_, balls, contacts_per_ball);
-    reserve_for(sort_keys_, balls, contacts_per_ball);
     reserve_for(uncorrected_, 2 * balls);
     reserve_for(reached_, 2 * balls);
     reserve_for(squeezed_, balls, contacts_per_ball);
@@ -234,20 +232,10 @@ double ContactSolver::energy(double ahead, Vec2 gravity) const {
     return sum;
 }
 
-/// Sorts contacts from the lowest to the highest, those with parts before those between balls.
-void ContactSolver::sort_contacts() {
-    sort_keys_.clear();
-    for (const Contact& c : contacts_)
-        sort_keys_.push_back({c.with, c.lower, c.upper, static_cast<Index>(sort_keys_.size()), c.height});
-    std::ranges::sort(sort_keys_, {},
-                      [](const SortKey& p) { return std::tuple(p.with, p.height, p.lower, p.upper); });
-    std::swap(contacts_, unsorted_);
-    contacts_.clear();
-    for (const SortKey& key : sort_keys_) contacts_.push_back(unsorted_[key.index]);
-}
-
 void ContactSolver::solve(double duration, Vec2 gravity) {
-    sort_contacts();
+    // From the lowest to the highest, those with parts before those between balls.
+    std::ranges::sort(contacts_, {},
+                      [](const Contact& c) { return std::tuple(c.with, c.height, c.lower, c.upper); });
     const bool squeezed = correct_positions(gravity) > corrected_overlap;
     const double energy_before = energy(0, gravity);
     for (Body& body : bodies_) body.velocity += body.external;

@@ -93,16 +93,7 @@ class ContactSolver {
     double propagate_shock(const Contact& contact);
 
     std::vector<Body> bodies_;
-    /// Sort key of a contact.
-    struct SortKey {
-        With with = With::ball;
-        Index lower = 0, upper = 0, index = 0;
-        double height = 0;
-    };
-    void sort_contacts();
-
-    std::vector<Contact> contacts_, unsorted_;
-    std::vector<SortKey> sort_keys_;
+    std::vector<Contact> contacts_;
     std::vector<Vec2> uncorrected_;
     std::vector<int> reached_;  ///< per body; see converge_squeezed()
     std::vector<Contact> squeezed_;
