@@ -2,7 +2,6 @@
 /// Neighbour search: what a ball may touch soon. Cells find the other balls, a BoxIndex the features of
 /// parts.
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdlib>

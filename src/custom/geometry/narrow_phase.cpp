@@ -15,6 +15,13 @@ Touch touch_circle(Vec2 center, double radius, Vec2 at, double core, Vec2 fallba
     return {at + core * normal, normal, distance - core - radius, false};
 }
 
+/// Closest point where that is an end of an open curve.
+Touch touch_end(Vec2 center, double radius, Vec2 end) {
+    Touch found = touch_circle(center, radius, end, 0);
+    found.past_end = true;
+    return found;
+}
+
 /// Angle of a direction, anticlockwise from `from`, in [0, 2π).
 double angle_from(double from, Vec2 direction) {
     constexpr double full = 2 * std::numbers::pi;
@@ -37,11 +44,8 @@ Touch touch(Vec2 center, double radius, const primitive::Segment& primitive) {
     const Vec2 along = primitive.b - primitive.a;
     const Vec2 from_a = center - primitive.a;
     const double position = dot(from_a, along) / length_squared(along);
-    if (position < 0 || position > 1) {
-        Touch end = touch_circle(center, radius, position < 0 ? primitive.a : primitive.b, 0);
-        end.past_end = true;
-        return end;
-    }
+    if (position < 0) return touch_end(center, radius, primitive.a);
+    if (position > 1) return touch_end(center, radius, primitive.b);
     const Vec2 left = unit(perp(along));
     const double height = dot(from_a, left);
     const Vec2 normal = height < 0 ? -left : left;
@@ -57,9 +61,7 @@ Touch touch(Vec2 center, double radius, const primitive::Arc& primitive) {
         const Vec2 first = primitive.center + primitive.radius * from_angle(primitive.from);
         const Vec2 last = primitive.center + primitive.radius * from_angle(primitive.to);
         const bool nearer_first = length_squared(center - first) <= length_squared(center - last);
-        Touch end = touch_circle(center, radius, nearer_first ? first : last, 0);
-        end.past_end = true;
-        return end;
+        return touch_end(center, radius, nearer_first ? first : last);
     }
     const bool inside = distance < primitive.radius;
     return {primitive.center + primitive.radius * direction, inside ? -direction : direction,

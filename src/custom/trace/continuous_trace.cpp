@@ -12,8 +12,11 @@ std::string milliseconds(double seconds) {
     return brief(1e3 * seconds) + " ms";
 }
 
-std::string_view name_of_next(const Simulation& sim, BallIndex i) {
-    const Particle& particle = sim.particles[i];
+double time_of_next(const Particle& particle) {
+    return std::min(particle.cell_exit, particle.next_time);
+}
+
+std::string_view name_of_next(const Particle& particle) {
     if (particle.cell_exit <= particle.next_time && particle.cell_exit < never_touch)
         return "leaves its cell";
     switch (particle.next) {
@@ -36,10 +39,9 @@ std::string_view name_of_next(const Simulation& sim, BallIndex i) {
 /// Adds the kind and time of a ball's next event.
 void trace_next(const Simulation& sim, TraceItem& item, BallIndex i) {
     const Particle& particle = sim.particles[i];
-    const std::string_view name = name_of_next(sim, i);
-    const double time = std::min(particle.cell_exit, particle.next_time);
+    const std::string_view name = name_of_next(particle);
     item.with("next", name);
-    if (time <= sim.end) item.with("next_time", sim.start + time);
+    if (const double time = time_of_next(particle); time <= sim.end) item.with("next_time", sim.start + time);
     if (name == "meets a part")
         item.with("next_part", sim.scene.parts[sim.features[particle.partner].part].name);
     if (name == "meets a ball") item.with("next_ball", sim.balls[particle.partner].number);
@@ -82,7 +84,7 @@ void trace_paths(const Simulation& sim, bool all_start) {
                  (particle.next == EventType::feature || particle.next == EventType::ball);
         trace_next(sim, item, i);
         const double now = std::max(0.0, particle.motion.path.start);
-        const double end = std::min({particle.cell_exit, particle.next_time, sim.end});
+        const double end = std::min(time_of_next(particle), sim.end);
         if (end > now)
             item.with("swept", swept(now, end, [&](double t) { return sim.ball_at(i, t).position; }));
     }
@@ -97,8 +99,8 @@ void trace_paths(const Simulation& sim, bool all_start) {
 void trace_event(const Simulation& sim, BallIndex i, const std::function<void()>& handle) {
     Trace& trace = *sim.record->trace;
     const Particle& particle = sim.particles[i];
-    const std::string_view name = name_of_next(sim, i);
-    const double time = std::min(particle.cell_exit, particle.next_time);
+    const std::string_view name = name_of_next(particle);
+    const double time = time_of_next(particle);
     const bool meets_ball = name == "meets a ball";
     const BallIndex other = meets_ball ? particle.partner : i;
     if (trace.stages.empty() || trace.stages.back().name != events_stage)
@@ -116,8 +118,8 @@ void trace_event(const Simulation& sim, BallIndex i, const std::function<void()>
     std::vector<double> other_way = swept(sim.particles[other].motion.path.start, time,
                                           [&](double t) { return sim.ball_at(other, t).position; });
     const bool stale = meets_ball && sim.hot[other].version != particle.partner_version;
-    const PartIndex part = name == "meets a part" ? sim.features[particle.partner].part : 0;
     const bool meets_part = name == "meets a part";
+    const PartIndex part = meets_part ? sim.features[particle.partner].part : 0;
     const std::vector<Event>& recorded = sim.record->events;
     const std::size_t before_it = recorded.size();
     handle();
