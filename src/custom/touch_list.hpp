@@ -43,7 +43,6 @@ class TouchList {
     /// Cost: where one was lost, contacts · log(balls) for each pass through a chain of touching balls.
     void wake_unsupported(std::span<Ball> balls, Vec2 gravity);
 
-    /// Reserves memory for so many primitives and balls.
     void reserve(std::size_t primitives, std::size_t balls);
 
   private:

@@ -36,7 +36,6 @@ class ContinuousSolver {
     /// does not follow on another.
     ContinuousSolver(Table& table, const Layout& layout, BroadPhase& broad, const SolverSettings& settings);
 
-    /// Reserves memory for so many balls.
     void reserve(std::size_t balls);
     /// Moves clock, parts and balls by dt.
     void step(double dt, std::vector<Ball>& balls, StepRecord& record);

@@ -19,7 +19,6 @@ class Events {
     Events(Simulation& sim, Gates& gates, Paths& paths, Predictions& predictions, Islands& islands)
         : sim_(sim), gates_(gates), paths_(paths), predictions_(predictions), islands_(islands) {}
 
-    /// Reserves memory for so many balls.
     void reserve(std::size_t balls);
     /// Starts a window.
     void clear() { handled_ = 0; }

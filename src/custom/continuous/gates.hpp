@@ -15,7 +15,6 @@ class Gates {
     /// Keeps a reference to `sim`.
     explicit Gates(Simulation& sim);
 
-    /// Reserves memory for so many balls.
     void reserve(std::size_t balls);
     /// Finds again which of these balls are inside sensors, from their positions.
     void find_sensed(std::span<const Ball> balls);

@@ -39,7 +39,6 @@ class Cells {
         friend auto operator<=>(const Cell&, const Cell&) = default;
     };
 
-    /// Reserves memory for so many balls.
     void reserve(std::size_t balls);
     /// Starts with these balls, none of them listed.
     void reset(std::span<const Ball> balls);

@@ -76,7 +76,6 @@ class Predictions {
     /// Keeps references to all arguments.
     Predictions(Simulation& sim, Gates& gates, Paths& paths) : sim_(sim), gates_(gates), paths_(paths) {}
 
-    /// Reserves memory for so many balls.
     void reserve(std::size_t balls) { queue_.reserve(balls); }
     /// Starts a window: no ball has a next event.
     void clear() { queue_.reset(sim_.balls.size()); }

@@ -23,7 +23,6 @@ class Islands {
     Islands(Simulation& sim, Gates& gates, Paths& paths, Predictions& predictions)
         : sim_(sim), gates_(gates), paths_(paths), predictions_(predictions) {}
 
-    /// Reserves memory for so many balls.
     void reserve(std::size_t balls);
     /// Starts a window: finds the members at its start, and solves their contacts.
     void start_window();

@@ -29,7 +29,6 @@ class Sleep {
     /// `speed` in m/s; `gravity` in m/s².
     Sleep(double speed, Vec2 gravity) : speed_(speed), gravity_(gravity) {}
 
-    /// Reserves memory for so many balls.
     void reserve(std::size_t balls);
     /// Notes the awake balls that may be at rest, `interval` seconds before update().
     void watch(std::span<const Ball> balls, double interval);
