@@ -1,7 +1,8 @@
 // The full quadtree in an array: node i has its children at 4i+1 … 4i+4 (top left, top right, bottom left,
 // bottom right). So d levels below the root make (4^(d+1)−1)/3 nodes and 4^d leaves, all of one size. A proxy
 // is listed in every leaf that its box overlaps. Still proxies are listed once; moving ones are listed again
-// for every search. Pairs are searched leaf by leaf, only in leaves that list a moving proxy.
+// for every search. Pairs are searched leaf by leaf (cell_lists.hpp), only in leaves that list a moving
+// proxy.
 //
 // Since all leaves have one size, the leaves under a box follow from its four coordinates without a walk down
 // the tree; this counts as one box test. Cost: O(n·leaves per box + pairs sharing a leaf). Finkel, Bentley
