@@ -1,7 +1,8 @@
 #include "lab/scenes/scene_notes.hpp"
 
+#include <algorithm>
+
 #include "custom/engine.hpp"
-#include "custom/geometry/bounds.hpp"
 
 namespace flipside::lab {
 
@@ -9,6 +10,12 @@ namespace {
 
 std::string name_of(const Ball& ball) {
     return "ball " + std::to_string(ball.number);
+}
+
+bool is_outside(const Ball& ball, const Box& bounds) {
+    const Vec2 nearest{std::clamp(ball.position.x, bounds.min.x, bounds.max.x),
+                       std::clamp(ball.position.y, bounds.min.y, bounds.max.y)};
+    return length_squared(ball.position - nearest) > ball.radius * ball.radius;
 }
 
 }  // namespace
@@ -21,8 +28,7 @@ std::vector<std::string> notes_on(const Scene& scene) {
     std::vector<std::string> notes;
     auto contact = contacts.begin();
     for (const Ball& ball : scene.balls) {
-        if (!custom::overlap(scene.bounds, custom::bounds_of(ball.position, ball.radius)))
-            notes.push_back(name_of(ball) + " starts outside the bounds");
+        if (is_outside(ball, scene.bounds)) notes.push_back(name_of(ball) + " starts outside the bounds");
         for (; contact != contacts.end() && contact->ball == ball.number; ++contact) {
             if (contact->other.is_ball) {
                 const Ball& other = scene.balls[contact->other.index];
