@@ -213,11 +213,12 @@ void Simulation<R>::apply(const Control& control) {
         for (BallIndex i = 0; i < particles_.size(); ++i)
             if (!particles_[i].gone) predict(i);
     } else if (const auto* raise = std::get_if<control::RaiseTargets>(&control)) {
-        for (PartIndex part = 0; part < parts_.size(); ++part)
-            if (raise->parts.empty() || std::ranges::find(raise->parts, part) != raise->parts.end()) {
-                const bool was_down = std::exchange(parts_[part].down, false);
-                if (certificate_ && was_down) note_target(part);
-            }
+        std::vector<char> is_raised(parts_.size(), raise->parts.empty() ? 1 : 0);
+        for (const PartIndex part : raise->parts) is_raised[part] = 1;
+        for (PartIndex part = 0; part < parts_.size(); ++part) {
+            const bool was_down = is_raised[part] != 0 && std::exchange(parts_[part].down, false);
+            if (certificate_ && was_down) note_target(part);
+        }
         for (BallIndex i = 0; i < particles_.size(); ++i)
             if (!particles_[i].gone) {
                 advance(particles_[i]);

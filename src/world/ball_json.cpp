@@ -1,6 +1,5 @@
 #include "world/ball_json.hpp"
 
-#include <algorithm>
 #include <bit>
 
 namespace flipside {
@@ -11,15 +10,15 @@ Json json_pair(Vec2 v) {
     return {v.x, v.y};
 }
 
-std::uint32_t read_material(const Node& node, const Scene& scene) {
+std::uint32_t read_material(const Node& node, const SceneNames& names) {
     if (!node.has("material")) return 0;
     const std::string name = node.text("material");
-    const auto found = std::find_if(scene.materials.begin() + 1, scene.materials.end(),
-                                    [&](const Material& material) { return material.name == name; });
-    if (found == scene.materials.end())
-        node.fail("material", in_quotes(name) + " is no material of this scene; allowed: " +
-                                  names_of(scene.materials, [](const Material& m) { return m.name; }));
-    return static_cast<std::uint32_t>(found - scene.materials.begin());
+    const auto found = names.material(name);
+    if (!found)
+        node.fail("material",
+                  in_quotes(name) + " is no material of this scene; allowed: " +
+                      names_of(names.scene().materials, [](const Material& m) { return m.name; }));
+    return *found;
 }
 
 }  // namespace
@@ -39,7 +38,7 @@ Json to_json(const Ball& ball, const Scene& scene) {
     return json;
 }
 
-Ball read_ball(const Node& node, const Scene& scene) {
+Ball read_ball(const Node& node, const SceneNames& names) {
     Ball ball;
     ball.number = static_cast<BallNumber>(node.integer("number"));
     ball.position = node.vector("position");
@@ -48,7 +47,7 @@ Ball read_ball(const Node& node, const Scene& scene) {
     ball.spin = node.real("spin", 0);
     ball.radius = node.real("radius");
     ball.mass = node.real("mass");
-    ball.material = read_material(node, scene);
+    ball.material = read_material(node, names);
     ball.layer = static_cast<std::uint32_t>(node.integer("layer", ball.layer));
     ball.collides_with = static_cast<std::uint32_t>(node.integer("collides_with", ball.collides_with));
     ball.asleep = node.toggle("asleep");

@@ -1,18 +1,17 @@
 #include "world/control_json.hpp"
 
-#include <algorithm>
-
 namespace flipside {
 
 namespace {
 
-PartIndex read_target(const Node& node, const Scene& scene) {
-    const auto name = node.json().get<std::string>();
-    const auto found = std::ranges::find(scene.parts, name, &Part::name);
-    if (found == scene.parts.end() || !found->target)
+PartIndex read_target(const Node& node, const SceneNames& names) {
+    const auto& name = node.json().get_ref<const std::string&>();
+    const auto& parts = names.scene().parts;
+    const auto found = names.part(name);
+    if (!found || !parts[*found].target)
         node.fail(in_quotes(name) + " is no drop target of this scene; allowed: " +
-                  names_of(scene.parts, [](const Part& part) { return part.target ? part.name : ""; }));
-    return static_cast<PartIndex>(found - scene.parts.begin());
+                  names_of(parts, [](const Part& part) { return part.target ? part.name : ""; }));
+    return *found;
 }
 
 }  // namespace
@@ -40,10 +39,10 @@ Json to_json(const Control& control, const Scene& scene, const char* key) {
     return std::visit(Write{scene, key}, control);
 }
 
-Control read_control(const Node& node, const Scene& scene, const char* key) {
+Control read_control(const Node& node, const SceneNames& names, const char* key) {
     const std::string kind = node.text(key);
     if (kind == "launch") {
-        if (!scene.launcher)
+        if (!names.scene().launcher)
             node.fail(key, "this scene has no launcher; allowed: flip, nudge, rotate, raise_targets");
         return control::Launch{node.real("strength", 1), static_cast<int>(node.integer("count", 1)),
                                node.real("size", 1)};
@@ -53,7 +52,7 @@ Control read_control(const Node& node, const Scene& scene, const char* key) {
     if (kind == "nudge") return control::Nudge{node.vector("velocity")};
     if (kind == "rotate") return control::Rotate{node.toggle("on")};
     control::RaiseTargets raise;
-    for (const Node& name : node.each("parts")) raise.parts.push_back(read_target(name, scene));
+    for (const Node& name : node.each("parts")) raise.parts.push_back(read_target(name, names));
     return raise;
 }
 

@@ -27,12 +27,13 @@ std::string to_json(const Script& script, const Scene& scene) {
 
 Script parse_script(const Node& node, const Scene& scene) {
     check_form(node, script_schema);
+    const SceneNames names(scene);
     Script script;
     for (const Node& timed : node.each("controls")) {
         const double time = timed.real("time");
         if (!script.empty() && time < script.back().time)
             timed.fail("time", "is before the control above it; allowed: in order of time");
-        script.push_back({time, read_control(timed, scene, "control")});
+        script.push_back({time, read_control(timed, names, "control")});
     }
     return script;
 }

@@ -1,7 +1,6 @@
 #include "world/state_file.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include "world/ball_json.hpp"
 #include "world/schema.hpp"
@@ -23,10 +22,10 @@ Clock read_clock(const Node& root) {
     return clock;
 }
 
-std::vector<Ball> read_balls(const Node& root, const Scene& scene) {
+std::vector<Ball> read_balls(const Node& root, const SceneNames& names) {
     std::vector<Ball> balls;
     for (const Node& node : root.each("balls")) {
-        balls.push_back(read_ball(node, scene));
+        balls.push_back(read_ball(node, names));
         const BallNumber number = balls.back().number;
         if (balls.size() > 1 && number <= balls[balls.size() - 2].number)
             node.fail("number", "is not above that of the ball before it; allowed are rising numbers");
@@ -51,19 +50,18 @@ PartState read_part(const Node& node, const Part& part) {
     return state;
 }
 
-std::vector<PartState> read_parts(const Node& root, const Scene& scene) {
-    std::vector<PartState> states(scene.parts.size());
+std::vector<PartState> read_parts(const Node& root, const SceneNames& names) {
+    const auto& known = names.scene().parts;
+    std::vector<PartState> states(known.size());
     if (!root.has("parts")) return states;
-    std::map<std::string_view, PartIndex> index;
-    for (PartIndex i = 0; i < scene.parts.size(); ++i) index[scene.parts[i].name] = i;
     const Node parts = root.at("parts");
     for (const auto& entry : parts.json().items()) {
         const Node node = parts.at(entry.key());
-        const auto found = index.find(entry.key());
-        if (found == index.end())
+        const auto found = names.part(entry.key());
+        if (!found)
             node.fail("this scene has no such part; allowed: " +
-                      names_of(scene.parts, [](const Part& part) { return part.name; }));
-        states[found->second] = read_part(node, scene.parts[found->second]);
+                      names_of(known, [](const Part& part) { return part.name; }));
+        states[*found] = read_part(node, known[*found]);
     }
     return states;
 }
@@ -115,15 +113,15 @@ std::string gates_of(const Scene& scene) {
     return names_of(gates, [](const Part& part) { return part.name; });
 }
 
-std::vector<Blocked> read_blocked(const Node& root, const State& state, const Scene& scene) {
+std::vector<Blocked> read_blocked(const Node& root, const State& state, const SceneNames& names) {
     std::vector<Blocked> all;
     for (const Node& node : root.each("blocked")) {
         const std::string name = node.text("gate");
-        const auto part = std::ranges::find(scene.parts, name, &Part::name);
-        if (part == scene.parts.end() || !std::holds_alternative<shape::Gate>(part->shape.is))
-            node.fail("gate", in_quotes(name) + " is no gate of this scene; allowed: " + gates_of(scene));
-        const Blocked blocked{static_cast<PartIndex>(part - scene.parts.begin()),
-                              static_cast<BallNumber>(node.integer("ball"))};
+        const auto part = names.part(name);
+        if (!part || !std::holds_alternative<shape::Gate>(names.scene().parts[*part].shape.is))
+            node.fail("gate",
+                      in_quotes(name) + " is no gate of this scene; allowed: " + gates_of(names.scene()));
+        const Blocked blocked{*part, static_cast<BallNumber>(node.integer("ball"))};
         if (state.parts[blocked.gate].open) node.fail("gate", "is open; allowed are closed gates");
         if (!std::ranges::binary_search(state.balls, blocked.ball, {}, &Ball::number))
             node.fail("ball", "no ball has this number; allowed are balls of this state");
@@ -169,17 +167,18 @@ Json document_of(const State& state, const Scene& scene) {
     return json;
 }
 
-State read_state(const Node& root, const Scene& scene) {
+State read_state(const Node& root, const SceneNames& names) {
+    const Scene& scene = names.scene();
     if (root.text("scene") != scene.name)
         root.fail("scene", "is a state of " + in_quotes(root.text("scene")) + "; allowed is one of " +
                                in_quotes(scene.name));
     State state;
     state.clock = read_clock(root);
     state.next_number = static_cast<BallNumber>(root.integer("next_number"));
-    state.balls = read_balls(root, scene);
+    state.balls = read_balls(root, names);
     state.memory = read_memory(root, state.balls);
-    state.parts = read_parts(root, scene);
-    state.blocked = read_blocked(root, state, scene);
+    state.parts = read_parts(root, names);
+    state.blocked = read_blocked(root, state, names);
     for (const Node& side : root.each("raised")) state.raised[side.json() == side_names[0] ? 0 : 1] = true;
     state.rotating = root.toggle("rotating");
     for (const Node& launch : root.each("launches")) {
@@ -196,7 +195,7 @@ State read_state(const Node& root, const Scene& scene) {
     if (!root.has("origin")) return state;
     const Node origin = root.at("origin");
     if (origin.has("origin")) origin.fail("origin", "is that of an origin; allowed is one origin of a state");
-    state.origin = std::make_shared<const State>(read_state(origin, scene));
+    state.origin = std::make_shared<const State>(read_state(origin, names));
     if (state.origin->clock.time > state.clock.time)
         origin.fail("time", "is after that of the state; allowed: up to " + Json(state.clock.time).dump());
     return state;
@@ -211,7 +210,7 @@ std::string to_json(const State& state, const Scene& scene) {
 State parse_state(std::string_view text, const std::string& file, const Scene& scene) {
     const Json document = parse_json(text, file);
     check_form(document, state_schema, file);
-    return read_state(Node(document, file), scene);
+    return read_state(Node(document, file), SceneNames(scene));
 }
 
 State load_state(const std::filesystem::path& file, const Scene& scene) {

@@ -131,32 +131,32 @@ move::Change read_change(const Node& node) {
     return {&engine, std::move(settings), node.vector("gravity")};
 }
 
-Move read_move(const Node& node, const Scene& scene) {
+Move read_move(const Node& node, const SceneNames& names) {
     const std::string kind = node.text("move");
     const auto ball = [&] { return static_cast<BallNumber>(node.integer("ball")); };
     if (kind == "throw") return move::Edit{edit::Throw{ball(), node.vector("velocity")}};
-    if (kind == "add") return move::Edit{edit::Add{read_ball(node.at("ball"), scene)}};
+    if (kind == "add") return move::Edit{edit::Add{read_ball(node.at("ball"), names)}};
     if (kind == "remove") return move::Edit{edit::Remove{ball()}};
     if (kind == "clear") return move::Clear{};
     if (kind == "change") return read_change(node);
     if (kind == "dt") return move::StepLength{node.real("dt")};
     if (kind == "resume") return move::Resume{};
     if (kind == "refused") return move::Refused{};
-    return move::Press{0, read_control(node, scene, "move")};
+    return move::Press{0, read_control(node, names, "move")};
 }
 
-ReplayRun read_run(const Node& node, const Scene& scene) {
+ReplayRun read_run(const Node& node, const SceneNames& names) {
     ReplayRun run{node.text("name"), read_change(node), node.real("dt"), 0, {}, {}, {}, {}};
     if (!is_plain_name(run.name))
         node.fail("name", "is no name of a run; allowed are " + std::string(plain_name_rule));
     run.steps = static_cast<std::uint64_t>(node.integer("steps"));
-    if (node.has("script")) run.script = parse_script(node.at("script"), scene);
+    if (node.has("script")) run.script = parse_script(node.at("script"), names.scene());
     for (const Node& one : node.each("moves")) {
         const auto step = static_cast<std::uint64_t>(one.integer("step"));
         if (step > run.steps || (!run.moves.empty() && step < run.moves.back().step))
             one.fail("step", "is " + std::to_string(step) + "; allowed: in order, up to the " +
                                  std::to_string(run.steps) + " steps of the run");
-        run.moves.push_back({step, read_move(one, scene)});
+        run.moves.push_back({step, read_move(one, names)});
     }
     for (const Node& check : node.each("checks")) run.checks.push_back(read_checksum(check));
     if (run.checks.size() != run.steps / steps_between_checks)
@@ -184,8 +184,9 @@ Replay parse_replay(std::string_view text, const std::string& file) {
     check_form(document, replay_schema, file);
     const Node root(document, file);
     Replay replay{root.text("program"), std::make_shared<const Scene>(parse_scene(root.at("scene"))), {}};
+    const SceneNames names(*replay.scene);
     for (const Node& node : root.each("runs")) {
-        ReplayRun run = read_run(node, *replay.scene);
+        ReplayRun run = read_run(node, names);
         if (std::ranges::find(replay.runs, run.name, &ReplayRun::name) != replay.runs.end())
             node.fail("name", in_quotes(run.name) + " is there twice; each run needs a name of its own");
         replay.runs.push_back(std::move(run));
