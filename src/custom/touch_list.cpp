@@ -166,6 +166,44 @@ void TouchList::wake_unsupported(std::span<Ball> balls, Vec2 gravity) {
         }
 }
 
+void TouchList::wake_unheld(std::span<Ball> balls, Vec2 gravity) const {
+    struct Hold {
+        std::size_t holder, held;
+        auto operator<=>(const Hold&) const = default;
+    };
+    std::vector<Hold> holds;
+    std::vector<char> is_held(balls.size());
+    std::vector<std::size_t> to_follow;
+    const auto hold = [&](std::size_t i) {
+        if (std::exchange(is_held[i], 1) == 0) to_follow.push_back(i);
+    };
+    for (std::size_t i = 0; i < balls.size(); ++i)
+        if (!balls[i].asleep) hold(i);
+    const auto index_of = [&](BallNumber number) {
+        return static_cast<std::size_t>(find_ball(balls, number) - balls.data());
+    };
+    const double most = most_from_above * length(gravity);
+    for (const Contact& contact : now_) {
+        const double along = dot(contact.normal, gravity);
+        const std::size_t a = index_of(contact.ball);
+        if (!contact.other.is_ball) {
+            if (along < most) hold(a);
+            continue;
+        }
+        const std::size_t b = index_of(contact.other.index);
+        if (along < most) holds.push_back({b, a});
+        if (-along < most) holds.push_back({a, b});
+    }
+    std::ranges::sort(holds);
+    while (!to_follow.empty()) {
+        const std::size_t holder = to_follow.back();
+        to_follow.pop_back();
+        for (const Hold& one : std::ranges::equal_range(holds, holder, {}, &Hold::holder)) hold(one.held);
+    }
+    for (std::size_t i = 0; i < balls.size(); ++i)
+        if (is_held[i] == 0) balls[i].asleep = false;
+}
+
 void TouchList::report_sensors(double time, std::vector<Sensed>& crossed, std::vector<Event>& events) const {
     // A sensor crossed within the step has a begin event, and an end event unless the ball is still inside.
     const auto sensor_event = [&](EventKind kind) {

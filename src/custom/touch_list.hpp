@@ -42,6 +42,11 @@ class TouchList {
     /// any contact but one from above.
     /// Cost: where one was lost, contacts · log(balls) for each pass through a chain of touching balls.
     void wake_unsupported(std::span<Ball> balls, Vec2 gravity);
+    /// Wakes the sleeping balls that nothing holds by the contacts of the last search: no support leads from
+    /// them, through sleeping balls, to a part or to an awake ball. Only a state that was edited has such
+    /// balls, and no contact that ends would ever wake them. Cost: contacts · log(contacts), and memory for
+    /// them.
+    void wake_unheld(std::span<Ball> balls, Vec2 gravity) const;
 
     void reserve(std::size_t primitives, std::size_t balls);
 

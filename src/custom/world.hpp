@@ -47,6 +47,7 @@ class CustomWorld final : public World {
     void reload(auto&& how);
     void load(const State& state);
     bool resume(const State& state);
+    void wake_restless();
     void undo_to(const Clock& before);
 
     std::shared_ptr<const Scene> scene_;

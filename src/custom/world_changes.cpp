@@ -61,8 +61,20 @@ State CustomWorld::save() const {
 void CustomWorld::restore(const State& state) {
     guard_.forget();
     reload([&] {
-        if (!resume(state)) load(state);
+        if (resume(state)) return;
+        load(state);
+        if (continuous_) wake_restless();
     });
+}
+
+/// Wakes the sleeping balls of an edited state that cannot be at rest: those that move, and those that
+/// nothing holds. Without gravity nothing needs to.
+void CustomWorld::wake_restless() {
+    for (Ball& ball : balls_) ball.asleep = ball.asleep && ball.velocity == Vec2{} && ball.spin == 0;
+    if (scene_->gravity == Vec2{} || std::ranges::none_of(balls_, &Ball::asleep)) return;
+    TouchList supports(sleep_distance);
+    supports.search(layout_, table_, balls_, *broad_);
+    supports.wake_unheld(balls_, scene_->gravity);
 }
 
 /// Replaces balls and table.

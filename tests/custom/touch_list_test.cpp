@@ -40,6 +40,20 @@ class TouchListTest : public ::testing::Test {
         return awake;
     }
 
+    /// Which balls are awake, of those that nothing holds.
+    std::vector<bool> unheld(const std::vector<Vec2>& shifts) {
+        const Table table(scene_);
+        const Layout layout(*scene_);
+        const auto broad = make_broad_phase(*scene_, layout.still_proxies(), Settings(engine().settings));
+        for (std::size_t i = 0; i < shifts.size(); ++i) balls_[i].position += shifts[i];
+        TouchList touches(sleep_distance);
+        touches.search(layout, table, balls_, *broad);
+        touches.wake_unheld(balls_, gravity);
+        std::vector<bool> awake;
+        for (const Ball& ball : balls_) awake.push_back(!ball.asleep);
+        return awake;
+    }
+
     std::shared_ptr<const Scene> scene_;
     std::vector<Ball> balls_;
 };
@@ -55,6 +69,23 @@ TEST_F(TouchListTest, ASupportThatHopsStaysASupport) {
 
 TEST_F(TouchListTest, WhatLeavesFromAboveWakesNone) {
     EXPECT_EQ(awake_after(3, {0, 0.1}), (std::vector{false, false, false, true}));
+}
+
+TEST_F(TouchListTest, WhatAFloorHoldsSleeps) {
+    EXPECT_EQ(unheld({}), (std::vector{false, false, false, false}));
+}
+
+TEST_F(TouchListTest, WhatNothingHoldsWakes) {
+    EXPECT_EQ(unheld({{}, {}, {}, {0, 0.01}}), (std::vector{false, false, false, true}));
+}
+
+TEST_F(TouchListTest, BallsInTheAirDoNotHoldEachOther) {
+    EXPECT_EQ(unheld({{0, 1}, {0, 1}, {}, {0, 1}}), (std::vector{true, true, false, true}));
+}
+
+TEST_F(TouchListTest, AnAwakeBallHolds) {
+    balls_[0].asleep = balls_[1].asleep = false;
+    EXPECT_EQ(unheld({{0, 1}, {0, 1}, {0, 2}, {0, 1}}), (std::vector{true, true, true, false}));
 }
 
 }  // namespace
