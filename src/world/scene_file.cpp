@@ -117,10 +117,13 @@ Scene read_scene(const Node& root) {
     if (root.has("launcher")) scene.launcher = read_launcher(root.at("launcher"), reader);
     if (root.has("rules")) scene.rules = read_rules(root.at("rules"), reader);
     if (root.has("camera")) scene.camera = read_box(root.at("camera"));
-    if (root.has("recommend"))
-        for (const auto& engine : root.at("recommend").json().items())
+    if (root.has("recommend")) {
+        const Node recommend = root.at("recommend");
+        scene.recommended_in = recommend.file() + ": " + recommend.pointer();
+        for (const auto& engine : recommend.json().items())
             for (const auto& setting : engine.value().items())
                 scene.recommend[engine.key()][setting.key()] = setting_text(setting.value());
+    }
     return scene;
 }
 

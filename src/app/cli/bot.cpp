@@ -3,6 +3,7 @@
 #include "app/cli/progress.hpp"
 #include "app/cli/run_options.hpp"
 #include "lab/bot/figures.hpp"
+#include "lab/contenders/recommended.hpp"
 #include "lab/files/assets.hpp"
 #include "lab/files/whole_file.hpp"
 #include "world/input_error.hpp"
@@ -26,6 +27,7 @@ bots::Request bot_request(const BotOptions& options) {
     const auto scene = std::make_shared<const Scene>(load_scene(lab::scene_file(options.scene)));
     bots::require_playable(*scene);
     const Engine& engine = lab::engine_named(options.engine);
+    lab::require_known_engines(*scene);
     const Engine* const used[] = {&engine};
     const auto changes = lab::parse_changes(options.settings, used);
     return {scene, &engine, lab::settings_for(engine, *scene, changes),

@@ -1,6 +1,7 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
 #include "lab/contenders/engines.hpp"
+#include "lab/contenders/recommended.hpp"
 #include "lab/files/assets.hpp"
 #include "lab/files/text_stream.hpp"
 #include "lab/scenes/scene_notes.hpp"
@@ -65,6 +66,7 @@ int list_engines(const std::vector<std::string>& libraries) {
 int check(const std::string& name_or_path) {
     const auto file = lab::scene_file(name_or_path);
     const auto scene = std::make_shared<const Scene>(load_scene(file));
+    lab::require_known_engines(*scene);
     static_cast<void>(lab::step_for(*scene));
     for (const Engine* engine : lab::engines()) engine->make(scene, lab::settings_for(*engine, *scene));
     print("%s: good: scene '%s', parts %zu, balls %zu\n", printable(file.string()).c_str(),

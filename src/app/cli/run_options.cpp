@@ -3,6 +3,7 @@
 #include <iomanip>
 
 #include "app/cli/output.hpp"
+#include "lab/contenders/recommended.hpp"
 #include "lab/files/assets.hpp"
 #include "world/scene_file.hpp"
 #include "world/script_file.hpp"
@@ -64,7 +65,9 @@ void RunOptions::add_seconds(CLI::App& command) {
 
 std::shared_ptr<const Scene> RunOptions::load() const {
     const auto file = lab::scene_file(scene);
-    return std::make_shared<const Scene>(balls > 0 ? load_scene(file, balls) : load_scene(file));
+    auto loaded = std::make_shared<const Scene>(balls > 0 ? load_scene(file, balls) : load_scene(file));
+    lab::require_known_engines(*loaded);
+    return loaded;
 }
 
 double RunOptions::step(const Scene& loaded) const {

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "lab/contenders/engines.hpp"
+#include "lab/contenders/recommended.hpp"
 #include "lab/files/plain_name.hpp"
 #include "world/input_error.hpp"
 #include "world/number_text.hpp"
@@ -70,6 +71,7 @@ std::vector<ContenderRequest> parse_contenders(std::span<const std::string> text
 
 Contender contender_for(const ContenderRequest& request, const Scene& scene, double dt,
                         std::span<const SettingChange> changes) {
+    require_known_engines(scene);
     Settings settings = settings_for(*request.engine, scene, changes);
     for (const auto& [name, value] : request.set) settings.set(name, value);
     return {request.engine, std::move(settings), request.name, request.dt.value_or(dt)};

@@ -4,16 +4,32 @@
 #include <cmath>
 
 #include "world/input_error.hpp"
+#include "world/json_file.hpp"
 
 namespace flipside::lab {
+
+namespace {
+
+constexpr const char* of_the_run = "run";
+
+[[noreturn]] void fail_recommended(const Scene& scene, std::initializer_list<std::string_view> keys,
+                                   const std::string& problem) {
+    std::string where = scene.recommended_in;
+    for (const std::string_view key : keys) where += '/' + pointer_token(key);
+    throw InputError(where + ": " + problem);
+}
+
+}  // namespace
 
 Settings settings_for(const Engine& engine, const Scene& scene, std::span<const SettingChange> changes) {
     Settings settings(engine.settings);
     if (const auto at = scene.recommend.find(std::string(engine.name)); at != scene.recommend.end()) {
-        try {
-            for (const auto& [name, value] : at->second) settings.set(name, value);
-        } catch (const InputError& error) {
-            throw InputError("scene '" + scene.name + "' recommends for " + at->first + ": " + error.what());
+        for (const auto& [name, value] : at->second) {
+            try {
+                settings.set(name, value);
+            } catch (const InputError& error) {
+                fail_recommended(scene, {at->first, name}, error.what());
+            }
         }
     }
     for (const SettingChange& change : changes)
@@ -39,14 +55,14 @@ double parse_step(std::string_view text) {
 }
 
 double step_for(const Scene& scene) {
-    const auto run = scene.recommend.find("run");
+    const auto run = scene.recommend.find(of_the_run);
     if (run == scene.recommend.end()) return default_step;
     const auto dt = run->second.find("dt");
     if (dt == run->second.end()) return default_step;
     try {
         return parse_step(dt->second);
     } catch (const InputError& error) {
-        throw InputError("scene '" + scene.name + "' recommends for run: " + error.what());
+        fail_recommended(scene, {of_the_run, dt->first}, error.what());
     }
 }
 

@@ -15,6 +15,8 @@ struct SettingChange {
     std::string name, value;
 };
 /// The engine's defaults, changed by what the scene recommends for it, then by `changes` of this engine.
+/// Throws InputError, with file and JSON pointer, where the scene recommends what this engine does not take.
+/// Names of engines are for lab/contenders/recommended.hpp.
 [[nodiscard]] Settings settings_for(const Engine& engine, const Scene& scene,
                                     std::span<const SettingChange> changes = {});
 inline constexpr double default_step = 1.0 / 60;                 ///< s

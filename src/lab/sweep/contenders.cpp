@@ -6,6 +6,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "lab/contenders/recommended.hpp"
 #include "lab/sweep/variants.hpp"
 #include "world/input_error.hpp"
 #include "world/printable.hpp"
@@ -154,6 +155,7 @@ const Contender& contender_named(std::string_view name) {
 
 Settings settings_of(const Contender& contender, const Scene& scene) {
     const Engine* const engine = &engine_named(contender.engine);
+    require_known_engines(scene);
     return settings_for(*engine, scene, parse_changes(words_of(contender.settings), {&engine, 1}));
 }
 
