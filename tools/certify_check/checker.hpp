@@ -353,30 +353,37 @@ class Checker {
     void check_passage(const Absence& passage) {
         const double from = std::max(leg().start, passage.from), to = std::min(leg().end, passage.until);
         const Part& gate = run_.parts.at(passage.part);
-        const auto any = [&](const auto& holds) {
-            return std::ranges::any_of(others_,
-                                       [&](const Other& one) { return one.part == &gate && holds(one); });
+        const auto any = [&](double a, double b, const auto& holds) {
+            return std::ranges::any_of(others_, [&](const Other& one) {
+                return one.part == &gate && one.from <= a && b <= one.until && holds(one);
+            });
         };
-        const auto is_open = [&](const Absence& one) {
-            return &one != &passage && one.part == passage.part && one.from <= from && from <= one.until;
+        const auto comes_from_behind = [&](const Leg& at) {
+            return at.start <= from && from <= at.end && any(from, from, [&](const Other& one) {
+                       return is_behind(one, Motion(at, I(from)).place, I(from));
+                   });
         };
-        const auto is_behind = [&](const Other& one) {
-            return one.feature->type == "line" &&
-                   low(dot(lie(leg(), one, I(from)).normal, vec(gate.gate))[0]) < 0;
+        const auto opens = [&](const Absence& one) {
+            if (one.part != passage.part || one.from > from || one.until < from) return false;
+            return one.from < from || std::ranges::any_of(run_.balls, [&](const Ball& ball) {
+                       return ball.number == one.ball && std::ranges::any_of(ball.legs, comes_from_behind);
+                   });
         };
         if (from > 0 && from == passage.from && from < leg().end &&
-            std::ranges::none_of(run_.absences, is_open) && !any(is_behind))
+            std::ranges::none_of(run_.absences, opens))
             reject("passes " + gate.name + " from behind", from);
-        if (!(from < to)) return;
-        everywhere("is at " + gate.name + " as long as it passes", from, to, [&](double a, double b) {
-            return any([&](const Other& one) {
-                const auto gap = [&](const Jet& t) { return lie(leg(), one, t).gap; };
-                return one.from <= a && b <= one.until && lie(leg(), one, {I(a, b), 1}).facing &&
-                       high(range(gap, a, b, few_terms)) <= (gate_clearance + bound_) * ball_->radius;
-            })
-                       ? 0.0
-                       : 1.0;
-        });
+        const auto is_near = [&](const Other& one, double a, double b) {
+            const auto gap = [&](const Jet& t) { return lie(leg(), one, t).gap; };
+            return lie(leg(), one, {I(a, b), 1}).facing &&
+                   high(range(gap, a, b, few_terms)) <= (gate_clearance + bound_) * ball_->radius;
+        };
+        for (const Other& span : others_) {  // one ends whenever any ball begins or ends to pass the gate
+            const double since = std::max(from, span.from), until = std::min(to, span.until);
+            if (span.part != &gate || since >= until) continue;
+            everywhere("is at " + gate.name + " as long as it passes", since, until, [&](double a, double b) {
+                return any(a, b, [&](const Other& one) { return is_near(one, a, b); }) ? 0.0 : 1.0;
+            });
+        }
     }
 
     const Run& run_;

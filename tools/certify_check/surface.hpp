@@ -124,4 +124,10 @@ struct Lie {
     }
 };
 
+/// Whether this is the line of a gate, and a ball's centre is on the side from which its normal points away.
+inline bool is_behind(const Other& gate, const V& place, const Jet& t) {
+    return gate.feature->type == "line" &&
+           low(dot(Lie(gate, place, 0, t).normal, vec(gate.part->gate))[0]) < 0;
+}
+
 }  // namespace certificate
