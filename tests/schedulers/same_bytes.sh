@@ -48,7 +48,7 @@ diff one/blame.csv 'in eight/blame.csv'
 diff <(untimed one/sweep.csv) <(untimed 'in eight/sweep.csv')
 (($(wc -l < one/sweep.csv) == 7))  # a header, three variants by two contenders
 
-hunt=(hunt --engine box2d --goal overlap --scenes 50 --rounds 8 --seconds 0.2)
+hunt=(hunt --engine box2d --goal overlap --scenes 50 --rounds 8 --length 0.2)
 "$program" "${hunt[@]}" --out hunted > /dev/null
 in_shards "${hunt[@]}" --out 'hunted in eight' > /dev/null
 check_asked

@@ -1,5 +1,7 @@
 #include "lab/hunt/hunt.hpp"
 
+#include <optional>
+
 #include "app/cli/commands.hpp"
 #include "app/cli/distinct_files.hpp"
 #include "app/cli/output.hpp"
@@ -21,9 +23,10 @@ namespace hunts = lab::hunt;
 
 struct HuntOptions {
     std::string contender, engine, goal = "overlap", dt = "1/60", shard = "1/1", out, replay;
-    double seconds = 1;
+    std::optional<double> seconds, length;
     std::uint64_t seed = 1;
-    std::size_t scenes = 2000, rounds = 4;
+    std::size_t scenes = 2000;
+    std::optional<std::size_t> rounds;
 };
 
 lab::ContenderRequest contender_of(const HuntOptions& options) {
@@ -32,16 +35,26 @@ lab::ContenderRequest contender_of(const HuntOptions& options) {
     return lab::parse_contenders(texts).front();
 }
 
+constexpr std::size_t most_rounds = 999;
+constexpr std::size_t usual_rounds = 4;
+
+/// Of each run, s. Files of earlier hunts say --seconds where a scene is shown again, which needs no budget.
+double length_of(const HuntOptions& options) {
+    constexpr double usual = 1;
+    return options.length.value_or(options.replay.empty() ? usual : options.seconds.value_or(usual));
+}
+
 hunts::Request request_of(const HuntOptions& options) {
     if (options.contender.empty() == options.engine.empty())
         throw InputError("hunt: needs --engine or --contender, and not both");
     return {contender_of(options),
             lab::parse_step(options.dt),
             hunts::goal_named(options.goal),
-            options.seconds,
+            length_of(options),
             options.seed,
             options.scenes,
-            options.rounds};
+            options.rounds.value_or(options.seconds ? most_rounds : usual_rounds),
+            options.seconds};
 }
 
 int replay(const HuntOptions& options) {
@@ -61,6 +74,7 @@ void print_found(const hunts::Request& request, const std::vector<hunts::Found>&
         print("%s (%zu balls, %zu parts)\n", printable(hunts::sentence(request, found.measured)).c_str(),
               found.balls, found.parts);
     print("The first is %s.\n", printable((std::filesystem::path(folder) / "worst.json").string()).c_str());
+    if (request.budget) print("--rounds %zu in place of --seconds finds the same again.\n", all.size());
 }
 
 int hunt(const HuntOptions& options) {
@@ -102,9 +116,14 @@ void add_hunt(CLI::App& program, Action& chosen) {
             "or time (tests per ball and step, which take it)")
         ->capture_default_str()
         ->type_name("GOAL");
-    command.add_option("--seconds", options->seconds, "Length of each run")
+    CLI::Option* seconds =
+        command
+            .add_option("--seconds", options->seconds,
+                        "Time for the hunt, s on the clock: as many rounds as end within it, at least one")
+            ->check(number_from(1e-3, 1e6))
+            ->type_name("BUDGET");
+    command.add_option("--length", options->length, "Length of each run, s (default 1)")
         ->check(number_from(1e-3, 60))
-        ->capture_default_str()
         ->type_name("T");
     command.add_option("--dt", options->dt, "Step, s, as 0.01 or 1/60")
         ->capture_default_str()
@@ -115,12 +134,14 @@ void add_hunt(CLI::App& program, Action& chosen) {
         ->check(number_from(1, 1e7))
         ->capture_default_str()
         ->type_name("N");
-    command.add_option("--rounds", options->rounds, "Rounds, each from other random scenes")
-        ->check(number_from(1, 999))
-        ->capture_default_str()
+    command
+        .add_option("--rounds", options->rounds,
+                    "Rounds, each from other random scenes (default 4, with --seconds as many as fit)")
+        ->check(number_from(1, most_rounds))
         ->type_name("N");
     command.add_option("--shard", options->shard, "Only the K-th of N parts; in any order, at the same time")
-        ->type_name("K/N");
+        ->type_name("K/N")
+        ->excludes(seconds);
     command.add_option("--seed", options->seed, "Of the scenes (default 1)")
         ->check(number_from(0, 1e12))
         ->type_name("S");

@@ -1,6 +1,7 @@
 #include "lab/hunt/hunt.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 
 #include "lab/files/csv.hpp"
@@ -36,6 +37,26 @@ void settle_plan(const fs::path& folder, const std::string& plan, const Notice& 
             "is the plan of another hunt or of another build; allowed is the same one, or an empty "
             "folder");
 }
+
+/// The time that new rounds may take.
+class Budget {
+  public:
+    explicit Budget(std::optional<double> seconds) : seconds_(seconds) {}
+    /// Without a budget `share`, which is that of the rounds.
+    [[nodiscard]] double done(double share) const {
+        const std::chrono::duration<double> spent = Clock::now() - began_;
+        return seconds_ ? std::min(1.0, spent.count() / *seconds_) : share;
+    }
+    [[nodiscard]] bool is_spent() const { return done(0) >= 1; }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    std::optional<double> seconds_;
+    Clock::time_point began_ = Clock::now();
+};
+
+/// Stops a round that the budget does not suffice for.
+struct OverBudget {};
 
 struct Round {
     fs::path file;
@@ -78,7 +99,7 @@ void write_rounds(const Request& request, const std::vector<Found>& all, const f
 
 std::string plan_of(const Request& request) {
     return contender_text(request) + " goal=" + std::string(name_of(request.goal)) +
-           " seconds=" + brief(request.seconds) + " seed=" + std::to_string(request.seed) +
+           " length=" + brief(request.seconds) + " seed=" + std::to_string(request.seed) +
            " scenes=" + std::to_string(request.scenes) + " build=" + build_commit() + "\n";
 }
 
@@ -95,7 +116,7 @@ std::string titled(const Request& request, const Found& found) {
     scene.name = request.contender.name + "-" + std::string(name_of(request.goal));
     scene.about = "Found by a hunt for " + std::string(name_of(request.goal)) + ". " +
                   sentence(request, found.measured) + ". To see it again: flipside hunt --goal " +
-                  std::string(name_of(request.goal)) + " --seconds " + brief(request.seconds) +
+                  std::string(name_of(request.goal)) + " --length " + brief(request.seconds) +
                   " --contender " + contender_text(request) + " --replay FILE";
     return to_json(scene) + "\n";
 }
@@ -105,16 +126,23 @@ std::optional<std::vector<Found>> hunt(const Request& request, sweep::Shard shar
     const std::string plan = plan_of(request);
     make_folder(folder / "rounds");
     settle_plan(folder, plan, notice);
-    for (std::size_t i = shard.index - 1; i < request.rounds; i += shard.count) {
+    const Budget budget(request.budget);
+    std::size_t rounds = request.rounds;
+    for (std::size_t i = shard.index - 1; i < rounds; i += shard.count) {
         const Round round = round_in(folder, plan, i);
         if (read_round(request, round, notice)) continue;
         const auto share = [&](double done) {
-            watch((static_cast<double>(i) + done) / static_cast<double>(request.rounds));
+            if (i > 0 && budget.is_spent()) throw OverBudget{};
+            watch(budget.done((static_cast<double>(i) + done) / static_cast<double>(rounds)));
         };
-        write_data_file(round.file, round.origin, hunt_round(request, i, share).text + "\n");
+        try {
+            write_data_file(round.file, round.origin, hunt_round(request, i, share).text + "\n");
+        } catch (const OverBudget&) {
+            rounds = i;
+        }
     }
     std::vector<Found> all;
-    for (std::size_t i = 0; i < request.rounds; ++i) {
+    for (std::size_t i = 0; i < rounds; ++i) {
         auto found = read_round(request, round_in(folder, plan, i), notice);
         if (!found) return std::nullopt;
         all.push_back(std::move(*found));
