@@ -38,7 +38,7 @@ std::vector<std::string> named_settings(const RenderOptions& options) {
 
 }  // namespace
 
-int render(const RenderOptions& options) {
+std::string render(const RenderOptions& options) {
     Look look;
     look.shows = parse_shows(options.show);
     look.artwork = options.artwork;
@@ -49,8 +49,7 @@ int render(const RenderOptions& options) {
         if (run.halt() && &run.engine() == &lab::engine_named(options.engine))
             throw Refusal(run.halt()->reason);
 
-    write_png(Painter(options.width, options.height, 1).paint(stage, look), options.out);
-    return 0;
+    return png_of(Painter(options.width, options.height, 1).paint(stage, look));
 }
 
 }  // namespace flipside::app

@@ -16,7 +16,6 @@ struct RenderOptions {
     std::string engine = "custom";
     double at = 0;  ///< s
     double dt = 1.0 / 60;
-    std::filesystem::path out;
     View view = View::single;
     std::vector<std::string> show;      ///< overlays: boxes, cells, …
     std::vector<std::string> settings;  ///< "ENGINE.NAME=VALUE", or "NAME=VALUE" for `engine`
@@ -29,6 +28,7 @@ struct RenderOptions {
 /// for any other.
 [[nodiscard]] Shows parse_shows(const std::vector<std::string>& names);
 
-int render(const RenderOptions& options);
+/// The bytes of a PNG file.
+[[nodiscard]] std::string render(const RenderOptions& options);
 
 }  // namespace flipside::app

@@ -30,7 +30,7 @@ TEST_F(CommandLine, TheBotsGamesAreReplaysToTheBit) {
         EXPECT_EQ(replay.code, 0) << replay.err;
         EXPECT_NE(replay.out.find(row.at("score")), std::string::npos) << replay.out;
     }
-    expect_refused("bot pinball --engine custom --games 1 --replays " + file("games.csv"), 1, "games.csv");
+    expect_refused("bot pinball --engine custom --games 1 --replays " + file("games.csv"), 2, "games.csv");
     const std::string before = text_of(file("new/games/game-3.flipside-replay"));
     expect_refused("bot pinball --engine custom --games 2 --seed 2 --replays " + file("new/games"), 2,
                    "game-3.flipside-replay");

@@ -123,6 +123,49 @@ TEST_F(OutputFiles, MayNotBeOneAndTheSame) {
     expect_refused("cases --json a --map b", 2, "--map");
 }
 
+/// Commands with the option of a file, each as short as can be.
+const std::vector<std::string> writing = {"run drop --engine custom --seconds 0 --out ",
+                                          "run drop --engine custom --seconds 0 --events ",
+                                          "run drop --engine custom --seconds 0 --stats ",
+                                          "run drop --engine custom --seconds 0 --save ",
+                                          "run drop --engine custom --seconds 0 --replay ",
+                                          "compare drop --seconds 0 --json ",
+                                          "cases zeno-drop --quick --json ",
+                                          "cases --engine custom --map ",
+                                          "pairs --seconds 0.1 --most 32 --json ",
+                                          "trace drop --engine custom --at 0 --json ",
+                                          "certify drop --seconds 0 --out ",
+                                          "bot pinball --engine custom --games 1 --out ",
+                                          "render drop --engine custom --out "};
+
+TEST_F(OutputFiles, OfAWrongPathAreBadInput) {
+    fs::create_directory(file("folder.png"));
+    for (const std::string& arguments : writing) {
+        expect_refused(arguments + file("none/x.png"), 2, "cannot be written (No such file or directory)");
+        expect_refused(arguments + file("scene.json/x.png"), 2, "cannot be written (Not a directory)");
+        expect_refused(arguments + file("folder.png"), 2, "cannot be written (Is a directory)");
+    }
+    for (const char* arguments : {"sweep drop --quick --out ", "sweep drop --tune custom --quick --out ",
+                                  "report --quick --out ", "hunt --engine custom --out "})
+        expect_refused(arguments + file("scene.json/x"), 2, "cannot be made (Not a directory)");
+    expect_untouched();
+}
+
+TEST_F(OutputFiles, OfAWrongPathAreToldBeforeTheRun) {
+    // A run that ends at the limit of speeds.
+    std::ofstream(file("fast.json")) << R"({"format": "flipside-scene/1", "name": "fast", "balls": [
+        {"position": [0, 9e8], "radius": 1, "mass": 1}], "gravity": [0, -1e9],
+        "bounds": {"min": [-1e9, -1e9], "max": [1e9, 1e9]}})";
+    const std::string fast = "run " + file("fast.json") + " --engine custom --seconds 2";
+    expect_refused(fast, 1, "top speed");
+    const auto before = std::distance(fs::directory_iterator(folder), {});
+    for (const char* option : {" --out ", " --events ", " --stats ", " --save ", " --replay "}) {
+        expect_refused(fast + option + file("none/x"), 2, "none/x: cannot be written");
+        expect_refused(fast + option + file("x"), 1, "top speed");
+    }
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), before) << "something was left behind";
+}
+
 TEST_F(OutputFiles, MayHaveNamesOf250Characters) {
     const std::string name(250, 'n');
     expect_good(run + "--out " + file(name));

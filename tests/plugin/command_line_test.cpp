@@ -69,6 +69,7 @@ TEST_F(CommandLine, ConformanceIsAnExitCodeAndMarks) {
     EXPECT_EQ(good.code, 0) << good.err;
     EXPECT_NE(good.out.find("of 100 points; passed"), std::string::npos);
     EXPECT_NE(text_of(file("marks.json")).find("flipside-conformance/1"), std::string::npos);
+    expect_refused("conformance " + engine_in_c + " --json " + file("none/x"), 2, "cannot be written");
     EXPECT_EQ(flipside("conformance " + naughty_engine).code, 1);
     EXPECT_EQ(flipside("conformance " + test::source("README.md")).code, 1);
     expect_refused("conformance " + file("nothing.so"), 2, "there is no such file");

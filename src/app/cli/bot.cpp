@@ -1,5 +1,6 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
+#include "app/cli/output_file.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/run_options.hpp"
 #include "lab/bot/figures.hpp"
@@ -78,18 +79,18 @@ int play_games(const BotOptions& options) {
         request.replays = options.replays;
         require_new_replays(options);
     }
+    OutputFile table(options.out);
     std::vector<bots::Played> games;
     {
         Progress progress(static_cast<double>(options.games));
         games = bots::play(request, options.seed, options.games,
                            [&](std::size_t done) { progress.at(static_cast<double>(done)); });
     }
-    if (!options.out.empty()) {
-        lab::WholeFile file(options.out);
-        file.out() << bots::games_header;
-        bots::write_games(file.out(), games);
-        file.finish();
+    if (auto* out = table.out()) {
+        *out << bots::games_header;
+        bots::write_games(*out, games);
     }
+    table.finish();
     print_figures(bots::figures_of(games), games.size());
     return 0;
 }

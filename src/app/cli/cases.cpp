@@ -4,6 +4,7 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/distinct_files.hpp"
 #include "app/cli/output.hpp"
+#include "app/cli/output_file.hpp"
 #include "app/cli/progress.hpp"
 #include "lab/cases/case.hpp"
 #include "lab/cases/stability_map.hpp"
@@ -141,6 +142,7 @@ int run_cases(const CasesOptions& options) {
     const auto chosen = lab::find_cases(options.names);
     const auto changes = changes_of(options);
     const lab::CaseInput input = input_of(options, changes);
+    OutputFile json(options.json);
     std::vector<lab::CaseRun> runs;
     print_head(input);
     for (const lab::Case* one : chosen) {
@@ -152,7 +154,8 @@ int run_cases(const CasesOptions& options) {
         print_case(runs.back());
         finish_output();
     }
-    if (!options.json.empty()) lab::write_whole_file(options.json, to_json(runs, input));
+    if (auto* out = json.out()) *out << to_json(runs, input);
+    json.finish();
     print_summary(runs);
     const auto failed = [](const lab::CaseRun& run) { return run.result.verdict == lab::Verdict::fail; };
     return std::ranges::any_of(runs, failed) ? 1 : 0;

@@ -26,8 +26,11 @@ int write_certificate(const CertifyOptions& options) {
     lab::Session session(scene, engine, lab::settings_for(engine, *scene, changes));
     if (!options.from.empty()) session.restore(load_state(options.from, *scene));
     const lab::Timeline timeline(session.world().time(), options.seconds, options.step(*scene));
-    const lab::Certified certified = lab::certify(session, timeline, options.load_script(*scene));
-    lab::write_whole_file(options.out, certified.json);
+    const Script script = options.load_script(*scene);
+    lab::WholeFile file(options.out);
+    const lab::Certified certified = lab::certify(session, timeline, script);
+    file.out() << certified.json;
+    file.finish();
     if (!certified.ends.empty())
         say("the certificate ends after " + brief(certified.seconds) + " s: " + certified.ends);
     return 0;

@@ -4,11 +4,11 @@
 
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
+#include "app/cli/output_file.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/run_options.hpp"
 #include "lab/contenders/engines.hpp"
 #include "lab/files/csv.hpp"
-#include "lab/files/whole_file.hpp"
 #include "world/input_error.hpp"
 #include "world/printable.hpp"
 
@@ -162,11 +162,13 @@ int compare(const CompareOptions& options) {
     input.seconds = options.seconds;
     input.script = options.load_script(*input.scene);
 
+    OutputFile json(options.json);
     const lab::Comparison comparison = [&] {
         Progress progress(1);
         return lab::compare(std::move(input), [&](double share) { progress.at(share); });
     }();
-    if (!options.json.empty()) lab::write_whole_file(options.json, to_json(comparison));
+    if (auto* out = json.out()) *out << to_json(comparison);
+    json.finish();
     print_comparison(comparison);
     const auto ended = [](const lab::EngineRun& run) { return run.ended.has_value(); };
     return std::ranges::any_of(comparison.runs, ended) ? 1 : 0;

@@ -5,8 +5,8 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/distinct_files.hpp"
 #include "app/cli/output.hpp"
+#include "app/cli/output_file.hpp"
 #include "app/cli/progress.hpp"
-#include "lab/files/whole_file.hpp"
 
 namespace flipside::app {
 
@@ -33,11 +33,13 @@ void print_marks(const lab::Conformance& conformance) {
 
 int check(const ConformanceOptions& options) {
     require_distinct({{{"the library", options.file}}, {{"--json", options.json}}, true});
+    OutputFile json(options.json);
     const lab::Conformance conformance = [&] {
         Progress progress(1);
         return lab::check_conformance(options.file, [&](double share) { progress.at(share); });
     }();
-    if (!options.json.empty()) lab::write_whole_file(options.json, to_json(conformance));
+    if (auto* out = json.out()) *out << to_json(conformance);
+    json.finish();
     print_marks(conformance);
     return conformance.passed() ? 0 : 1;
 }

@@ -3,9 +3,9 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/distinct_files.hpp"
 #include "app/cli/output.hpp"
+#include "app/cli/output_file.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/run_options.hpp"
-#include "lab/files/whole_file.hpp"
 #include "lab/pairs/pair_tests.hpp"
 
 namespace flipside::app {
@@ -65,12 +65,14 @@ void print_growth(const lab::PairTests& found) {
 
 int pairs(const PairsOptions& options) {
     require_distinct({{}, {{"--json", options.json}}, true});
+    OutputFile json(options.json);
     const lab::PairTests found = [&] {
         Progress progress(1);
         return lab::count_pair_tests(options.seconds, options.most_balls,
                                      [&](double done) { progress.at(done); });
     }();
-    if (!options.json.empty()) lab::write_whole_file(options.json, to_json(found));
+    if (auto* out = json.out()) *out << to_json(found);
+    json.finish();
     print_toy(found);
     print_growth(found);
     return 0;

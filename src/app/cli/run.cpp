@@ -2,10 +2,10 @@
 
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
+#include "app/cli/output_file.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/run_options.hpp"
 #include "lab/files/csv.hpp"
-#include "lab/files/whole_file.hpp"
 #include "lab/replay/replay.hpp"
 #include "lab/session/run_figures.hpp"
 #include "world/state_file.hpp"
@@ -31,24 +31,6 @@ struct SingleRunOptions : RunOptions {
     }
 };
 
-/// A CSV file that may not have been asked for.
-class Csv {
-  public:
-    Csv(const std::string& path, std::string_view header) {
-        if (path.empty()) return;
-        file_.emplace(path);
-        file_->out() << header;
-    }
-    /// Null if it is not asked for.
-    [[nodiscard]] std::ostream* out() { return file_ ? &file_->out() : nullptr; }
-    void finish() {
-        if (file_) file_->finish();
-    }
-
-  private:
-    std::optional<lab::WholeFile> file_;
-};
-
 lab::Session make_session(const SingleRunOptions& options, const std::shared_ptr<const Scene>& scene) {
     const Engine& engine = lab::engine_named(options.engine);
     const Engine* const used[] = {&engine};
@@ -66,8 +48,13 @@ int run_scene(const SingleRunOptions& options) {
     const lab::Timeline timeline(session.world().time(), options.seconds, options.step(*scene));
     const Script script = options.load_script(*scene);
 
-    Csv trajectory(options.out, lab::trajectory_header), events(options.events, lab::events_header);
-    if (auto* out = trajectory.out()) lab::write_sample(*out, timeline.start(), session.world().balls());
+    OutputFile trajectory(options.out), events(options.events), stats(options.stats), save(options.save),
+        replay(options.replay);
+    if (auto* out = events.out()) *out << lab::events_header;
+    if (auto* out = trajectory.out()) {
+        *out << lab::trajectory_header;
+        lab::write_sample(*out, timeline.start(), session.world().balls());
+    }
     const double energy_first = lab::energy(session.world(), *scene);
     {
         Progress progress(options.seconds);
@@ -80,18 +67,19 @@ int run_scene(const SingleRunOptions& options) {
         };
         lab::run({&session, 1}, timeline, script, after);
     }
-    trajectory.finish();
-    events.finish();
-    const std::string stats = to_json(lab::figures_of(session, options.seconds, energy_first));
-    if (!options.stats.empty()) lab::write_whole_file(options.stats, stats);
-    if (!options.save.empty()) lab::write_whole_file(options.save, to_json(session.world().save(), *scene));
-    if (!options.replay.empty()) {
+    const std::string figures = to_json(lab::figures_of(session, options.seconds, energy_first));
+    if (auto* out = stats.out()) *out << figures;
+    if (auto* out = save.out()) *out << to_json(session.world().save(), *scene);
+    if (auto* out = replay.out()) {
         const lab::RecordedRun recorded{std::string(session.engine().name), &session, timeline.dt()};
-        lab::write_whole_file(options.replay, to_json(lab::replay_of({&recorded, 1})));
+        *out << to_json(lab::replay_of({&recorded, 1}));
     }
-    const bool silent = options.out.empty() && options.events.empty() && options.stats.empty() &&
-                        options.save.empty() && options.replay.empty();
-    if (silent) print_text(stats);
+    bool silent = true;
+    for (OutputFile* file : {&trajectory, &events, &stats, &save, &replay}) {
+        silent &= file->out() == nullptr;
+        file->finish();
+    }
+    if (silent) print_text(figures);
     return 0;
 }
 

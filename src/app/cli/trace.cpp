@@ -1,8 +1,8 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
+#include "app/cli/output_file.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/run_options.hpp"
-#include "lab/files/whole_file.hpp"
 #include "lab/session/run.hpp"
 #include "lab/session/traced_step.hpp"
 #include "world/input_error.hpp"
@@ -47,6 +47,7 @@ int trace(const TraceOptions& options) {
     const double dt = options.step(*scene);
     const Script script = options.load_script(*scene);
     const lab::Timeline timeline(start, options.at - start, dt);
+    OutputFile json(options.json);
     {
         Progress progress(options.at - start);
         lab::run({&session, 1}, timeline, script, [&](const lab::Session&, std::uint64_t, double time) {
@@ -60,10 +61,11 @@ int trace(const TraceOptions& options) {
         require_ball(*options.ball, step, before, session.world().balls());
         lab::keep_ball(step.trace, *options.ball);
     }
-    if (options.json.empty())
-        print_text(lab::to_text(step));
+    if (auto* out = json.out())
+        *out << lab::to_json(step);
     else
-        lab::write_whole_file(options.json, lab::to_json(step));
+        print_text(lab::to_text(step));
+    json.finish();
     return 0;
 }
 

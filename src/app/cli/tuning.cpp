@@ -36,6 +36,8 @@ void print_tuning(const Tuning& tuning) {
 
 int run_tuning(const lab::tune::Request& request, std::span<const lab::sweep::Variant> variants,
                const std::filesystem::path& folder) {
+    lab::make_folder(folder);
+    lab::WholeFile table(folder / "tuning.csv");
     std::vector<Tuning> all;
     for (const lab::sweep::Variant& variant : variants) {
         std::vector<Tuning> found;
@@ -48,8 +50,8 @@ int run_tuning(const lab::tune::Request& request, std::span<const lab::sweep::Va
             all.push_back(std::move(tuning));
         }
     }
-    lab::make_folder(folder);
-    lab::tune::write_csv(folder / "tuning.csv", all);
+    lab::tune::write_csv(table.out(), all);
+    table.finish();
     print(
         "Found on %zu windows, judged on as many others: position of the worst ball at the end, median of "
         "the "

@@ -6,6 +6,7 @@
 #include "app/render.hpp"
 #include "app/window/layout.hpp"
 #include "lab/files/assets.hpp"
+#include "lab/files/whole_file.hpp"
 #include "lab/lessons/lesson.hpp"
 #include "world/input_error.hpp"
 
@@ -16,6 +17,7 @@ namespace {
 struct RenderArguments {
     RenderOptions options;
     std::string dt, script;  ///< as on the command line
+    std::filesystem::path out;
 };
 
 int render(RenderArguments arguments) {
@@ -25,15 +27,18 @@ int render(RenderArguments arguments) {
     run.dt = arguments.dt;
     run.script = arguments.script;
     static_cast<void>(lab::engine_named(options.engine));
-    require_distinct({run.inputs(), {{"--out", options.out}}});
-    if (options.out.extension() != ".png")
-        throw InputError("--out '" + options.out.string() +
+    require_distinct({run.inputs(), {{"--out", arguments.out}}});
+    if (arguments.out.extension() != ".png")
+        throw InputError("--out '" + arguments.out.string() +
                          "' is no name of a picture; allowed is one as x.png");
     const auto scene = run.load();
     options.dt = run.step(*scene);
     options.script = run.script_path();
+    lab::WholeFile picture(arguments.out);
     require_display();
-    return render(options);
+    picture.out() << render(options);
+    picture.finish();
+    return 0;
 }
 
 }  // namespace
@@ -98,7 +103,7 @@ void add_render(CLI::App& program, Action& chosen) {
         ->type_name("T");
     command.add_option("--dt", arguments->dt, "Step, s, as 0.01 or 1/60 (default: as in run)")
         ->type_name("H");
-    command.add_option("--out", options.out, "The picture")->required()->type_name("PNG");
+    command.add_option("--out", arguments->out, "The picture")->required()->type_name("PNG");
     add_view(command, options.view, "single");
     command.add_option("--show", options.show, "What to draw of the engine's insides: boxes,cells,...")
         ->delimiter(',')

@@ -94,6 +94,8 @@ Exported export_film(const lab::Replay& replay, const Engine* other, const Expor
     }
     if (!options.sound.empty()) sounds.push_back(options.sound);
     if (!options.video.empty()) sounds.push_back(sound_of_video.emplace().path());
+    std::optional<Video> video;
+    if (!options.video.empty()) video.emplace(options.video);
     share.begin_pass(pictures ? 0.05 : 1);
     write_sound(film, heard, sounds, share);
     while (heard.step()) continue;  // what is left after the last frame
@@ -101,10 +103,9 @@ Exported export_film(const lab::Replay& replay, const Engine* other, const Expor
     Exported exported{film.frames(), film.to() - film.from(), parted != nullptr ? *parted : ""};
     if (!pictures) return exported;
 
-    std::optional<Video> video;
-    if (sound_of_video)
-        video.emplace(options.video, sound_of_video->path(),
-                      VideoForm{options.width, options.height, options.frames_per_second});
+    if (video)
+        video->start(sound_of_video->path(),
+                     VideoForm{options.width, options.height, options.frames_per_second});
     ReplayStage seen(replay, options.view, other);
     share.begin_pass(0.95);
     write_pictures(film, seen, options, video ? &*video : nullptr, share);

@@ -100,10 +100,11 @@ void require_ffmpeg() {
     throw lab::Failure(no_ffmpeg);
 }
 
-Video::Video(const fs::path& target, const fs::path& sound, const VideoForm& form)
-    : target_(target), file_(target), noted_([&] { return start(sound, form); }) {}
+void Video::start(const fs::path& sound, const VideoForm& form) {
+    noted_.emplace([&] { return spawn(sound, form); });
+}
 
-pid_t Video::start(const fs::path& sound, const VideoForm& form) {
+pid_t Video::spawn(const fs::path& sound, const VideoForm& form) {
     int pipe[2];
     if (pipe2(pipe, O_CLOEXEC) != 0) fail(std::generic_category().message(errno));
     const Inherited target(file_.descriptor());

@@ -2,6 +2,7 @@
 /// Encodes a video by the program ffmpeg: pictures come to it through a pipe, sound from a file.
 
 #include <filesystem>
+#include <optional>
 
 #include <SFML/Graphics/Image.hpp>
 #include <sys/types.h>
@@ -23,20 +24,22 @@ void require_ffmpeg();
 /// H.264 and AAC in an MP4 file, which is there as a whole or not at all.
 class Video {
   public:
-    /// `sound` is a WAV file of the same length, open or to be opened. Throws lab::Failure where ffmpeg does
-    /// not start or the video cannot be written.
-    Video(const std::filesystem::path& target, const std::filesystem::path& sound, const VideoForm& form);
+    /// Opens the file. Throws like lab::WholeFile.
+    explicit Video(const std::filesystem::path& target) : target_(target), file_(target) {}
     ~Video();
     Video(const Video&) = delete;
     Video& operator=(const Video&) = delete;
 
+    /// Starts ffmpeg, once. `sound` is a WAV file of the same length. Throws lab::Failure where it does not
+    /// start.
+    void start(const std::filesystem::path& sound, const VideoForm& form);
     /// A picture of that size. Throws lab::Failure, with what ffmpeg says, where it takes no more.
     void add(const sf::Image& picture);
     /// Waits for ffmpeg, and puts the video into its place. Throws lab::Failure.
     void finish();
 
   private:
-    pid_t start(const std::filesystem::path& sound, const VideoForm& form);
+    pid_t spawn(const std::filesystem::path& sound, const VideoForm& form);
     /// No more pictures come; its exit code.
     int end();
     [[noreturn]] void fail(const std::string& why) const;
@@ -46,7 +49,7 @@ class Video {
     lab::report::MemoryFile said_;  ///< what ffmpeg says
     int pictures_ = -1;             ///< the pipe to it
     pid_t child_ = 0;
-    lab::UnfinishedChild noted_;
+    std::optional<lab::UnfinishedChild> noted_;
 };
 
 }  // namespace flipside::app::film

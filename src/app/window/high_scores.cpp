@@ -79,9 +79,9 @@ void HighScores::write() {
     try {
         lab::make_folder(file_->parent_path());
         lab::write_whole_file(*file_, text_of_scores(scores_));
-    } catch (const lab::Failure& failure) {
+    } catch (const std::runtime_error& error) {
         file_.reset();
-        trouble_ = "high scores are not kept for the next start: " + std::string(failure.what());
+        trouble_ = "high scores are not kept for the next start: " + std::string(error.what());
     }
 }
 

@@ -113,9 +113,9 @@ std::string Keeper::keep(const Kept& kept) {
         lab::make_folder(file_.parent_path());
         lab::write_whole_file(file_, text_of(kept));
         last_ = kept;
-    } catch (const lab::Failure& failure) {
+    } catch (const std::runtime_error& error) {
         writable_ = false;
-        return "nothing is kept for the next start: " + std::string(failure.what());
+        return "nothing is kept for the next start: " + std::string(error.what());
     }
     return "";
 }

@@ -1,7 +1,6 @@
 #include "app/window/png_file.hpp"
 
 #include <cstring>
-#include <string>
 
 #include <SFML/Graphics/Image.hpp>
 #include <png.h>
@@ -12,7 +11,7 @@
 namespace flipside::app {
 
 // Not by sf::Image::saveToFile, which does not notice a full disk.
-void write_png(const sf::Image& picture, const std::filesystem::path& file) {
+std::string png_of(const sf::Image& picture) {
     png_image png{};
     png.version = PNG_IMAGE_VERSION;
     png.width = picture.getSize().x;
@@ -25,13 +24,17 @@ void write_png(const sf::Image& picture, const std::filesystem::path& file) {
     for (std::size_t i = 0; i < count; ++i) std::memcpy(&pixels[3 * i], picture.getPixelsPtr() + 4 * i, 3);
     const auto write = [&](void* to, png_alloc_size_t& size) {
         if (png_image_write_to_memory(&png, to, &size, 0, pixels.data(), 0, nullptr) == 0)
-            throw lab::Failure(file.string() + ": cannot be made a picture (" + png.message + ")");
+            throw lab::Failure(std::string("the picture cannot be made PNG (") + png.message + ")");
     };
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
     std::string bytes(size, '\0');
     write(bytes.data(), size);
     bytes.resize(size);
-    lab::write_whole_file(file, bytes);
+    return bytes;
+}
+
+void write_png(const sf::Image& picture, const std::filesystem::path& file) {
+    lab::write_whole_file(file, png_of(picture));
 }
 
 }  // namespace flipside::app

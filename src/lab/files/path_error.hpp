@@ -7,8 +7,9 @@
 
 namespace flipside::lab {
 
-/// Whether the path itself is wrong: too long, not permitted, a link to itself. All else (a full disk, a
-/// folder that is missing) is the world's fault.
+/// Whether the path itself is wrong: too long, not permitted, a link to itself, in a folder that is missing
+/// or read-only, a folder where a file is meant or a file where a folder is. All else (a full disk) is not
+/// the user's fault.
 [[nodiscard]] bool is_bad_path(std::error_code why);
 
 /// "PATH: PROBLEM (why)": InputError where is_bad_path(why), else Failure.

@@ -32,8 +32,8 @@ class TemporaryFile {
 class WholeFile {
   public:
     /// A link stays a link: what it leads to is replaced. What is no plain file (a pipe, a device, what a
-    /// link in /dev or /proc leads to, as /dev/stdout does) is written directly. Throws Failure when it
-    /// cannot be opened.
+    /// link in /dev or /proc leads to, as /dev/stdout does) is written directly. Throws InputError
+    /// where the path is wrong (path_error.hpp), Failure where it cannot be opened for another reason.
     explicit WholeFile(std::filesystem::path target);
     ~WholeFile();
     WholeFile(const WholeFile&) = delete;

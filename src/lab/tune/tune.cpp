@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 
 #include "lab/files/csv.hpp"
-#include "lab/files/whole_file.hpp"
 
 namespace flipside::lab::tune {
 
@@ -79,23 +79,21 @@ std::vector<Tuning> tune(const Request& request, const sweep::Variant& variant,
     return all;
 }
 
-void write_csv(const std::filesystem::path& file, std::span<const Tuning> all) {
-    WholeFile whole(file);
-    whole.out() << "variant,target,tried,role,contender,error,cpu,ratio,ratio_low,ratio_high\n";
+void write_csv(std::ostream& out, std::span<const Tuning> all) {
+    out << "variant,target,tried,role,contender,error,cpu,ratio,ratio_low,ratio_high\n";
     CsvRow row;
     const auto write = [&](const Tuning& tuning, const char* role, const Judged& judged,
                            const std::optional<Median>& ratio) {
         row.add(tuning.variant).add(tuning.target).add(tuning.tried).add(role).add(judged.text);
         row.add(judged.score.error).add(judged.score.cost);
         const Median none{NAN, NAN, NAN}, shown = ratio.value_or(none);
-        row.add(shown.value).add(shown.low).add(shown.high).write(whole.out());
+        row.add(shown.value).add(shown.low).add(shown.high).write(out);
     };
     for (const Tuning& tuning : all) {
         write(tuning, "tuned", tuning.tuned, Median{1, 1, 1});
         write(tuning, "untuned", tuning.untuned, tuning.over_untuned);
         write(tuning, "custom", tuning.ours, tuning.over_ours);
     }
-    whole.finish();
 }
 
 }  // namespace flipside::lab::tune

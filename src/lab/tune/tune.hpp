@@ -3,7 +3,7 @@
 /// how does that compare with our own engine as it comes? Settings are searched on some windows (tuner.hpp)
 /// and judged on others.
 
-#include <filesystem>
+#include <iosfwd>
 #include <optional>
 
 #include "lab/statistics/median.hpp"
@@ -48,6 +48,6 @@ struct Tuning {
 /// CSV, three rows each: the contender (`role`), its error in radii, its CPU seconds per simulated second,
 /// and how many times that the tuned one costs, with a confidence interval of 95 %; nan where it is not
 /// known.
-void write_csv(const std::filesystem::path& file, std::span<const Tuning> all);
+void write_csv(std::ostream& out, std::span<const Tuning> all);
 
 }  // namespace flipside::lab::tune

@@ -115,6 +115,7 @@ TEST_F(FilmCommand, AFilmOfAnotherCourseThanTheGamesIsMadeAndEndsWithOne) {
 TEST_F(FilmCommand, RefusesWhatCannotBe) {
     expect_refused("replay '" + game + "' --sound '" + game + "'", 2, "which is read");
     expect_refused("replay '" + game + "' --sound x.wav --fps 0", 2, "from 1 to 240");
+    expect_refused("replay '" + game + "' --sound " + file("none/x.wav"), 2, "cannot be written");
     expect_refused("replay '" + game + "' --frames " + file("f") + " --show cheese", 2, "cheese");
     expect_refused("replay '" + game + "' --video x.mp4 --width 401", 2, "even");
     environment = "DISPLAY=";

@@ -144,8 +144,8 @@ TEST_F(WholeFiles, MayHaveNamesAsLongAsNamesAre) {
 }
 
 TEST_F(WholeFiles, FailWhereNothingCanBeWritten) {
-    EXPECT_THROW(WholeFile(folder / "none" / "a.csv"), Failure);
-    EXPECT_THROW(WholeFile{folder}, Failure);
+    EXPECT_THROW(WholeFile(folder / "none" / "a.csv"), InputError);
+    EXPECT_THROW(WholeFile{folder}, InputError);
     EXPECT_THROW(write_whole_file("/dev/full", std::string(1 << 20, 'x')), Failure);
 }
 
