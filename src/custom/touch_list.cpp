@@ -208,7 +208,7 @@ void TouchList::report_sensors(double time, std::vector<Sensed>& crossed, std::v
     // A sensor crossed within the step has a begin event, and an end event unless the ball is still inside.
     const auto sensor_event = [&](EventKind kind) {
         return [=, &events](const Sensed& s) {
-            events.push_back({time, kind, s.ball, Other::part(s.sensor), {}, {}, 0, 0});
+            events.push_back({time, kind, s.ball, Other::part(s.part), {}, {}, 0, 0});
         };
     };
     crossed.insert(crossed.end(), sensed_.begin(), sensed_.end());

@@ -8,13 +8,6 @@
 
 namespace flipside::custom {
 
-/// A ball inside a sensor.
-struct Sensed {
-    BallNumber ball = 0;
-    PartIndex sensor = 0;
-    friend auto operator<=>(const Sensed&, const Sensed&) = default;
-};
-
 class TouchList {
   public:
     /// Surfaces closer than `distance`, in radii of the smaller ball, are in contact.

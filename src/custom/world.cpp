@@ -37,6 +37,7 @@ void CustomWorld::reserve_for() {
     guard_.reserve(balls_.capacity(), std::max(least_capacity, balls_.capacity() * contacts_per_ball));
     contacts_.reserve(layout_.size(), balls_.size());
     custom::reserve_for(table_.memory().forces, balls_.size(), contacts_per_ball);
+    custom::reserve_for(table_.memory().inside, balls_.size(), touches_per_ball);
     custom::reserve_for(table_.reported_lost(), balls_.size());
     custom::reserve_for(table_.blocked(), balls_.size());
     custom::reserve_for(record_.events, balls_.size(), events_per_ball);

@@ -44,9 +44,10 @@ bool CustomWorld::remove(BallNumber number) {
     const Ball* ball = find_ball(balls_, number);
     if (ball == nullptr) return false;
     find_contacts();
-    if (continuous_) continuous_->begin_anew();
+    interrupt();
     balls_.erase(balls_.begin() + (ball - balls_.data()));
     std::erase(table_.reported_lost(), number);
+    std::erase_if(table_.memory().inside, [&](const Sensed& sensed) { return sensed.ball == number; });
     wake_all();
     search_contacts();
     return true;
@@ -91,7 +92,7 @@ void CustomWorld::reload(auto&& how) {
 void CustomWorld::load(const State& state) {
     table_.restore(state);
     balls_ = state.balls;
-    if (continuous_) continuous_->begin_anew();
+    interrupt();
     reserve_for();
 }
 
@@ -111,7 +112,10 @@ bool CustomWorld::resume(const State& state) {
 void CustomWorld::undo_to(const Clock& before) {
     reload([&] {
         const auto origin = continuous_->kept_origin();
-        if (!origin) return table_.set_to(before, table_.parts(), 0);
+        if (!origin) {
+            table_.memory().time = before.time;
+            return table_.set_to(before, table_.parts(), 0);
+        }
         load(*origin);
         continuous_->resume(before, balls_, record_);
     });

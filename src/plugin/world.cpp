@@ -188,7 +188,7 @@ State PluginWorld::save() const {
     try {
         std::string bytes = engine_bytes();
         if (!bytes.empty())
-            state.memory = {plugin_.name, time(), {}, fingerprint(state.balls) + std::move(bytes)};
+            state.memory = {plugin_.name, time(), {}, {}, fingerprint(state.balls) + std::move(bytes)};
     } catch (const Refusal&) {
         // The next step says so; until then the balls are what there is.
     }

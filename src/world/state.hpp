@@ -29,13 +29,23 @@ struct ContactForce {
     friend bool operator==(const ContactForce&, const ContactForce&) = default;
 };
 
+/// A ball in a sensor, or in a gate that lets it through. A ball whose surface slides along that of a sensor is
+/// inside or outside by rounding alone, so its position does not tell.
+struct Sensed {
+    BallNumber ball = 0;
+    PartIndex part = 0;
+
+    friend auto operator<=>(const Sensed&, const Sensed&) = default;
+};
+
 /// What an engine keeps from step to step beside the balls: the forces from which its next solve begins (warm
-/// starting), or bytes. It counts only for that engine and only at that time, so no other need look at it or
-/// clear it.
+/// starting), which balls are inside of what, or bytes. It counts only for that engine and only at that time,
+/// so no other need look at it or clear it.
 struct EngineMemory {
     std::string engine;                ///< its name
     double time = 0;                   ///< s
     std::vector<ContactForce> forces;  ///< by b, then a
+    std::vector<Sensed> inside{};      ///< by ball, then part
     std::string bytes{};               ///< what an engine from elsewhere keeps; only it can read them
 
     friend bool operator==(const EngineMemory&, const EngineMemory&) = default;

@@ -85,10 +85,43 @@ std::string bytes_of(std::string_view digits) {
     return bytes;
 }
 
-EngineMemory read_memory(const Node& root, const std::vector<Ball>& balls) {
+bool is_gate(const Part& part) {
+    return std::holds_alternative<shape::Gate>(part.shape.is);
+}
+bool is_entered(const Part& part) {
+    return part.sensor || is_gate(part);
+}
+
+/// The names of those parts of a scene.
+std::string names_of_those(const Scene& scene, bool (*which)(const Part&)) {
+    std::vector<Part> those;
+    std::ranges::copy_if(scene.parts, std::back_inserter(those), which);
+    return names_of(those, [](const Part& part) { return part.name; });
+}
+
+std::vector<Sensed> read_inside(const Node& memory, const std::vector<Ball>& balls, const SceneNames& names) {
+    std::vector<Sensed> all;
+    for (const Node& node : memory.each("inside")) {
+        const std::string name = node.text("part");
+        const auto part = names.part(name);
+        if (!part || !is_entered(names.scene().parts[*part]))
+            node.fail("part", in_quotes(name) + " is no sensor or gate of this scene; allowed: " +
+                                  names_of_those(names.scene(), is_entered));
+        const Sensed sensed{static_cast<BallNumber>(node.integer("ball")), *part};
+        if (!std::ranges::binary_search(balls, sensed.ball, {}, &Ball::number))
+            node.fail("ball", "no ball has this number; allowed are balls of this state");
+        if (!all.empty() && sensed <= all.back())
+            node.fail("is not above the pair before it; allowed are pairs by ball, then part");
+        all.push_back(sensed);
+    }
+    return all;
+}
+
+EngineMemory read_memory(const Node& root, const std::vector<Ball>& balls, const SceneNames& names) {
     if (!root.has("memory")) return {};
     const Node memory = root.at("memory");
-    EngineMemory read{memory.text("engine"), memory.real("time"), {}, bytes_of(memory.text("bytes"))};
+    EngineMemory read{memory.text("engine"), memory.real("time"), {}, read_inside(memory, balls, names),
+                      bytes_of(memory.text("bytes"))};
     for (const Node& node : memory.each("forces")) {
         const ContactForce force{static_cast<BallNumber>(node.integer("a")),
                                  static_cast<BallNumber>(node.integer("b")), node.real("normal"),
@@ -106,21 +139,14 @@ EngineMemory read_memory(const Node& root, const std::vector<Ball>& balls) {
     return read;
 }
 
-std::string gates_of(const Scene& scene) {
-    std::vector<Part> gates;
-    for (const Part& part : scene.parts)
-        if (std::holds_alternative<shape::Gate>(part.shape.is)) gates.push_back(part);
-    return names_of(gates, [](const Part& part) { return part.name; });
-}
-
 std::vector<Blocked> read_blocked(const Node& root, const State& state, const SceneNames& names) {
     std::vector<Blocked> all;
     for (const Node& node : root.each("blocked")) {
         const std::string name = node.text("gate");
         const auto part = names.part(name);
-        if (!part || !std::holds_alternative<shape::Gate>(names.scene().parts[*part].shape.is))
-            node.fail("gate",
-                      in_quotes(name) + " is no gate of this scene; allowed: " + gates_of(names.scene()));
+        if (!part || !is_gate(names.scene().parts[*part]))
+            node.fail("gate", in_quotes(name) + " is no gate of this scene; allowed: " +
+                                  names_of_those(names.scene(), is_gate));
         const Blocked blocked{*part, static_cast<BallNumber>(node.integer("ball"))};
         if (state.parts[blocked.gate].open) node.fail("gate", "is open; allowed are closed gates");
         if (!std::ranges::binary_search(state.balls, blocked.ball, {}, &Ball::number))
@@ -154,12 +180,14 @@ Json document_of(const State& state, const Scene& scene) {
     for (const control::Launch& launch : state.launches)
         json["launches"].push_back(
             {{"strength", launch.strength}, {"count", launch.count}, {"size", launch.size}});
-    if (const EngineMemory& memory = state.memory; !memory.forces.empty() || !memory.bytes.empty()) {
+    if (const EngineMemory& memory = state.memory; !memory.forces.empty() || !memory.inside.empty() || !memory.bytes.empty()) {
         json["memory"] = {{"engine", memory.engine}, {"time", memory.time}, {"forces", Json::array()}};
         if (!memory.bytes.empty()) json["memory"]["bytes"] = hex(memory.bytes);
         for (const ContactForce& f : memory.forces)
             json["memory"]["forces"].push_back(
                 {{"a", f.a}, {"b", f.b}, {"normal", f.normal}, {"tangent", f.tangent}});
+        for (const Sensed& s : memory.inside)
+            json["memory"]["inside"].push_back({{"ball", s.ball}, {"part", scene.parts[s.part].name}});
     }
     for (const Blocked& b : state.blocked)
         json["blocked"].push_back({{"gate", scene.parts[b.gate].name}, {"ball", b.ball}});
@@ -176,7 +204,7 @@ State read_state(const Node& root, const SceneNames& names) {
     state.clock = read_clock(root);
     state.next_number = static_cast<BallNumber>(root.integer("next_number"));
     state.balls = read_balls(root, names);
-    state.memory = read_memory(root, state.balls);
+    state.memory = read_memory(root, state.balls, names);
     state.parts = read_parts(root, names);
     state.blocked = read_blocked(root, state, names);
     for (const Node& side : root.each("raised")) state.raised[side.json() == side_names[0] ? 0 : 1] = true;

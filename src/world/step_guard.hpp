@@ -21,6 +21,7 @@ class StepGuard {
     void reserve(std::size_t balls, std::size_t forces) {
         before_.balls.reserve(balls);
         before_.memory.forces.reserve(forces);
+        before_.memory.inside.reserve(balls);
         before_.reported_lost.reserve(balls);
         before_.blocked.reserve(balls);
     }

@@ -44,7 +44,10 @@ State a_state(double number) {
     state.rotating = true;
     state.launches = {{1.0 / 3, 5, 2}, {0, 1, 1}};
     state.reported_lost = {4'294'967'294};
-    state.memory = {"custom", state.clock.time, {{2, 4'294'967'294, 1 / (1 + std::abs(number)), -number}}};
+    state.memory = {"custom",
+                    state.clock.time,
+                    {{2, 4'294'967'294, 1 / (1 + std::abs(number)), -number}},
+                    {{2, 3}, {4'294'967'294, 3}}};
     return state;
 }
 
@@ -127,6 +130,10 @@ TEST(StateFile, BadOnesAreRefusedWithTheirPlace) {
          {{"a", 2}, {"b", 4294967294}, {"normal", 1}},
          "/memory/forces/1",
          "by rising b, then a"},
+        {"/memory/inside/0/ball", 7, "/memory/inside/0/ball", "no ball has this number"},
+        {"/memory/inside/0/part", "wall", "/memory/inside/0/part",
+         "no sensor or gate of this scene; allowed: \"gate\""},
+        {"/memory/inside/1/ball", 2, "/memory/inside/1", "by ball, then part"},
         {"/origin/time", 0.5, "/origin/time", "after that of the state; allowed: up to 0.25"},
         {"/origin/origin", earlier, "/origin/origin", "allowed is one origin"},
         {"/origin/balls/0/mass", -1, "/origin/balls/0/mass", "is -1"},

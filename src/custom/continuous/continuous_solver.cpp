@@ -57,13 +57,13 @@ void ContinuousSolver::reserve(std::size_t balls) {
     // Launched balls must not allocate.
     const std::size_t most = std::bit_ceil(balls + (sim_.scene.launcher ? spare : 0));
     sim_.reserve(most);
-    gates_.reserve(most);
     predictions_.reserve(most);
     islands_.reserve(most);
     events_.reserve(most);
     for (State& start : starts_) {
         custom::reserve_for(start.balls, most);
         custom::reserve_for(start.memory.forces, most, contacts_per_ball);
+        custom::reserve_for(start.memory.inside, most, touches_per_ball);
         start.blocked.reserve(std::min(most, sim_.layout.gates().empty() ? 0 : most_near));
     }
     custom::reserve_for(awake_, most);
@@ -76,7 +76,11 @@ void ContinuousSolver::reserve(std::size_t balls) {
 void ContinuousSolver::step(double dt, std::vector<Ball>& balls, StepRecord& record) {
     sim_.record = &record;
     fell_asleep_ = false;
-    if (quiet_) return sim_.table.advance(dt);
+    if (quiet_) {
+        sim_.table.advance(dt);
+        sim_.table.memory().time = sim_.table.time();
+        return;
+    }
     Clock now = sim_.table.clock();
     now.advance(dt);
     advance_to(now, balls);
@@ -110,13 +114,16 @@ void ContinuousSolver::advance_to(const Clock& now, std::vector<Ball>& balls) {
 
 /// Begins a window at the table's time.
 void ContinuousSolver::begin(const std::vector<Ball>& balls) {
-    if (!balls_known_) gates_.find_sensed(balls);
-    balls_known_ = true;
     if (!contacts_known_) contacts_.search(sim_.layout, sim_.table, balls, broad_);
     contacts_known_ = true;
     choose_end();
     EngineMemory& memory = sim_.table.memory();
-    if (memory.engine != engine_name || memory.time != sim_.start) memory.forces.clear();
+    if (memory.engine != engine_name || memory.time != sim_.start) {
+        memory.forces.clear();
+        gates_.find_sensed(balls);
+    }
+    memory.engine = engine_name;
+    memory.time = sim_.start;
     events_.clear();
     sim_.search_steps = 0;
     paths_started_ = sim_.any_in_island = false;
@@ -134,6 +141,7 @@ void ContinuousSolver::begin(const std::vector<Ball>& balls) {
     quiet_ = std::ranges::all_of(sim_.balls, &Ball::asleep) &&
              std::ranges::all_of(sim_.turnings, [](const Turning& turning) { return turning.still(); });
     in_window_ = !quiet_;
+    if (quiet_) memory.forces.clear();
 }
 
 /// Ends the window at the next point of the grid, and chooses when to watch which balls are at rest.

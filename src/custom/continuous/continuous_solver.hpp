@@ -41,8 +41,6 @@ class ContinuousSolver {
     void step(double dt, std::vector<Ball>& balls, StepRecord& record);
     /// Ends the window here, after something outside the solver has changed balls or parts, or added balls.
     void interrupt() { in_window_ = quiet_ = contacts_known_ = false; }
-    /// The same after balls were removed or replaced; clears all that the solver holds of them.
-    void begin_anew() { interrupt(), balls_known_ = false; }
     /// Whether nothing moves until interrupt(): all balls sleep and no part moves.
     [[nodiscard]] bool quiet() const { return quiet_; }
     /// Whether a ball fell asleep in the last step.
@@ -99,7 +97,6 @@ class ContinuousSolver {
     double read_at_ = 0;          ///< time of the last read(), s
 
     // Kept from window to window.
-    bool balls_known_ = false;            ///< there is data on the balls from the previous window
     bool contacts_known_ = false;         ///< contacts_ is up to date
     TouchList contacts_{sleep_distance};  ///< at the start of the window
     bool fell_asleep_ = false;

@@ -281,7 +281,7 @@ void Events::lose(BallIndex i, double time) {
     predictions_.forget(i);
     std::erase_if(sim_.table.blocked(), [&](const Blocked& blocked) { return blocked.ball == ball.number; });
     while (!gates_.around(ball.number).empty())
-        enter_or_leave(i, gates_.around(ball.number).front().sensor, time);
+        enter_or_leave(i, gates_.around(ball.number).front().part, time);
 }
 
 /// Handles a ball that enters or leaves a sensor, or leaves a gate.

@@ -15,8 +15,8 @@ namespace {
 constexpr double sense_gap = gate_clearance;
 /// Radii: least distance that a ball moves between two evaluations of its distance from a sensor.
 constexpr double sense_step = 1e-2;
-/// Limit on these evaluations. A ball that rolls along the border of a sensor needs some hundred, one beside a
-/// sensor that turns fast may need more than that; then it moves further between two of them.
+/// Limit on these evaluations. A ball that rolls along the border of a sensor needs some hundred, one beside
+/// a sensor that turns fast may need more than that; then it moves further between two of them.
 constexpr double most_steps = 100'000;
 
 }  // namespace
@@ -30,32 +30,29 @@ Gates::Gates(Simulation& sim) : sim_(sim), primitives_(sim.scene.parts.size()) {
     near_.reserve(sim.layout.size());
 }
 
-void Gates::reserve(std::size_t balls) {
-    reserve_for(inside_, balls, touches_per_ball);
-}
-
 void Gates::find_sensed(std::span<const Ball> balls) {
-    inside_.clear();
+    list().clear();
     for (PartIndex part = 0; part < primitives_.size(); ++part) {
         if (!sim_.scene.parts[part].sensor) continue;
         for (const Ball& ball : balls)
             if (layers_meet(ball, sim_.scene.parts[part]) &&
-                distance_to(part, ball.position, ball.radius, sim_.table.pose(part)) <= 0)
+                distance_to(part, ball.position, ball.radius, sim_.table.pose(part)) <=
+                    gap_rounding(ball.position, ball.radius))
                 set_inside(ball.number, part, true);
     }
 }
 
 bool Gates::inside(BallNumber ball, PartIndex part) const {
-    return std::ranges::binary_search(inside_, Sensed{ball, part});
+    return std::ranges::binary_search(list(), Sensed{ball, part});
 }
 
 bool Gates::any_inside(PartIndex part) const {
-    return std::ranges::any_of(inside_, [&](const Sensed& sensed) { return sensed.sensor == part; });
+    return std::ranges::any_of(list(), [&](const Sensed& sensed) { return sensed.part == part; });
 }
 
 std::span<const Sensed> Gates::around(BallNumber ball) const {
-    const auto first = std::ranges::lower_bound(inside_, ball, {}, &Sensed::ball);
-    return {first, std::ranges::upper_bound(first, inside_.end(), ball, {}, &Sensed::ball)};
+    const auto first = std::ranges::lower_bound(list(), ball, {}, &Sensed::ball);
+    return {first, std::ranges::upper_bound(first, list().end(), ball, {}, &Sensed::ball)};
 }
 
 /// Distance of a ball's surface from a sensor or gate, m; negative inside.
@@ -119,18 +116,18 @@ double Gates::sense_time(PartIndex part, const Ball& ball, const Path& path, dou
                          bool inside) const {
     const Turning& turning = sim_.turnings[part];
     const double own = path.max_speed(sim_.end), w = std::abs(turning.rate);
-    const double out = std::max(sense_gap * ball.radius, 4 * gap_rounding(ball.position, ball.radius));
+    const double rounding = gap_rounding(ball.position, ball.radius);
+    const double out = std::max(sense_gap * ball.radius, 4 * rounding);
     const auto left_at = [&](double t) {
         const double distance = distance_to(part, path.position(t), ball.radius, turning.pose(t));
-        return inside ? out - distance : distance;
+        return inside ? out - distance : distance - rounding;
     };
     const double far =
         w == 0 ? 0 : length(path.position(time) - turning.begin.pivot) + own * (sim_.end - time);
     const double speed = own + w * far;
-    const double error = std::max(gap_rounding(ball.position, ball.radius) / speed, 4 * 0x1p-53 * sim_.end);
+    const double error = std::max(rounding / speed, 4 * 0x1p-53 * sim_.end);
     double before = time, left_before = 0;
-    const double least_step =
-        std::max({sense_step * ball.radius / speed, (last - time) / most_steps, error});
+    const double least_step = std::max({sense_step * ball.radius / speed, (last - time) / most_steps, error});
     for (double t = time;; t = std::min(sim_.end, t + std::max(left_before / speed, least_step))) {
         const double left = left_at(t);
         if (left <= 0) return first_zero(left_at, before, left_before, t, left, error);

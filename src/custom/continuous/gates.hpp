@@ -15,8 +15,8 @@ class Gates {
     /// Keeps a reference to `sim`.
     explicit Gates(Simulation& sim);
 
-    void reserve(std::size_t balls);
-    /// Finds again which of these balls are inside sensors, from their positions.
+    /// Finds which of these balls are inside sensors from their positions, where the table's memory does not
+    /// tell.
     void find_sensed(std::span<const Ball> balls);
     /// Decides for each ball that overlaps a gate at the start of the window whether the gate lets it
     /// through: such a ball had no impact event with the gate.
@@ -25,9 +25,9 @@ class Gates {
     /// Whether a ball is inside a sensor, or inside a gate that lets it through.
     [[nodiscard]] bool inside(BallNumber ball, PartIndex part) const;
     void set_inside(BallNumber ball, PartIndex part, bool inside) {
-        set_listed(inside_, {ball, part}, inside);
+        set_listed(list(), {ball, part}, inside);
     }
-    [[nodiscard]] bool any_inside() const { return !inside_.empty(); }
+    [[nodiscard]] bool any_inside() const { return !list().empty(); }
     [[nodiscard]] bool any_inside(PartIndex part) const;
     /// The sensors and gates around a ball.
     [[nodiscard]] std::span<const Sensed> around(BallNumber ball) const;
@@ -47,12 +47,12 @@ class Gates {
                                     double last, bool inside) const;
 
   private:
+    [[nodiscard]] std::vector<Sensed>& list() const { return sim_.table.memory().inside; }
     void settle(PartIndex part);
     [[nodiscard]] double distance_to(PartIndex part, Vec2 center, double radius, const Pose& pose) const;
 
     Simulation& sim_;
     std::vector<std::vector<PrimitiveIndex>> primitives_;  ///< per part, of sensors and gates only
-    std::vector<Sensed> inside_;                           ///< sorted
     std::vector<PrimitiveIndex> near_;                     ///< buffer of primitives_near()
 };
 

@@ -154,7 +154,7 @@ void Predictions::predict_sensors(BallIndex i, double time, std::span<const Feat
         offer(i, gates_.sense_time(part, ball, particle.motion.path, time, last, inside), EventType::sensor,
               part);
     };
-    for (const Sensed& around : gates_.around(ball.number)) predict_sensor(around.sensor, true);
+    for (const Sensed& around : gates_.around(ball.number)) predict_sensor(around.part, true);
     for (const Blocked& blocked : sim_.table.blocked())
         if (blocked.ball == ball.number) predict_sensor(blocked.gate, true);
     PartIndex sensed = ~0U;

@@ -2,6 +2,7 @@
 
 #include "custom/scenes.hpp"
 #include "gate_checks.hpp"
+#include "world/state_file.hpp"
 
 namespace flipside::custom::test {
 namespace {
@@ -32,7 +33,8 @@ TEST(Gates, DecideForBallsThatStartInThem) {
     flipside::test::expect_a_start_in_a_gate_to_be_decided(sleepless);
 }
 
-// The bound on the speed of its surface, 5,000 m/s, asks for more than 100,000 steps to the end of the window.
+// The bound on the speed of its surface, 5,000 m/s, asks for more than 100,000 steps to the end of the
+// window.
 TEST(Sensors, ThatTurnFastAreStillEntered) {
     Scene scene = empty_scene({0, -9.81});
     add_part(scene, segment({-1, 0}, {1, 0}));
@@ -52,6 +54,49 @@ TEST(Sensors, ThatTurnFastAreStillEntered) {
     world->apply(control::Nudge{{0, 1}});
     world->step(1.0 / 60);
     EXPECT_TRUE(entered());
+}
+
+/// A ball that rolls along a slope, with a sensor flush with its surface: between 1 and 3 m of the way the
+/// ball is inside the sensor to rounding.
+Scene slope_with_flush_sensor(double angle) {
+    Scene scene = empty_scene({0, -9.81});
+    const Vec2 origin{0.3, -0.7};
+    const auto at = [&](double along, double above) { return origin + rotated({along, above}, angle); };
+    add_part(scene, segment(at(-1, 0), at(6, 0)), {"", 0.3, 0.2, 0});
+    add_part(scene, segment(at(1, 0), at(3, 0))).sensor = true;
+    add_ball(scene, at(0, 0.1), rotated({1.3, 0}, angle), 0.1);
+    return scene;
+}
+
+/// Kinds and times of the events with sensors in the steps that a world makes up to 3 s.
+std::vector<std::pair<EventKind, double>> sensed_until_the_end(World& world) {
+    std::vector<std::pair<EventKind, double>> all;
+    while (world.time() < 3) {
+        world.step(1.0 / 60);
+        for (const Event& e : world.events())
+            if (e.kind == EventKind::sensor_begin || e.kind == EventKind::sensor_end)
+                all.emplace_back(e.kind, e.time);
+    }
+    return all;
+}
+
+TEST(Sensors, ThatAreFlushWithASurfaceAreEnteredAndLeftOnceAlsoAcrossASavedState) {
+    for (int i = 0; i < 20; ++i) {
+        const Scene scene = slope_with_flush_sensor(-0.01 - 0.025 * i);
+        const auto expected = sensed_until_the_end(*sleepless(scene));
+        ASSERT_EQ(expected.size(), 2U) << i;
+        EXPECT_EQ(expected[0].first, EventKind::sensor_begin);
+        EXPECT_EQ(expected[1].first, EventKind::sensor_end);
+        const auto world = sleepless(scene);
+        while (world->time() < expected[0].second + 0.02) world->step(1.0 / 60);
+        for (; world->time() < expected[1].second - 0.04; world->step(1.0 / 60)) {
+            const auto restored = sleepless(scene);
+            restored->restore(parse_state(to_json(world->save(), scene), "state.json", scene));
+            const auto rest = sensed_until_the_end(*restored);
+            ASSERT_EQ(rest.size(), 1U) << i << " at " << world->time();
+            EXPECT_EQ(rest[0], expected[1]);
+        }
+    }
 }
 
 }  // namespace
