@@ -82,70 +82,76 @@ struct RegionBuilder {
     }
 };
 
-/// Calls visit(condition, bound) for each condition of a region; a condition takes a Motion to a Value, its
-/// second derivative is not below −bound.first nor above bound.second.
-template <class R, class Visit>
-void each_condition(const Region<R>& region, const R& radius, const Bounds<R>& bounds, const R& far,
-                    Visit&& visit) {
-    const R squared = bounds.speed * bounds.speed, a = bounds.acceleration;
-    if (const auto* polygon = std::get_if<typename Region<R>::Polygon>(&region.is)) {
-        for (const auto& plane : polygon->planes)
-            visit(
-                [&plane, &radius](const Motion<R>& m) {
-                    return Value<R>{plane.offset + plane.share * radius - dot(plane.n, m.position - plane.at),
-                                    -dot(plane.n, m.velocity)};
-                },
-                a);
-        return;
-    }
-    const auto circle = [&](const V<R>& center, const R& d, int sign) {
-        visit(
-            [&center, d, sign](const Motion<R>& m) {
-                const V<R> out = m.position - center;
-                return Value<R>{sign * (d * d - dot(out, out)) / (2 * d), -sign * dot(out, m.velocity) / d};
-            },
-            R((squared + (far + length(center)) * a) / d));
-    };
-    if (const auto* disc = std::get_if<typename Region<R>::Disc>(&region.is)) {
-        circle(disc->center, R(disc->radius + radius), 1);
-        return;
-    }
-    const Curve<R>& arc = std::get<typename Region<R>::Band>(region.is).arc;
-    circle(arc.center, R(arc.radius + radius), 1);
-    if (arc.radius > radius) circle(arc.center, R(arc.radius - radius), -1);
-    if (arc.full) return;
-    visit(
-        [&arc](const Motion<R>& m) {
-            return Value<R>{cross(arc.from, m.position - arc.center), cross(arc.from, m.velocity)};
-        },
-        a);
-    visit(
-        [&arc](const Motion<R>& m) {
-            return Value<R>{cross(m.position - arc.center, arc.to), cross(m.velocity, arc.to)};
-        },
-        a);
-}
-
 /// What all searches of one ball in one part share.
 template <class R>
 struct Search {
     const View<R>& view;
     const R& radius;
-    const R& until;
+    const R &from, &until;
     Bounds<R> bounds;
     R far, gap;  ///< m: bound on |q|; what counts as none
 
-    Search(const View<R>& v, const R& r, const R& from, const R& last)
-        : view(v), radius(r), until(last), bounds(v.bounds(from, last)) {
+    Search(const View<R>& v, const R& r, const R& first, const R& last)
+        : view(v), radius(r), from(first), until(last), bounds(v.bounds(first, last)) {
         far = length(v.at(from).position) + bounds.speed * (last - from);
         gap = 16 * epsilon<R>() * (far + r);
     }
+    /// Bound on the acceleration along a unit vector. A ball that rolls along a face has none across it,
+    /// however long it stays on the border of a sensor there.
+    [[nodiscard]] R bound_along(const V<R>& n) const {
+        if (view.turning != nullptr) return bounds.acceleration;
+        return view.path.acceleration_bound_along(n, from, until) + epsilon<R>() * bounds.acceleration;
+    }
     [[nodiscard]] Tolerance<R> tolerance() const { return {rounding_speed(bounds.speed), gap}; }
+
+    /// Calls visit(condition, bound) for each condition of a region; a condition takes a Motion to a Value,
+    /// its second derivative is not below −bound.first nor above bound.second.
+    void each_condition(const Region<R>& region, auto&& visit) const {
+        const R squared = bounds.speed * bounds.speed, a = bounds.acceleration;
+        if (const auto* polygon = std::get_if<typename Region<R>::Polygon>(&region.is)) {
+            for (const auto& plane : polygon->planes)
+                visit(
+                    [&](const Motion<R>& m) {
+                        return Value<R>{
+                            plane.offset + plane.share * radius - dot(plane.n, m.position - plane.at),
+                            -dot(plane.n, m.velocity)};
+                    },
+                    bound_along(plane.n));
+            return;
+        }
+        const auto circle = [&](const V<R>& center, const R& d, int sign) {
+            visit(
+                [&center, d, sign](const Motion<R>& m) {
+                    const V<R> out = m.position - center;
+                    return Value<R>{sign * (d * d - dot(out, out)) / (2 * d),
+                                    -sign * dot(out, m.velocity) / d};
+                },
+                R((squared + (far + length(center)) * a) / d));
+        };
+        if (const auto* disc = std::get_if<typename Region<R>::Disc>(&region.is)) {
+            circle(disc->center, R(disc->radius + radius), 1);
+            return;
+        }
+        const Curve<R>& arc = std::get<typename Region<R>::Band>(region.is).arc;
+        circle(arc.center, R(arc.radius + radius), 1);
+        if (arc.radius > radius) circle(arc.center, R(arc.radius - radius), -1);
+        if (arc.full) return;
+        visit(
+            [&arc](const Motion<R>& m) {
+                return Value<R>{cross(arc.from, m.position - arc.center), cross(arc.from, m.velocity)};
+            },
+            a);
+        visit(
+            [&arc](const Motion<R>& m) {
+                return Value<R>{cross(m.position - arc.center, arc.to), cross(m.velocity, arc.to)};
+            },
+            a);
+    }
 
     [[nodiscard]] bool holds(const Region<R>& region, const R& time) const {
         const Motion<R> now = view.at(time);
         bool all = true;
-        each_condition(region, radius, bounds, far,
+        each_condition(region,
                        [&](const auto& condition, const R&) { all = all && condition(now).value >= -gap; });
         return all;
     }
@@ -155,7 +161,7 @@ struct Search {
             waits = false;
             const Motion<R> now = view.at(time);
             R next = time;
-            each_condition(region, radius, bounds, far, [&](const auto& condition, const R& bound) {
+            each_condition(region, [&](const auto& condition, const R& bound) {
                 if (condition(now).value >= -gap) return;
                 waits = true;
                 const auto lacks = [&](const R& t) {
@@ -172,7 +178,7 @@ struct Search {
     /// First time at which a condition fails.
     [[nodiscard]] R ends(const Region<R>& region, const R& time) const {
         R first = infinity<R>();
-        each_condition(region, radius, bounds, far, [&](const auto& condition, const R& bound) {
+        each_condition(region, [&](const auto& condition, const R& bound) {
             const auto left = [&](const R& t) {
                 const Value<R> v = condition(view.at(t));
                 return Value<R>{v.value + 2 * gap, v.slope};
