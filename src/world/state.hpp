@@ -29,8 +29,8 @@ struct ContactForce {
     friend bool operator==(const ContactForce&, const ContactForce&) = default;
 };
 
-/// A ball in a sensor, or in a gate that lets it through. A ball whose surface slides along that of a sensor is
-/// inside or outside by rounding alone, so its position does not tell.
+/// A ball in a sensor, or in a gate that lets it through. A ball whose surface slides along that of a sensor
+/// is inside or outside by rounding alone, so its position does not tell.
 struct Sensed {
     BallNumber ball = 0;
     PartIndex part = 0;

@@ -120,7 +120,10 @@ std::vector<Sensed> read_inside(const Node& memory, const std::vector<Ball>& bal
 EngineMemory read_memory(const Node& root, const std::vector<Ball>& balls, const SceneNames& names) {
     if (!root.has("memory")) return {};
     const Node memory = root.at("memory");
-    EngineMemory read{memory.text("engine"), memory.real("time"), {}, read_inside(memory, balls, names),
+    EngineMemory read{memory.text("engine"),
+                      memory.real("time"),
+                      {},
+                      read_inside(memory, balls, names),
                       bytes_of(memory.text("bytes"))};
     for (const Node& node : memory.each("forces")) {
         const ContactForce force{static_cast<BallNumber>(node.integer("a")),
@@ -180,7 +183,8 @@ Json document_of(const State& state, const Scene& scene) {
     for (const control::Launch& launch : state.launches)
         json["launches"].push_back(
             {{"strength", launch.strength}, {"count", launch.count}, {"size", launch.size}});
-    if (const EngineMemory& memory = state.memory; !memory.forces.empty() || !memory.inside.empty() || !memory.bytes.empty()) {
+    if (const EngineMemory& memory = state.memory;
+        !memory.forces.empty() || !memory.inside.empty() || !memory.bytes.empty()) {
         json["memory"] = {{"engine", memory.engine}, {"time", memory.time}, {"forces", Json::array()}};
         if (!memory.bytes.empty()) json["memory"]["bytes"] = hex(memory.bytes);
         for (const ContactForce& f : memory.forces)

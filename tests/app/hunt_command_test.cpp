@@ -19,7 +19,7 @@ TEST_F(CommandLine, AHuntEndsWithItsBudget) {
     const auto rounds = std::distance(fs::directory_iterator(folder / "hunted/rounds"), {});
     EXPECT_GE(rounds, 1);
     const std::string again = "--rounds " + std::to_string(rounds);
-    EXPECT_NE(result.out.find(again + " in place of --seconds"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find(again + " --scenes 20 in place of --seconds"), std::string::npos) << result.out;
     expect_good(small_hunt + file("again") + " " + again);
     for (const char* name : {"worst.json", "rounds.csv", "plan.txt"})
         EXPECT_EQ(text_of(folder / "hunted" / name), text_of(folder / "again" / name)) << name;

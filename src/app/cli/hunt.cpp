@@ -25,8 +25,7 @@ struct HuntOptions {
     std::string contender, engine, goal = "overlap", dt = "1/60", shard = "1/1", out, replay;
     std::optional<double> seconds, length;
     std::uint64_t seed = 1;
-    std::size_t scenes = 2000;
-    std::optional<std::size_t> rounds;
+    std::optional<std::size_t> scenes, rounds;
 };
 
 lab::ContenderRequest contender_of(const HuntOptions& options) {
@@ -37,6 +36,13 @@ lab::ContenderRequest contender_of(const HuntOptions& options) {
 
 constexpr std::size_t most_rounds = 999;
 constexpr std::size_t usual_rounds = 4;
+
+/// Scenes that each round looks at. A short budget is for short rounds, since a round is whole or not made.
+std::size_t scenes_of(const HuntOptions& options) {
+    constexpr std::size_t usual = 2000, few = 100;
+    constexpr double long_budget = 600;  // s
+    return options.scenes.value_or(options.seconds.value_or(long_budget) < long_budget ? few : usual);
+}
 
 /// Of each run, s. Files of earlier hunts say --seconds where a scene is shown again, which needs no budget.
 double length_of(const HuntOptions& options) {
@@ -52,7 +58,7 @@ hunts::Request request_of(const HuntOptions& options) {
             hunts::goal_named(options.goal),
             length_of(options),
             options.seed,
-            options.scenes,
+            scenes_of(options),
             options.rounds.value_or(options.seconds ? most_rounds : usual_rounds),
             options.seconds};
 }
@@ -74,7 +80,9 @@ void print_found(const hunts::Request& request, const std::vector<hunts::Found>&
         print("%s (%zu balls, %zu parts)\n", printable(hunts::sentence(request, found.measured)).c_str(),
               found.balls, found.parts);
     print("The first is %s.\n", printable((std::filesystem::path(folder) / "worst.json").string()).c_str());
-    if (request.budget) print("--rounds %zu in place of --seconds finds the same again.\n", all.size());
+    if (request.budget)
+        print("--rounds %zu --scenes %zu in place of --seconds finds the same again.\n", all.size(),
+              request.scenes);
 }
 
 int hunt(const HuntOptions& options) {
@@ -129,10 +137,11 @@ void add_hunt(CLI::App& program, Action& chosen) {
         ->capture_default_str()
         ->type_name("H");
     command
-        .add_option("--scenes", options->scenes,
-                    "Scenes that each round looks at: half of them random, half climbing")
+        .add_option(
+            "--scenes", options->scenes,
+            "Scenes that each round looks at: half of them random, half climbing (default 2000, for a "
+            "budget below 600 s 100)")
         ->check(number_from(1, 1e7))
-        ->capture_default_str()
         ->type_name("N");
     command
         .add_option("--rounds", options->rounds,

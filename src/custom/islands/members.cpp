@@ -89,8 +89,7 @@ void Islands::solve_jammed(BallIndex first, double time) {
         const Vec2 here = sim_.particles[i].motion.path.position(time);
         sim_.cells.query_neighbours(i, [&](BallIndex j) {
             const Ball &ball = sim_.balls[i], &other = sim_.balls[j];
-            const double reach =
-                ball.radius + other.radius + resting_distance * std::min(ball.radius, other.radius);
+            const double reach = (1 + resting_distance) * (ball.radius + other.radius);
             const double apart = length(sim_.particles[j].motion.path.position(time) - here);
             if (apart <= reach && layers_meet(ball, other)) mark_jammed(j);
         });
