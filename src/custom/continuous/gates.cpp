@@ -13,11 +13,19 @@ namespace {
 
 /// Radii: a ball has left a sensor or gate when it is this far outside.
 constexpr double sense_gap = gate_clearance;
+/// Radii: a ball has entered a sensor when it is this near. Rounding lies below it, so a ball that rolls
+/// along the border of a sensor is inside; and balls that enter at one instant do so.
+constexpr double enter_gap = 1e-12;
 /// Radii: least distance that a ball moves between two evaluations of its distance from a sensor.
 constexpr double sense_step = 1e-2;
 /// Limit on these evaluations. A ball that rolls along the border of a sensor needs some hundred, one beside
 /// a sensor that turns fast may need more than that; then it moves further between two of them.
 constexpr double most_steps = 100'000;
+
+/// m: how near a sensor the ball has entered it.
+double entered_at(Vec2 center, double radius) {
+    return std::max(enter_gap * radius, gap_rounding(center, radius));
+}
 
 }  // namespace
 
@@ -37,7 +45,7 @@ void Gates::find_sensed(std::span<const Ball> balls) {
         for (const Ball& ball : balls)
             if (layers_meet(ball, sim_.scene.parts[part]) &&
                 distance_to(part, ball.position, ball.radius, sim_.table.pose(part)) <=
-                    gap_rounding(ball.position, ball.radius))
+                    entered_at(ball.position, ball.radius))
                 set_inside(ball.number, part, true);
     }
 }
@@ -118,9 +126,10 @@ double Gates::sense_time(PartIndex part, const Ball& ball, const Path& path, dou
     const double own = path.max_speed(sim_.end), w = std::abs(turning.rate);
     const double rounding = gap_rounding(ball.position, ball.radius);
     const double out = std::max(sense_gap * ball.radius, 4 * rounding);
+    const double near = entered_at(ball.position, ball.radius);
     const auto left_at = [&](double t) {
         const double distance = distance_to(part, path.position(t), ball.radius, turning.pose(t));
-        return inside ? out - distance : distance - rounding;
+        return inside ? out - distance : distance - near;
     };
     const double far =
         w == 0 ? 0 : length(path.position(time) - turning.begin.pivot) + own * (sim_.end - time);
