@@ -1,5 +1,7 @@
 #include "lab/hunt/hunt.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "app/cli/commands.hpp"
@@ -35,13 +37,23 @@ lab::ContenderRequest contender_of(const HuntOptions& options) {
 }
 
 constexpr std::size_t most_rounds = 999;
-constexpr std::size_t usual_rounds = 4;
 
-/// Scenes that each round looks at. A short budget is for short rounds, since a round is whole or not made.
+/// Scenes that each round looks at. A short budget is for short rounds.
 std::size_t scenes_of(const HuntOptions& options) {
     constexpr std::size_t usual = 2000, few = 100;
     constexpr double long_budget = 600;  // s
     return options.scenes.value_or(options.seconds.value_or(long_budget) < long_budget ? few : usual);
+}
+
+/// The rounds of a budget are those that take about so long, by the time of a scene on one core of 2.5 GHz.
+/// No clock decides, so that the same options give the same bytes.
+std::size_t rounds_of(const HuntOptions& options) {
+    constexpr std::size_t usual = 4;
+    if (options.rounds || !options.seconds) return options.rounds.value_or(usual);
+    const bool with_reference = hunts::goal_named(options.goal) == hunts::Goal::error;
+    const double each = with_reference ? 0.03 : 0.002;  // s
+    const double rounds = *options.seconds / (each * static_cast<double>(scenes_of(options)));
+    return static_cast<std::size_t>(std::clamp(std::round(rounds), 1.0, static_cast<double>(most_rounds)));
 }
 
 /// Of each run, s. Files of earlier hunts say --seconds where a scene is shown again, which needs no budget.
@@ -59,8 +71,7 @@ hunts::Request request_of(const HuntOptions& options) {
             length_of(options),
             options.seed,
             scenes_of(options),
-            options.rounds.value_or(options.seconds ? most_rounds : usual_rounds),
-            options.seconds};
+            rounds_of(options)};
 }
 
 int replay(const HuntOptions& options) {
@@ -80,9 +91,6 @@ void print_found(const hunts::Request& request, const std::vector<hunts::Found>&
         print("%s (%zu balls, %zu parts)\n", printable(hunts::sentence(request, found.measured)).c_str(),
               found.balls, found.parts);
     print("The first is %s.\n", printable((std::filesystem::path(folder) / "worst.json").string()).c_str());
-    if (request.budget)
-        print("--rounds %zu --scenes %zu in place of --seconds finds the same again.\n", all.size(),
-              request.scenes);
 }
 
 int hunt(const HuntOptions& options) {
@@ -124,12 +132,11 @@ void add_hunt(CLI::App& program, Action& chosen) {
             "or time (tests per ball and step, which take it)")
         ->capture_default_str()
         ->type_name("GOAL");
-    CLI::Option* seconds =
-        command
-            .add_option("--seconds", options->seconds,
-                        "Time for the hunt, s on the clock: as many rounds as end within it, at least one")
-            ->check(number_from(1e-3, 1e6))
-            ->type_name("BUDGET");
+    command
+        .add_option("--seconds", options->seconds,
+                    "About how long to hunt, s: in place of --rounds, as many as take that long on one core")
+        ->check(number_from(1e-3, 1e6))
+        ->type_name("BUDGET");
     command.add_option("--length", options->length, "Length of each run, s (default 1)")
         ->check(number_from(1e-3, 60))
         ->type_name("T");
@@ -145,12 +152,11 @@ void add_hunt(CLI::App& program, Action& chosen) {
         ->type_name("N");
     command
         .add_option("--rounds", options->rounds,
-                    "Rounds, each from other random scenes (default 4, with --seconds as many as fit)")
+                    "Rounds, each from other random scenes (default 4, or by --seconds)")
         ->check(number_from(1, most_rounds))
         ->type_name("N");
     command.add_option("--shard", options->shard, "Only the K-th of N parts; in any order, at the same time")
-        ->type_name("K/N")
-        ->excludes(seconds);
+        ->type_name("K/N");
     command.add_option("--seed", options->seed, "Of the scenes (default 1)")
         ->check(number_from(0, 1e12))
         ->type_name("S");

@@ -43,8 +43,8 @@ void Simulation::reserve(std::size_t most) {
     cells.reserve(most);
 }
 
-void Simulation::start_with(std::span<const Ball> now) {
-    balls.assign(now.begin(), now.end());
+void Simulation::start_with(std::span<const Ball> at_start) {
+    balls.assign(at_start.begin(), at_start.end());
     choose_tick();
     particles = std::span(pool_).first(balls.size());
     for (BallIndex i = 0; i < balls.size(); ++i) {

@@ -87,7 +87,7 @@ struct Simulation {
     /// Reserves memory for so many balls.
     void reserve(std::size_t most);
     /// Starts a window with these balls: assigns a particle to each.
-    void start_with(std::span<const Ball> now);
+    void start_with(std::span<const Ball> at_start);
 
     /// Moves a ball along its path to `time`, with its true velocity.
     void advance_to(BallIndex i, double time);

@@ -1,7 +1,6 @@
 #include "lab/hunt/hunt.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 
 #include "lab/files/csv.hpp"
@@ -37,26 +36,6 @@ void settle_plan(const fs::path& folder, const std::string& plan, const Notice& 
             "is the plan of another hunt or of another build; allowed is the same one, or an empty "
             "folder");
 }
-
-/// The time that new rounds may take.
-class Budget {
-  public:
-    explicit Budget(std::optional<double> seconds) : seconds_(seconds) {}
-    /// Without a budget `share`, which is that of the rounds.
-    [[nodiscard]] double done(double share) const {
-        const std::chrono::duration<double> spent = Clock::now() - began_;
-        return seconds_ ? std::min(1.0, spent.count() / *seconds_) : share;
-    }
-    [[nodiscard]] bool is_spent() const { return done(0) >= 1; }
-
-  private:
-    using Clock = std::chrono::steady_clock;
-    std::optional<double> seconds_;
-    Clock::time_point began_ = Clock::now();
-};
-
-/// Stops a round that the budget does not suffice for.
-struct OverBudget {};
 
 struct Round {
     fs::path file;
@@ -126,23 +105,16 @@ std::optional<std::vector<Found>> hunt(const Request& request, sweep::Shard shar
     const std::string plan = plan_of(request);
     make_folder(folder / "rounds");
     settle_plan(folder, plan, notice);
-    const Budget budget(request.budget);
-    std::size_t rounds = request.rounds;
-    for (std::size_t i = shard.index - 1; i < rounds; i += shard.count) {
+    for (std::size_t i = shard.index - 1; i < request.rounds; i += shard.count) {
         const Round round = round_in(folder, plan, i);
         if (read_round(request, round, notice)) continue;
         const auto share = [&](double done) {
-            if (i > 0 && budget.is_spent()) throw OverBudget{};
-            watch(budget.done((static_cast<double>(i) + done) / static_cast<double>(rounds)));
+            watch((static_cast<double>(i) + done) / static_cast<double>(request.rounds));
         };
-        try {
-            write_data_file(round.file, round.origin, hunt_round(request, i, share).text + "\n");
-        } catch (const OverBudget&) {
-            rounds = i;
-        }
+        write_data_file(round.file, round.origin, hunt_round(request, i, share).text + "\n");
     }
     std::vector<Found> all;
-    for (std::size_t i = 0; i < rounds; ++i) {
+    for (std::size_t i = 0; i < request.rounds; ++i) {
         auto found = read_round(request, round_in(folder, plan, i), notice);
         if (!found) return std::nullopt;
         all.push_back(std::move(*found));

@@ -7,8 +7,7 @@
 ///     rounds.csv        a row per round: how bad, when, what
 ///
 /// Rounds may be made in any order, by any number of processes at once; what is finished is not made again,
-/// and what is damaged is. The same request gives the same bytes, however it was split up. With a budget of
-/// time a slower computer makes fewer rounds, each of them with the same bytes.
+/// and what is damaged is. The same request gives the same bytes, however it was split up.
 
 #include <filesystem>
 #include <optional>
@@ -29,9 +28,8 @@ namespace flipside::lab::hunt {
 [[nodiscard]] std::string sentence(const Request& request, const Measured& measured);
 
 /// Makes what is missing of the shard's rounds. Then, where all rounds are there, writes worst.json and
-/// rounds.csv and returns them, the worst first. A budget is for one shard that is all; then the rounds
-/// before the first that is missing are all. Throws InputError where the folder holds another hunt. `watch`
-/// is told the share done, and may throw to stop.
+/// rounds.csv and returns them, the worst first. Throws InputError where the folder holds another hunt.
+/// `watch` is told the share done, and may throw to stop.
 [[nodiscard]] std::optional<std::vector<Found>> hunt(const Request& request, sweep::Shard shard,
                                                      const std::filesystem::path& folder,
                                                      const std::function<void(double)>& watch,

@@ -3,7 +3,6 @@
 /// round depends on its request and its number alone, so rounds can be made in any order, anywhere.
 
 #include <functional>
-#include <optional>
 
 #include "lab/hunt/goal.hpp"
 
@@ -17,9 +16,6 @@ struct Request {
     std::uint64_t seed = 1;
     std::size_t scenes = 2000;  ///< that each round looks at, shrinking apart
     std::size_t rounds = 4;
-    /// s on the clock: no round after the first goes on for longer. What a round finds does not depend on it,
-    /// only how many there are.
-    std::optional<double> budget{};
 };
 
 struct Found {

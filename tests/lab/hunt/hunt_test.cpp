@@ -73,25 +73,6 @@ TEST_F(Hunt, GoesOnForMoreRoundsWhereItEnded) {
     EXPECT_EQ(fs::last_write_time(folder / "later/rounds/001.txt"), first_written);
 }
 
-TEST_F(Hunt, EndsWithItsBudgetAndFindsTheSameAsSoManyRounds) {
-    Request request = request_for(Goal::overlap, "a=box2d");
-    request.rounds = 1;
-    static_cast<void>(hunt_in("whole", request));
-    request.rounds = 100;
-    request.budget = 1e-9;  // s
-    ASSERT_EQ(hunt_in("short", request)->size(), 1U);
-    EXPECT_FALSE(fs::exists(folder / "short/rounds/002.txt"));
-    for (const char* file : {"worst.json", "rounds.csv", "plan.txt", "rounds/001.txt"})
-        EXPECT_EQ(text(std::string("whole/") + file), text(std::string("short/") + file)) << file;
-    // What is there already takes nothing of the budget, and it goes on after that.
-    request.budget = 1000;
-    request.rounds = 2;
-    EXPECT_EQ(hunt_in("short", request)->size(), 2U);
-    request.budget = 1e-9;
-    request.rounds = 100;
-    EXPECT_EQ(hunt_in("short", request)->size(), 2U);
-}
-
 TEST_F(Hunt, MakesWhatIsDamagedAgainAndNothingElse) {
     const Request request = request_for(Goal::energy, "a=box2d");
     static_cast<void>(hunt_in("one", request));
