@@ -198,7 +198,8 @@ void TouchList::wake_unheld(std::span<Ball> balls, Vec2 gravity) const {
     while (!to_follow.empty()) {
         const std::size_t holder = to_follow.back();
         to_follow.pop_back();
-        for (const Hold& one : std::ranges::equal_range(holds, holder, {}, &Hold::holder)) hold(one.held);
+        const auto first = std::ranges::lower_bound(holds, holder, {}, &Hold::holder);
+        for (auto one = first; one != holds.end() && one->holder == holder; ++one) hold(one->held);
     }
     for (std::size_t i = 0; i < balls.size(); ++i)
         if (is_held[i] == 0) balls[i].asleep = false;
