@@ -112,10 +112,7 @@ bool CustomWorld::resume(const State& state) {
 void CustomWorld::undo_to(const Clock& before) {
     reload([&] {
         const auto origin = continuous_->kept_origin();
-        if (!origin) {
-            table_.memory().time = before.time;
-            return table_.set_to(before, table_.parts(), 0);
-        }
+        if (!origin) return table_.set_to(before, table_.parts(), 0);
         load(*origin);
         continuous_->resume(before, balls_, record_);
     });

@@ -105,7 +105,7 @@ struct Search {
     [[nodiscard]] Tolerance<R> tolerance() const { return {rounding_speed(bounds.speed), gap}; }
 
     /// Calls visit(condition, bound) for each condition of a region; a condition takes a Motion to a Value,
-    /// its second derivative is not below −bound.first nor above bound.second.
+    /// whose second derivative is at most `bound` in size.
     void each_condition(const Region<R>& region, auto&& visit) const {
         const R squared = bounds.speed * bounds.speed, a = bounds.acceleration;
         if (const auto* polygon = std::get_if<typename Region<R>::Polygon>(&region.is)) {

@@ -4,6 +4,7 @@
 
 #include "world/ball_json.hpp"
 #include "world/schema.hpp"
+#include "world/surface.hpp"
 #include "world/table.hpp"
 
 namespace flipside {
@@ -35,11 +36,17 @@ std::vector<Ball> read_balls(const Node& root, const SceneNames& names) {
     return balls;
 }
 
+BallNumber number_of_ball(const Node& node, const char* key, const std::vector<Ball>& balls) {
+    const auto number = static_cast<BallNumber>(node.integer(key));
+    if (!std::ranges::binary_search(balls, number, {}, &Ball::number))
+        node.fail(key, "no ball has this number; allowed are balls of this state");
+    return number;
+}
+
 PartState read_part(const Node& node, const Part& part) {
     const PartState state{node.real("angle", 0), node.toggle("open"), node.toggle("down")};
     if (state.angle != 0 && !Table::moves(part)) node.fail("angle", "this part does not move; allowed: 0");
-    if (state.open && !std::holds_alternative<shape::Gate>(part.shape.is))
-        node.fail("open", "this part is no gate; allowed: false");
+    if (state.open && gate_of(part) == nullptr) node.fail("open", "this part is no gate; allowed: false");
     if (state.down && !part.target) node.fail("down", "this part is no drop target; allowed: false");
     if (const auto* flip = std::get_if<motion::Flip>(&part.motion)) {
         const double full = flip->raised - std::get<shape::Flipper>(part.shape.is).rest;
@@ -86,7 +93,7 @@ std::string bytes_of(std::string_view digits) {
 }
 
 bool is_gate(const Part& part) {
-    return std::holds_alternative<shape::Gate>(part.shape.is);
+    return gate_of(part) != nullptr;
 }
 bool is_entered(const Part& part) {
     return part.sensor || is_gate(part);
@@ -107,9 +114,7 @@ std::vector<Sensed> read_inside(const Node& memory, const std::vector<Ball>& bal
         if (!part || !is_entered(names.scene().parts[*part]))
             node.fail("part", in_quotes(name) + " is no sensor or gate of this scene; allowed: " +
                                   names_of_those(names.scene(), is_entered));
-        const Sensed sensed{static_cast<BallNumber>(node.integer("ball")), *part};
-        if (!std::ranges::binary_search(balls, sensed.ball, {}, &Ball::number))
-            node.fail("ball", "no ball has this number; allowed are balls of this state");
+        const Sensed sensed{number_of_ball(node, "ball", balls), *part};
         if (!all.empty() && sensed <= all.back())
             node.fail("is not above the pair before it; allowed are pairs by ball, then part");
         all.push_back(sensed);
@@ -126,13 +131,8 @@ EngineMemory read_memory(const Node& root, const std::vector<Ball>& balls, const
                       read_inside(memory, balls, names),
                       bytes_of(memory.text("bytes"))};
     for (const Node& node : memory.each("forces")) {
-        const ContactForce force{static_cast<BallNumber>(node.integer("a")),
-                                 static_cast<BallNumber>(node.integer("b")), node.real("normal"),
-                                 node.real("tangent", 0)};
-        for (const char* key : {"a", "b"})
-            if (!std::ranges::binary_search(balls, static_cast<BallNumber>(node.integer(key)), {},
-                                            &Ball::number))
-                node.fail(key, "no ball has this number; allowed are balls of this state");
+        const ContactForce force{number_of_ball(node, "a", balls), number_of_ball(node, "b", balls),
+                                 node.real("normal"), node.real("tangent", 0)};
         const auto rank = [](const ContactForce& f) { return std::pair(f.b, f.a); };
         if (force.a >= force.b) node.fail("b", "is not above a; allowed are rising numbers");
         if (!read.forces.empty() && rank(force) <= rank(read.forces.back()))
@@ -150,10 +150,8 @@ std::vector<Blocked> read_blocked(const Node& root, const State& state, const Sc
         if (!part || !is_gate(names.scene().parts[*part]))
             node.fail("gate", in_quotes(name) + " is no gate of this scene; allowed: " +
                                   names_of_those(names.scene(), is_gate));
-        const Blocked blocked{*part, static_cast<BallNumber>(node.integer("ball"))};
-        if (state.parts[blocked.gate].open) node.fail("gate", "is open; allowed are closed gates");
-        if (!std::ranges::binary_search(state.balls, blocked.ball, {}, &Ball::number))
-            node.fail("ball", "no ball has this number; allowed are balls of this state");
+        if (state.parts[*part].open) node.fail("gate", "is open; allowed are closed gates");
+        const Blocked blocked{*part, number_of_ball(node, "ball", state.balls)};
         if (!all.empty() && blocked <= all.back())
             node.fail("is not above the pair before it; allowed are pairs by gate, then ball");
         all.push_back(blocked);

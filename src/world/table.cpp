@@ -98,6 +98,7 @@ void Table::set_to(const Clock& clock, std::span<const PartState> start, double 
         state_.parts[i].angle = turning(i, ahead).pose.angle;
     }
     state_.clock = clock;
+    state_.memory.time = clock.time;
 }
 
 std::optional<Table::Launched> Table::launch(std::span<const Ball> balls) {

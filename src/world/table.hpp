@@ -70,7 +70,8 @@ class Table {
     [[nodiscard]] std::span<const PartIndex> moving_parts() const { return moving_; }
     /// Moves the clock and the parts.
     void advance(double dt);
-    /// Sets the clock, and the parts as they are `ahead` seconds after `start` if no control changes.
+    /// Sets the clock, and the parts as they are `ahead` seconds after `start` if no control changes. What
+    /// the engine keeps counts at that time.
     void set_to(const Clock& clock, std::span<const PartState> start, double ahead);
 
     void set_open(PartIndex gate, bool open) { state_.parts[gate].open = open; }

@@ -76,11 +76,6 @@ void ContinuousSolver::reserve(std::size_t balls) {
 void ContinuousSolver::step(double dt, std::vector<Ball>& balls, StepRecord& record) {
     sim_.record = &record;
     fell_asleep_ = false;
-    if (quiet_) {
-        sim_.table.advance(dt);
-        sim_.table.memory().time = sim_.table.time();
-        return;
-    }
     Clock now = sim_.table.clock();
     now.advance(dt);
     advance_to(now, balls);
@@ -91,15 +86,13 @@ void ContinuousSolver::step(double dt, std::vector<Ball>& balls, StepRecord& rec
 void ContinuousSolver::advance_to(const Clock& now, std::vector<Ball>& balls) {
     sim_.now = now.time;
     for (;;) {
-        if (!in_window_) begin(balls);
-        if (quiet_) return sim_.table.set_to(now, start().parts, now.time - sim_.start);
+        if (!in_window_ && !quiet_) begin(balls);
+        if (quiet_) return sim_.table.set_to(now, sim_.table.parts(), 0);
         const double stop = watched_ ? end_on_clock_ : watch_at_;
         const Clock here = stop < now.time ? Clock{stop, 0} : now;
         const double ahead = here.time - sim_.start;
         run(ahead);
         sim_.table.set_to(here, start().parts, ahead);
-        sim_.table.memory().engine = engine_name;
-        sim_.table.memory().time = here.time;
         if (here.time < stop) return read(ahead, balls);
         if (watched_) {
             end(balls);

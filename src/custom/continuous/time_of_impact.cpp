@@ -134,11 +134,11 @@ double search(MovingAt&& moving, GapOf&& gap_of, double radius, double rounding,
         }
         if (step >= sure_steps) h = std::max(h, (t1 - t) / (all_steps - step));
         double next = t + h;
-        if (!(next <= t1)) return never_touch;
         if (next <= t) {
             if (gap.outside <= 0) return gap.slope < 0 ? t : never_touch;
             next = std::nextafter(t, INFINITY);  // it is not between the ends of the curve yet
         }
+        if (!(next <= t1)) return never_touch;
         t = next;
     }
     return never_touch;  // the whole interval has been searched

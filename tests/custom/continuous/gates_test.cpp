@@ -56,6 +56,19 @@ TEST(Sensors, ThatTurnFastAreStillEntered) {
     EXPECT_TRUE(entered());
 }
 
+TEST(Sensors, AreRememberedWhileAllSleep) {
+    Scene scene = empty_scene({0, -9.81});
+    add_part(scene, segment({-1, 0}, {1, 0}));
+    add_part(scene, segment({-0.5, 0}, {0.5, 0})).sensor = true;
+    add_ball(scene, {0, 0.1});
+    const auto world = make_world(scene, {{"solver", "continuous"}});
+    for (int step = 0; step < 60; ++step) {
+        world->step(1.0 / 60);
+        EXPECT_EQ(world->save().memory.inside.size(), 1U) << step;
+    }
+    EXPECT_TRUE(world->balls()[0].asleep);
+}
+
 /// A ball that rolls along a slope, with a sensor flush with its surface: between 1 and 3 m of the way the
 /// ball is inside the sensor to rounding.
 Scene slope_with_flush_sensor(double angle) {

@@ -4,18 +4,11 @@
 
 #include "lab/contenders/contender.hpp"
 #include "lab/contenders/engines.hpp"
+#include "lab/recommending.hpp"
 #include "world/input_error.hpp"
-#include "world/scene_file.hpp"
 
 namespace flipside::lab {
 namespace {
-
-Scene recommending(const std::string& json) {
-    return parse_scene(
-        R"({"format": "flipside-scene/1", "bounds": {"min": [0, 0], "max": [1, 1]}, "recommend": )" + json +
-            "}",
-        "my.json");
-}
 
 TEST(KnownEngines, MayBeRecommendedSettings) {
     EXPECT_NO_THROW(require_known_engines(
