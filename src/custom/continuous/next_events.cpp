@@ -73,6 +73,7 @@ void Predictions::predict_with(BallIndex i, double time, auto&& each_other) {
     Particle& particle = sim_.particles[i];
     particle.next = EventType::none;
     particle.next_time = sim_.after_end;
+    if (particle.frozen) sim_.near[i] = {INFINITY, -INFINITY, true};  // nothing is predicted of it
     if (sim_.hot[i].lost || sim_.balls[i].asleep || particle.frozen) return queue_.set(i, INFINITY, 0);
     if (!particle.on_tick_path) offer(i, particle.motion.until, EventType::path_end);
     predict_loss(i, time);

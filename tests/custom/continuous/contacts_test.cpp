@@ -56,5 +56,21 @@ RC_GTEST_PROP(Contacts, AreThoseOfASearchOfAllBalls, ()) {
     }
 }
 
+// Its impacts on both walls have no end, so it is frozen from tick to tick, and nothing is predicted of it.
+TEST(Contacts, OfABallThatIsJammedInAWedgeAreFound) {
+    Scene scene = empty_scene();
+    scene.rest_speed = 0;
+    const Material dead{"", 0, 0.6, 0};
+    add_part(scene, segment({0, 0}, {1, 0.2}), dead);
+    add_part(scene, segment({0, 0}, {1, -0.3}), dead);
+    add_ball(scene, {0.5, 0}, {-1, 0.5}, 0.05);
+    const auto world = make_world(scene, {{"sleep", "off"}});
+    for (int step = 0; step < 30; ++step) world->step(1.0 / 60);  // it has come to rest
+    for (int step = 0; step < 30; ++step) {
+        world->step(1.0 / 60);
+        EXPECT_EQ(world->contacts().size(), 2U) << step;
+    }
+}
+
 }  // namespace
 }  // namespace flipside::custom::test
