@@ -63,6 +63,10 @@ void Box2dWorld::build() {
     }
     for (const Ball& ball : balls_) add_body(ball);
     find_pairs();
+    // What touches already does not begin to do so in the next step.
+    look();
+    on_sensors_ = touching_.sensors;
+    held_ = touching_.contacts;
 }
 
 void Box2dWorld::add_part(PartIndex part) {
@@ -181,10 +185,6 @@ void Box2dWorld::restore(const State& state) {
     balls_ = state.balls;
     events_.clear();
     build();
-    // What touches already did not begin to do so now.
-    look();
-    on_sensors_ = touching_.sensors;
-    held_ = touching_.contacts;
 }
 
 }  // namespace flipside::box2d

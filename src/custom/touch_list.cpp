@@ -137,6 +137,10 @@ void TouchList::report_touches(double time, std::vector<Event>& events) const {
     each_missing(before_, now_, key, ended);
 }
 
+void TouchList::leave_sensors(BallNumber ball) {
+    std::erase_if(sensed_, [&](const Sensed& sensed) { return sensed.ball == ball; });
+}
+
 void TouchList::wake_unsupported(std::span<Ball> balls, Vec2 gravity) {
     woken_.assign(balls.size(), 0);
     bool any = false;

@@ -30,6 +30,9 @@ class TouchList {
     /// The same for overlaps with sensors. `crossed`: those in between (used as a buffer).
     void report_sensors(double time, std::vector<Sensed>& crossed, std::vector<Event>& events) const;
 
+    /// Forgets in which sensors a ball is: one that has just been added enters them in the next step.
+    void leave_sensors(BallNumber ball);
+
     /// Wakes the sleeping balls that lost a support between the last two searches, and all that they touch
     /// through sleeping balls: what was in equilibrium with that support may not be without it. A support is
     /// any contact but one from above.

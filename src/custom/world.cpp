@@ -24,6 +24,7 @@ CustomWorld::CustomWorld(std::shared_ptr<const Scene> scene, const Settings& set
         simple_ = std::make_unique<SimpleSolver>(*scene_, layout_, settings_);
     else
         continuous_ = std::make_unique<ContinuousSolver>(table_, layout_, *broad_, settings_);
+    if (continuous_) continuous_->load(balls_);
     reserve_for();
     search_contacts();
     fill_statistics(0);

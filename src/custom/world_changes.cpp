@@ -37,6 +37,7 @@ BallNumber CustomWorld::add(const Ball& ball) {
     balls_.back().number = table_.new_number();
     reserve_for();
     search_contacts();
+    contacts_.leave_sensors(balls_.back().number);
     return balls_.back().number;
 }
 
@@ -92,7 +93,8 @@ void CustomWorld::reload(auto&& how) {
 void CustomWorld::load(const State& state) {
     table_.restore(state);
     balls_ = state.balls;
-    interrupt();
+    contacts_last_ = false;
+    if (continuous_) continuous_->load(balls_);
     reserve_for();
 }
 

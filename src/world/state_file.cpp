@@ -181,8 +181,7 @@ Json document_of(const State& state, const Scene& scene) {
     for (const control::Launch& launch : state.launches)
         json["launches"].push_back(
             {{"strength", launch.strength}, {"count", launch.count}, {"size", launch.size}});
-    if (const EngineMemory& memory = state.memory;
-        !memory.forces.empty() || !memory.inside.empty() || !memory.bytes.empty()) {
+    if (const EngineMemory& memory = state.memory; !memory.engine.empty()) {
         json["memory"] = {{"engine", memory.engine}, {"time", memory.time}, {"forces", Json::array()}};
         if (!memory.bytes.empty()) json["memory"]["bytes"] = hex(memory.bytes);
         for (const ContactForce& f : memory.forces)

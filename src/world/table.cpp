@@ -157,7 +157,6 @@ void Table::forget_gone(State& state) {
     if (memory.time != state.clock.time) memory = {};
     std::erase_if(memory.forces, [&](const ContactForce& f) { return gone(f.a) || gone(f.b); });
     std::erase_if(memory.inside, [&](const Sensed& sensed) { return gone(sensed.ball); });
-    if (memory.forces.empty() && memory.inside.empty() && memory.bytes.empty()) memory = {};
 }
 
 void Table::restore(const State& state) {

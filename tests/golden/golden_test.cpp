@@ -39,13 +39,13 @@ struct Golden {
 /// Rain has 320 balls. After 76 steps some are in resting contact with each other, which the reference
 /// refuses.
 constexpr Golden golden[] = {
-    {"bowl", "continuous", 600, 0x60b67480},    {"bowl", "reference", 600, 0xe08160d3},
-    {"box", "continuous", 600, 0xd0e52d1a},     {"box", "reference", 600, 0x02ec3582},
-    {"cradle", "continuous", 600, 0x424b396a},  {"cradle", "reference", 600, 0xbb6781c8},
-    {"drop", "continuous", 600, 0xbd31fdf1},    {"drop", "reference", 600, 0x60c3acdc},
-    {"pinball", "continuous", 600, 0x8770ae16}, {"pinball", "reference", 600, 0xd1e8db32},
-    {"rain", "continuous", 120, 0xf5e9feea},    {"rain", "reference", 60, 0x0bb4f183},
-    {"toy", "continuous", 600, 0x35e8b71f},     {"toy", "reference", 600, 0xe248d956},
+    {"bowl", "continuous", 600, 0x5ead033c},    {"bowl", "reference", 600, 0xe08160d3},
+    {"box", "continuous", 600, 0x1428833d},     {"box", "reference", 600, 0x02ec3582},
+    {"cradle", "continuous", 600, 0x07b2c072},  {"cradle", "reference", 600, 0xbb6781c8},
+    {"drop", "continuous", 600, 0x419bb087},    {"drop", "reference", 600, 0x60c3acdc},
+    {"pinball", "continuous", 600, 0x6bc0b662}, {"pinball", "reference", 600, 0xd1e8db32},
+    {"rain", "continuous", 120, 0xd0f9ef7f},    {"rain", "reference", 60, 0x0bb4f183},
+    {"toy", "continuous", 600, 0x56e48bf0},     {"toy", "reference", 600, 0xe248d956},
     {"bowl", "simple", 600, 0xa37a95cd},        {"box", "simple", 600, 0x581d0c9d},
     {"cradle", "simple", 600, 0x298368f9},      {"drop", "simple", 600, 0x687ee19f},
     {"pinball", "simple", 600, 0xaea45279},     {"rain", "simple", 120, 0x60483566},

@@ -105,18 +105,19 @@ void ContinuousSolver::advance_to(const Clock& now, std::vector<Ball>& balls) {
     }
 }
 
+void ContinuousSolver::load(std::span<const Ball> balls) {
+    interrupt();
+    EngineMemory& memory = sim_.table.memory();
+    if (memory.engine == engine_name && memory.time == sim_.table.time()) return;
+    memory = {std::string(engine_name), sim_.table.time(), {}};
+    gates_.find_sensed(balls);
+}
+
 /// Begins a window at the table's time.
 void ContinuousSolver::begin(const std::vector<Ball>& balls) {
     if (!contacts_known_) contacts_.search(sim_.layout, sim_.table, balls, broad_);
     contacts_known_ = true;
     choose_end();
-    EngineMemory& memory = sim_.table.memory();
-    if (memory.engine != engine_name || memory.time != sim_.start) {
-        memory.forces.clear();
-        gates_.find_sensed(balls);
-    }
-    memory.engine = engine_name;
-    memory.time = sim_.start;
     events_.clear();
     sim_.search_steps = 0;
     paths_started_ = sim_.any_in_island = false;
@@ -134,7 +135,7 @@ void ContinuousSolver::begin(const std::vector<Ball>& balls) {
     quiet_ = std::ranges::all_of(sim_.balls, &Ball::asleep) &&
              std::ranges::all_of(sim_.turnings, [](const Turning& turning) { return turning.still(); });
     in_window_ = !quiet_;
-    if (quiet_) memory.forces.clear();
+    if (quiet_) sim_.table.memory().forces.clear();
 }
 
 /// Ends the window at the next point of the grid, and chooses when to watch which balls are at rest.
