@@ -9,8 +9,8 @@ namespace flipside::custom {
 
 namespace {
 
-/// Radii: a member that moves farther than this in a tick rests on no part. The chord of a slower one enters
-/// a concave arc of at least its own radius by at most farthest_chord²/8 = 0.00125 radii.
+/// Radii: a member that moves farther than this along a part in a tick does not rest on it. The chord of a
+/// slower one enters a concave arc of at least its own radius by at most farthest_chord²/8 = 0.00125 radii.
 constexpr double farthest_chord = 0.1;
 /// Radii of the smaller one: two members that move farther past each other in a tick have exact impacts. The
 /// direction of their contact turns by up to 0.2 rad in the tick, which the contact solver ignores.
@@ -259,9 +259,10 @@ bool Predictions::rests_on(BallIndex i, const Feature& feature, const Pose& pose
     const auto [distance, normal, facing] = closest_point(feature, pose, here.position, sim_.balls[i].radius);
     const Vec2 point = here.position - distance * normal;
     const Vec2 surface = cross(sim_.turnings[feature.part].rate_at(time), point - pose.pivot);
-    const double closing = -dot(here.velocity - surface, normal);
+    const Vec2 relative = here.velocity - surface;
+    const double closing = -dot(relative, normal);
     if (sim_.hot[i].creeps) return sim_.creeps_at(closing, sim_.balls[i]);
-    if (length(here.velocity) * sim_.tick_length > farthest_chord * sim_.balls[i].radius) return false;
+    if (length(relative) * sim_.tick_length > farthest_chord * sim_.balls[i].radius) return false;
     return closing <= (sim_.particles[i].on_tick_path ? sim_.slow : sim_.scene.rest_speed);
 }
 

@@ -10,6 +10,10 @@ namespace flipside::custom {
 
 namespace {
 
+/// Parts of farthest_approach: what counts as a slow approach also without gravity and rest_speed. Else a
+/// ball that a turning part presses into a wedge would have impacts on it without end.
+constexpr double least_approach = 0.1;
+
 /// m: of all balls that the scene has or launches.
 double smallest_radius(const Scene& scene) {
     double smallest = scene.launcher ? scene.launcher->ball.radius : INFINITY;
@@ -65,8 +69,10 @@ void Simulation::choose_tick() {
     tick_length = 2 * longest_tick;
     for (int halvings = 0; halvings <= most_halvings; ++halvings) {
         tick_length /= 2;
-        slow = 2 * (scene.rest_speed + length(scene.gravity) * tick_length);
-        if (slow * tick_length <= farthest_approach * smallest) break;
+        const double farthest = farthest_approach * smallest;
+        slow = std::max(2 * (scene.rest_speed + length(scene.gravity) * tick_length),
+                        least_approach * farthest / tick_length);
+        if (slow * tick_length <= farthest) break;
     }
 }
 

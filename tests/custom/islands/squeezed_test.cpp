@@ -125,6 +125,21 @@ TEST(Squeezed, LightBallsUnderHeavyOnesOverlapLittle) {
     EXPECT_LT(deepest(pit, 1000, 5, 1000), 0.11);
 }
 
+// Its arms press the ball between them, and its impacts on them have no end. Relative to them it hardly
+// moves, though it moves fast, so it is a member of an island from tick to tick, and not frozen while they
+// pass.
+TEST(Squeezed, ABallThatATurningWedgeCarriesIsNotFrozen) {
+    for (const double gravity : {0.0, 1.0, 9.81})
+        for (const double rest_speed : {0.0, 0.01}) {
+            Scene scene = empty_scene({0, -gravity});
+            scene.rest_speed = rest_speed;
+            const shape::Polyline wedge{{{-0.65, 0.35}, {-0.89, 0.19}, {-0.745, 0.063}}, false};
+            add_part(scene, {wedge}, {"", 0, 0, 0}).motion = motion::Turn{{-0.42, 0.19}, -3.5, true};
+            add_ball(scene, {-0.83, 0.19}, {-1, 0.75}, 0.02);
+            EXPECT_LT(deepest_in(scene, 150), 0.002) << gravity << " m/s², " << rest_speed << " m/s";
+        }
+}
+
 // Ball 4, which lies in an arc, is jammed at 0.75 s, the first instant of a window. Once that took all events
 // from ball 3, far away: ball 1 flew into it at 4 m/s. `flipside hunt` found it, and it cannot be shrunk
 // much.
