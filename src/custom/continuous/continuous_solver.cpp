@@ -200,9 +200,7 @@ void ContinuousSolver::handle_until(double time) {
 void ContinuousSolver::read(double time, std::vector<Ball>& balls) {
     balls.clear();
     read_at_ = time;
-    constexpr BallIndex ahead = 6;  // balls; loading one takes about as long as reading these
     for (BallIndex i = 0; i < sim_.particles.size(); ++i) {
-        if (i + ahead < sim_.particles.size()) prefetch(sim_.particles[i + ahead].motion);
         rank_[i] = static_cast<BallIndex>(balls.size());
         if (!sim_.hot[i].lost) balls.push_back(sim_.ball_at(i, time));
     }

@@ -193,13 +193,8 @@ void Predictions::predict_ball(BallIndex i, BallIndex j, double time) {
 void Predictions::predict_flying(BallIndex i, BallIndex j, double time) {
     const HotState &a = sim_.hot[i], &b = sim_.hot[j];
     const double from = std::max(a.start, b.start);
-    const auto at = [&](const HotState& hot) {
-        if (from == hot.start) return Flight::Motion{hot.position, hot.velocity};
-        const Flight flight{hot.position, hot.velocity, sim_.external.gravity, sim_.external.drag};
-        return flight.at(from - hot.start);
-    };
-    const auto [p, v] = at(a);
-    const auto [q, u] = at(b);
+    const auto [p, v] = sim_.flying_at(a, from);
+    const auto [q, u] = sim_.flying_at(b, from);
     const Vec2 between = p - q, relative = v - u;
     const double approach = -dot(between, relative);
     // Most pairs separate, or pass each other at a distance: they are rejected without a square root.

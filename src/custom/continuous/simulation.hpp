@@ -97,6 +97,11 @@ struct Simulation {
     /// interpolated linearly between ticks; that of its parabola serves only to reach the solved position. A
     /// creeping member has its new velocity right after the tick.
     [[nodiscard]] Vec2 true_velocity(BallIndex i, double time) const;
+    /// Where a ball in ballistic flight is.
+    [[nodiscard]] Flight::Motion flying_at(const HotState& ball, double time) const {
+        if (time == ball.start) return {ball.position, ball.velocity};
+        return Flight{ball.position, ball.velocity, external.gravity, external.drag}.at(time - ball.start);
+    }
     /// All features whose ranges overlap the box, in rising order. Valid until the next call.
     [[nodiscard]] std::span<const FeatureIndex> features_near(const Box& box);
 
