@@ -192,8 +192,8 @@ void Box2dWorld::report_impacts() {
     }
 }
 
-/// How fast a ball moves away from what it touches, m/s.
-double Box2dWorld::leaving_speed(const Contact& contact) const {
+/// Whether a ball moves towards what it touches or away from it, as in a bounce.
+bool Box2dWorld::comes_or_goes(const Contact& contact) const {
     Vec2 velocity = balls_[place_of(contact.ball)].velocity;
     if (contact.other.is_ball) {
         velocity -= balls_[place_of(contact.other.index)].velocity;
@@ -201,17 +201,17 @@ double Box2dWorld::leaving_speed(const Contact& contact) const {
         const PartIndex part = contact.other.index;
         velocity -= cross(table_.rate(part), contact.point - table_.pose(part).pivot);
     }
-    return dot(velocity, contact.normal);
+    return std::abs(dot(velocity, contact.normal)) > table_.scene().rest_speed;
 }
 
-/// A touch begins when a ball is there at the end of the step and neither comes nor goes, as in a bounce;
-/// it ends when they no longer touch.
+/// A touch begins when a ball is there at the end of the step and neither comes nor goes; it ends when they
+/// no longer touch.
 void Box2dWorld::report_touches() {
     look();
     still_held_.clear();
     for (const Contact& contact : touching_.contacts) {
         const bool begun = find(held_, contact) != nullptr;
-        if (!begun && std::abs(leaving_speed(contact)) > table_.scene().rest_speed) continue;
+        if (!begun && comes_or_goes(contact)) continue;
         if (!begun) report(EventKind::begin, contact);
         still_held_.push_back(contact);
     }

@@ -67,6 +67,7 @@ void Box2dWorld::build() {
     look();
     on_sensors_ = touching_.sensors;
     held_ = touching_.contacts;
+    std::erase_if(held_, [&](const Contact& contact) { return comes_or_goes(contact); });
 }
 
 void Box2dWorld::add_part(PartIndex part) {

@@ -77,7 +77,7 @@ class Box2dWorld : public World {
     void report_touches();
     void report_lost();
     void measure();
-    [[nodiscard]] double leaving_speed(const Contact& contact) const;
+    [[nodiscard]] bool comes_or_goes(const Contact& contact) const;
 
     Options options_;
     Units units_;

@@ -73,6 +73,16 @@ TEST(Touching, rollingOffAnEdgeEndsTheTouch) {
     EXPECT_EQ(counts[EventKind::end], 1);
 }
 
+TEST(Touching, aBallThatLeavesFromTheStartHasNoTouchThatEnds) {
+    TableTop top;
+    top.part(shape::Segment{{-1, 0}, {1, 0}}, top.material(0));
+    top.ball({0, radius - 0.0001}, {0, 2});
+    const auto world = top.world();
+    const Counts counts(*world, 0.1);
+    EXPECT_EQ(counts[EventKind::begin], 0);
+    EXPECT_EQ(counts[EventKind::end], 0);
+}
+
 TEST(Touching, contactsAreThoseOfThisInstantByPair) {
     TableTop top;
     top.scene.gravity = {};
