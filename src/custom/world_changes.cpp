@@ -93,7 +93,7 @@ void CustomWorld::reload(auto&& how) {
 void CustomWorld::load(const State& state) {
     table_.restore(state);
     balls_ = state.balls;
-    contacts_last_ = false;
+    interrupt();
     if (continuous_) continuous_->load(balls_);
     reserve_for();
 }

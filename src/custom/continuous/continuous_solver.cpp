@@ -106,7 +106,6 @@ void ContinuousSolver::advance_to(const Clock& now, std::vector<Ball>& balls) {
 }
 
 void ContinuousSolver::load(std::span<const Ball> balls) {
-    interrupt();
     EngineMemory& memory = sim_.table.memory();
     if (memory.engine == engine_name && memory.time == sim_.table.time()) return;
     memory = {std::string(engine_name), sim_.table.time(), {}};

@@ -37,8 +37,8 @@ class ContinuousSolver {
     ContinuousSolver(Table& table, const Layout& layout, BroadPhase& broad, const SolverSettings& settings);
 
     void reserve(std::size_t balls);
-    /// Goes on from the table's state, with these balls. Unless this engine saved it, finds which of them are
-    /// in sensors; those that come later enter them.
+    /// Takes over what the table's state tells of these balls. Unless this engine saved it at this time,
+    /// finds which of them are in sensors; balls that come later enter them.
     void load(std::span<const Ball> balls);
     /// Moves clock, parts and balls by dt.
     void step(double dt, std::vector<Ball>& balls, StepRecord& record);

@@ -104,7 +104,7 @@ Ball Simulation::ball_at(BallIndex i, double time) const {
     Ball ball = balls[i];
     if (ball.asleep) return ball;
     if (hot[i].ballistic && !hot[i].in_island) {
-        // Reads fewer cache lines: a tenth less time in a gas of 100,000 balls.
+        // The same as below from fewer cache lines: a tenth less time in a gas of 100,000 balls.
         const auto [position, velocity] = flying_at(hot[i], time);
         ball.position = position;
         ball.velocity = velocity;
