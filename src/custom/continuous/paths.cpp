@@ -15,10 +15,12 @@ constexpr double shortest_bounce = 1e-9;
 /// Two faces meet smoothly if the cosine of the angle between their normals is at least this (1.4e-3 rad; see
 /// joint_angle).
 constexpr double smooth_joint = 1 - 1e-6;
-/// Speed, m/s, below which bounces on a curved feature never end: the search finds an impact late by a gap of
-/// up to `rounding`, and the speed gained over that gap is as large as the speed lost in the bounce.
-double unending_bounce(const Feature& feature, double force, double rounding, double restitution) {
-    if (std::holds_alternative<Line>(feature.is) || restitution >= 1) return 0;
+/// Speed, m/s, below which bounces on a feature that is curved or turns never end: the search finds an impact
+/// late by a gap of up to `rounding`, and the speed gained over that gap is as large as the speed lost in the
+/// bounce.
+double unending_bounce(const Feature& feature, bool turns, double force, double rounding,
+                       double restitution) {
+    if ((std::holds_alternative<Line>(feature.is) && !turns) || restitution >= 1) return 0;
     return restitution * std::sqrt(2 * force * rounding / (1 - restitution * restitution));
 }
 
@@ -167,10 +169,10 @@ void Paths::find_supports(BallIndex i, double time) {
         contact.friction = mixed.friction;
         const Vec2 relative = ball.velocity - contact.surface_velocity;
         const double force = std::max(0.0, contact.force);
-        const double still =
-            (1e-12 + direction_rounding(feature)) * length(relative) +
-            shortest_bounce * std::sqrt(ball.radius * force) +
-            unending_bounce(feature, force, gap_rounding(ball.position, ball.radius), mixed.restitution);
+        const double still = (1e-12 + direction_rounding(feature)) * length(relative) +
+                             shortest_bounce * std::sqrt(ball.radius * force) +
+                             unending_bounce(feature, turning.rate_at(time) != 0, force,
+                                             gap_rounding(ball.position, ball.radius), mixed.restitution);
         if (std::abs(dot(relative, normal)) > still) continue;
         if (feature.gate) sim_.table.set_blocked(feature.part, ball.number, true);
         const double scale = length(sim_.external.gravity) + length_squared(relative) / ball.radius;

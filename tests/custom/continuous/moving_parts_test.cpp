@@ -45,6 +45,26 @@ TEST(MovingParts, GatePassesOneWay) {
     }
 }
 
+// An arm pushes a ball, which slides out along it. Its bounces get lower until they are lost in rounding;
+// then it rests on the arm. They used to go on, up to a million a second.
+TEST(MovingParts, BouncesOnATurningArmEnd) {
+    for (const double e : {0.25, 0.7})
+        for (const double friction : {0.0, 0.3}) {
+            Scene scene = empty_scene();
+            scene.rest_speed = 0;
+            add_part(scene, segment({0, 0}, {5, 0}), {"", e, friction, 0}).motion =
+                motion::Turn{{0, 0}, 3.8, true};
+            scene.materials[0].friction = 1;
+            add_ball(scene, {0.2, 0.031}, {0.5, 0}, 0.03);
+            const auto world = without_sleep(scene);
+            std::uint64_t impacts = 0;
+            for (int step = 0; step < 48; ++step)
+                world->step(1.0 / 60), impacts += world->statistics().impacts;
+            EXPECT_LT(impacts, 100U) << e << ", " << friction;
+            EXPECT_GT(length(world->balls()[0].position), 1);
+        }
+}
+
 // A ball between a wall and one of 1e8 times its mass has 31,415 impacts (Galperin 2003, "Playing pool with
 // π"). No limit on their pace holds where no moving part drives the ball.
 TEST(MovingParts, FarAwayCutOffNoCollisions) {
