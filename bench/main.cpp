@@ -2,7 +2,7 @@
 // table: the median of the repeats with its 95 % confidence interval (fewer than six: the range), the ratio
 // to the bare loop, and what the speed was bought with.
 //
-//   flipside_bench [--only TEXT] [--repeats N] [--growth] [--engine LIBRARY]
+//   flipside_bench [--only TEXT] [--repeats N] [--growth | --heaps] [--engine LIBRARY]
 
 #include <cstdio>
 #include <iostream>
@@ -56,12 +56,15 @@ int main(int argc, char** argv) try {
     std::string only;
     std::vector<std::string> libraries;
     regimes::Measuring how;
-    bool grows = false;
+    bool grows = false, heaps = false;
     app.add_option("--only", only, "regimes whose name contains this");
     app.add_option("--repeats", how.repeats, "of each course, for every contender alike")
         ->check(CLI::Range(1, 1000));
     app.add_option("--engine", libraries, "libraries of engines that take part too");
-    app.add_flag("--growth", grows, "the bare loop and the bespoke engine alone with up to 100,000 balls");
+    CLI::Option* growth = app.add_flag("--growth", grows,
+                                       "the bare loop and the bespoke engine alone with up to 100,000 balls");
+    app.add_flag("--heaps", heaps, "rain of 3,200 balls that settle and lie in heaps, alone")
+        ->excludes(growth);
     CLI11_PARSE(app, argc, argv);
 
     for (const std::string& library : libraries) static_cast<void>(engine_named(library));
@@ -73,7 +76,8 @@ int main(int argc, char** argv) try {
         " deepest overlap, r | energy | lost |\n|---|---|---|---|---|---|---|---|---|---|\n");
     const std::vector<regimes::Kind> kinds = regimes::kinds();
     how.with_errors = !grows;
-    for (const regimes::Course& course : grows ? regimes::growth() : regimes::courses()) {
+    const auto courses = grows ? regimes::growth() : heaps ? regimes::heaps() : regimes::courses();
+    for (const regimes::Course& course : courses) {
         const auto all = std::span(kinds);
         show(course, only, grows ? all.first(2) : course.bare ? all : all.subspan(1), how);
     }

@@ -109,6 +109,10 @@ std::vector<Course> courses() {
     return all;
 }
 
+std::vector<Course> heaps() {
+    return {rain(3200, {{"rain, settling", 6, 12}, {"rain, heaped", 18, 6}})};
+}
+
 std::vector<Course> growth() {
     std::vector<Course> all;
     for (const int balls : {1000, 10'000, 100'000}) all.push_back(gas(balls, 0.5));
