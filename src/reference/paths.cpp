@@ -106,7 +106,9 @@ void Simulation<R>::find_touching(Particle& particle) {
         const R friction(material.friction);
         const RestingContact<R> contact =
             resting_contact_at(shape(f), turning(part), particle.body, now_, friction, external_, snap);
-        const R rounding = rounding_of(particle.body);
+        const bool is_searched = parts_[part].moves || external_.drag > 0;
+        const R rounding = is_searched ? rounding_gap(particle.body.position, particle.body.radius)
+                                       : rounding_of(particle.body);
         const R lowest_bounce =
             unending<R>(material.restitution) * sqrt(2 * rounding * std::max(R(0), contact.force));
         const R speed = length(particle.body.velocity) + magnitude(contact.tangential_speed);

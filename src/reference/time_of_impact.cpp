@@ -76,8 +76,7 @@ R time_of_impact(const Feature<R>& feature, const View<R>& view, const R& radius
     each_side(feature, radius, [&](const auto& side) {
         const R bound = side.bound(view, bounds, from, until);
         const R last = first < until ? first : until;
-        const Tolerance<R> tolerance{rounding_speed(bounds.speed),
-                                     16 * epsilon<R>() * (length(begin.position) + radius)};
+        const Tolerance<R> tolerance{rounding_speed(bounds.speed), rounding_gap(begin.position, radius)};
         const auto accepts = [&](const R& t) {
             const Motion<R> m = view.at(t);
             return side.off(m) >= 0 && side.face(m).value >= 0;

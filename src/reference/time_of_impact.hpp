@@ -15,6 +15,13 @@ R rounding_speed(const R& speed) {
     return 256 * epsilon<R>() * speed;
 }
 
+/// m: the rounding of a gap that is searched for. A ball in free motion enters a moving part by no more
+/// before its impact is found, nor any part if there is drag.
+template <class R>
+R rounding_gap(const V<R>& position, const R& radius) {
+    return 16 * epsilon<R>() * (length(position) + radius);
+}
+
 /// Result of a closest-point query.
 template <class R>
 struct Closest {
