@@ -313,10 +313,20 @@ double time_of_impact(const Path& a, const Path& b, double radii, double t0, dou
         return search_impact(a, b, radii, t0, t1, steps);
     const auto [p, u] = a.at(t0);
     const auto [q, v] = b.at(t0);
-    // Equal accelerations cancel, and drag slows both equally: the relative path is straight.
-    const double after =
-        alike ? drag_time(f.drag, straight_touch(p - q, u - v, radii, gap_rounding(p, q, radii)))
-              : first_crossing(squared_gap(p - q, u - v, f.acceleration - g.acceleration, radii), t1 - t0);
+    const Vec2 between = p - q, relative = u - v;
+    const double rounding = gap_rounding(p, q, radii);
+    double after = 0;
+    if (alike) {
+        // Equal accelerations cancel, and drag slows both equally: the relative path is straight.
+        after = drag_time(f.drag, straight_touch(between, relative, radii, rounding));
+    } else {
+        Quartic gap = squared_gap(between, relative, f.acceleration - g.acceleration, radii);
+        // Two balls that touch and do not approach each other but by rounding: their accelerations decide.
+        if (std::abs(length(between) - radii) <= rounding &&
+            std::abs(gap[1]) <= 2 * speed_rounding * length(between) * length(relative))
+            gap[0] = gap[1] = 0;
+        after = first_crossing(gap, t1 - t0);
+    }
     return t0 + after <= t1 ? t0 + after : never_touch;
 }
 

@@ -47,6 +47,25 @@ RC_GTEST_PROP(TimeOfImpact, ClosedFormForALineAgreesWithTheSearch, ()) {
     same(closed, searched, dot(path.velocity(first), closest.normal));
 }
 
+// A ball passes another, which rests, on its surface; what its velocity has along the normal is rounding. It
+// leaves the circle if gravity bends its path less than the circle is bent, else it touches at once. Once
+// each rounding was an impact, and after twenty of them the two counted as one that has collapsed.
+TEST(TimeOfImpact, ABallThatPassesAnotherOnItsSurfaceLeavesItOrTouchesAtOnce) {
+    const double reach = 0.15, speed = 1.23, bend = speed * speed / reach;
+    for (int k = 0; k < 1000; ++k) {
+        const Vec2 normal = from_angle(0.1 + k), tangent = perp(normal);
+        const double approach = (k % 7 - 3) * 1e-17;
+        for (const double share : {0.0, 0.5, 0.95, 1.05, 2.0}) {
+            Path still, passing;
+            still.flight = {{-0.9418, 0.3}, {}, {}, 0};
+            passing.flight = {still.flight.position + reach * normal, speed * tangent - approach * normal,
+                              -share * bend * normal, 0};
+            const double met = time_of_impact(passing, still, reach, 0, 0.05);
+            EXPECT_EQ(met, share < 1 ? never_touch : 0) << k << ", " << share;
+        }
+    }
+}
+
 // A ball on the surface, but past the end of a line by less than the clock resolves, would else have the same
 // impact without end: handling it changes nothing.
 TEST(TimeOfImpact, IsBetweenTheEndsOfALineAlsoWhereTheClockIsCoarse) {
