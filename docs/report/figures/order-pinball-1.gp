@@ -63,22 +63,22 @@ plot csv skip 1 every ::0::8 using (at_x($2)):(at_y($3)) with lines dashtype 1 l
      NaN with linespoints dashtype 1 linewidth 2 pointtype 7 pointsize 0.8 linecolor rgb "#009e73" title "reference-53", \
      csv skip 1 every ::69::70 using (at_x($2)):(at_y($3)) with lines dashtype 3 linewidth 2 linecolor rgb "#e69f00" notitle, \
      csv skip 1 every ::69::70 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 69)) with labels hypertext point pointtype 5 pointsize 0.3 linecolor rgb "#e69f00" notitle, \
-     NaN with linespoints dashtype 3 linewidth 2 pointtype 5 pointsize 0.3 linecolor rgb "#e69f00" title "box2d: order 0.63 (R\302\262 0.972)", \
+     NaN with linespoints dashtype 3 linewidth 2 pointtype 5 pointsize 0.3 linecolor rgb "#e69f00" title "box2d: order 0.63 (R\302\262 0.973)", \
      csv skip 1 every ::71::72 using (at_x($2)):(at_y($3)) with lines dashtype 3 linewidth 2 linecolor rgb "#e69f00" notitle, \
      csv skip 1 every ::71::72 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 71)) with labels hypertext point pointtype 4 pointsize 0.3 linecolor rgb "#e69f00" notitle, \
-     NaN with linespoints dashtype 3 linewidth 2 pointtype 4 pointsize 0.3 linecolor rgb "#e69f00" title "box2d-20-10: order 0.55 (R\302\262 0.976)", \
+     NaN with linespoints dashtype 3 linewidth 2 pointtype 4 pointsize 0.3 linecolor rgb "#e69f00" title "box2d-20-10: order 0.56 (R\302\262 0.977)", \
      csv skip 1 every ::73::74 using (at_x($2)):(at_y($3)) with lines dashtype 3 linewidth 2 linecolor rgb "#e69f00" notitle, \
      csv skip 1 every ::73::74 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 73)) with labels hypertext point pointtype 11 pointsize 0.3 linecolor rgb "#e69f00" notitle, \
      NaN with linespoints dashtype 3 linewidth 2 pointtype 11 pointsize 0.3 linecolor rgb "#e69f00" title "box2d-fine-arcs: order 0.61 (R\302\262 0.991)", \
      csv skip 1 every ::75::76 using (at_x($2)):(at_y($3)) with lines dashtype 3 linewidth 2 linecolor rgb "#e69f00" notitle, \
      csv skip 1 every ::75::76 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 75)) with labels hypertext point pointtype 10 pointsize 0.3 linecolor rgb "#e69f00" notitle, \
-     NaN with linespoints dashtype 3 linewidth 2 pointtype 10 pointsize 0.3 linecolor rgb "#e69f00" title "box2d-no-bullets: order 0.55 (R\302\262 0.976)", \
+     NaN with linespoints dashtype 3 linewidth 2 pointtype 10 pointsize 0.3 linecolor rgb "#e69f00" title "box2d-no-bullets: order 0.55 (R\302\262 0.977)", \
      csv skip 1 every ::77::78 using (at_x($2)):(at_y($3)) with lines dashtype 3 linewidth 2 linecolor rgb "#e69f00" notitle, \
      csv skip 1 every ::77::78 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 77)) with labels hypertext point pointtype 13 pointsize 0.3 linecolor rgb "#e69f00" notitle, \
-     NaN with linespoints dashtype 3 linewidth 2 pointtype 13 pointsize 0.3 linecolor rgb "#e69f00" title "box2d-substeps-4: order 0.55 (R\302\262 0.972)", \
+     NaN with linespoints dashtype 3 linewidth 2 pointtype 13 pointsize 0.3 linecolor rgb "#e69f00" title "box2d-substeps-4: order 0.56 (R\302\262 0.970)", \
      csv skip 1 every ::79::80 using (at_x($2)):(at_y($3)) with lines dashtype 3 linewidth 2 linecolor rgb "#e69f00" notitle, \
      csv skip 1 every ::79::80 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 79)) with labels hypertext point pointtype 12 pointsize 0.3 linecolor rgb "#e69f00" notitle, \
-     NaN with linespoints dashtype 3 linewidth 2 pointtype 12 pointsize 0.3 linecolor rgb "#e69f00" title "box2d-tuned: order 0.52 (R\302\262 0.982)", \
+     NaN with linespoints dashtype 3 linewidth 2 pointtype 12 pointsize 0.3 linecolor rgb "#e69f00" title "box2d-tuned: order 0.52 (R\302\262 0.980)", \
      csv skip 1 every ::81::82 using (at_x($2)):(at_y($3)) with lines dashtype 3 linewidth 2 linecolor rgb "#e69f00" notitle, \
      csv skip 1 every ::81::82 using (at_x($2)):(at_y($3)):(sprintf('%d', $0 + 81)) with labels hypertext point pointtype 5 pointsize 0.3 linecolor rgb "#e69f00" notitle, \
      NaN with linespoints dashtype 3 linewidth 2 pointtype 5 pointsize 0.3 linecolor rgb "#e69f00" title "box2d-verlet: order 0.36 (R\302\262 0.989)", \
