@@ -106,8 +106,9 @@ void Simulation<R>::find_touching(Particle& particle) {
         const R friction(material.friction);
         const RestingContact<R> contact =
             resting_contact_at(shape(f), turning(part), particle.body, now_, friction, external_, snap);
+        // Impacts with parts that may move, and all impacts with drag, are searched for.
         const bool is_searched = parts_[part].moves || external_.drag > 0;
-        const R rounding = is_searched ? rounding_gap(particle.body.position, particle.body.radius)
+        const R rounding = is_searched ? gap_rounding(particle.body.position, particle.body.radius)
                                        : rounding_of(particle.body);
         const R lowest_bounce =
             unending<R>(material.restitution) * sqrt(2 * rounding * std::max(R(0), contact.force));

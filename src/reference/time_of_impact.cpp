@@ -76,7 +76,7 @@ R time_of_impact(const Feature<R>& feature, const View<R>& view, const R& radius
     each_side(feature, radius, [&](const auto& side) {
         const R bound = side.bound(view, bounds, from, until);
         const R last = first < until ? first : until;
-        const Tolerance<R> tolerance{rounding_speed(bounds.speed), rounding_gap(begin.position, radius)};
+        const Tolerance<R> tolerance{rounding_speed(bounds.speed), gap_rounding(begin.position, radius)};
         const auto accepts = [&](const R& t) {
             const Motion<R> m = view.at(t);
             return side.off(m) >= 0 && side.face(m).value >= 0;
@@ -148,8 +148,7 @@ R time_of_impact(const Path<R>& a, const Path<R>& b, const R& reach, const R& fr
     const V<R> x = one.position - other.position, u = one.velocity - other.velocity;
     if (closed_form(a) && closed_form(b) && a.drag == b.drag && a.acceleration.x == b.acceleration.x &&
         a.acceleration.y == b.acceleration.y) {
-        const R rounding =
-            16 * epsilon<R>() * (std::max(length(one.position), length(other.position)) + reach);
+        const R rounding = std::max(gap_rounding(one.position, reach), gap_rounding(other.position, reach));
         const R e = straight_time_of_impact(x, u, reach, rounding, grazes);
         if (!(a.drag > 0)) return from + e;
         return a.drag * e < 1 ? R(from - log1p(R(-a.drag * e)) / a.drag) : infinity<R>();
@@ -166,8 +165,8 @@ R time_of_impact(const Path<R>& a, const Path<R>& b, const R& reach, const R& fr
     bool grazing = false;
     R t = first_falling_root(
         gap, from, until, R(of_a.acceleration + of_b.acceleration),
-        Tolerance<R>{rounding_speed(speed), 16 * epsilon<R>() * (length(one.position) + reach)},
-        [](const R&) { return true; }, [](const R& now) { return now; }, grazing);
+        Tolerance<R>{rounding_speed(speed), gap_rounding(one.position, reach)}, [](const R&) { return true; },
+        [](const R& now) { return now; }, grazing);
     grazes += grazing;
     return t;
 }

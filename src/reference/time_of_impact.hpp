@@ -15,10 +15,9 @@ R rounding_speed(const R& speed) {
     return 256 * epsilon<R>() * speed;
 }
 
-/// m: the rounding of a gap that is searched for. A ball in free motion enters a moving part by no more
-/// before its impact is found, nor any part if there is drag.
+/// Rounding of a gap, m. Where an impact is searched for, it may be found late by that much.
 template <class R>
-R rounding_gap(const V<R>& position, const R& radius) {
+R gap_rounding(const V<R>& position, const R& radius) {
     return 16 * epsilon<R>() * (length(position) + radius);
 }
 

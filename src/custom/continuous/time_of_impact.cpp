@@ -321,7 +321,8 @@ double time_of_impact(const Path& a, const Path& b, double radii, double t0, dou
         after = drag_time(f.drag, straight_touch(between, relative, radii, rounding));
     } else {
         Quartic gap = squared_gap(between, relative, f.acceleration - g.acceleration, radii);
-        // Two balls that touch and do not approach each other but by rounding: their accelerations decide.
+        // As in straight_touch, what touches and approaches by rounding alone has no impact yet: the
+        // accelerations decide.
         if (std::abs(length(between) - radii) <= rounding &&
             std::abs(gap[1]) <= 2 * speed_rounding * length(between) * length(relative))
             gap[0] = gap[1] = 0;

@@ -48,8 +48,8 @@ RC_GTEST_PROP(TimeOfImpact, ClosedFormForALineAgreesWithTheSearch, ()) {
 }
 
 // A ball passes another, which rests, on its surface; what its velocity has along the normal is rounding. It
-// leaves the circle if gravity bends its path less than the circle is bent, else it touches at once. Once
-// each rounding was an impact, and after twenty of them the two counted as one that has collapsed.
+// leaves the circle if gravity bends its path less than the circle is bent, else it touches at once. When
+// each rounding was an impact, the two were in an island after twenty of them.
 TEST(TimeOfImpact, ABallThatPassesAnotherOnItsSurfaceLeavesItOrTouchesAtOnce) {
     const double reach = 0.15, speed = 1.23, bend = speed * speed / reach;
     for (int k = 0; k < 1000; ++k) {
