@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Remakes the pictures of README.md in docs/ from the Release build, four by `flipside render` and two by the
+# Remakes the pictures of README.md and docs/window.md from the Release build, four by `flipside render` and two by the
 # window itself; and docs/lessons, a picture of every lesson as the window shows it and an
 # index of them, and docs/engine, the figures of docs/engine.md: the tables of some lessons without the lesson.
 # `scripts/pictures.sh lessons` makes the pictures of lessons alone, `scripts/pictures.sh lessons 05` one of them,
