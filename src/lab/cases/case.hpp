@@ -8,7 +8,7 @@
 ///
 /// As JSON ("flipside-cases/1", to_json; null stands for what is not there and for what is no finite number):
 ///
-///     {"format": "flipside-cases/1", "engine": "custom", "settings": {"solver": "auto", ...}, "dt": 0.0166,
+///     {"format": "flipside-cases/1", "engine": "custom", "settings": {...}, "dt": 0.0166,
 ///      "quick": false, "verdicts": {"pass": 27, "fail": 0, "measured": 2, "not reached": 0, "refused": 0},
 ///      "cases": [{"number": 1, "name": "zeno-drop", "title": "Zeno drop", "about": "...", "source": "...",
 ///                 "recommended": {}, "verdict": "pass", "reason": "",

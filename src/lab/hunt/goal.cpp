@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <utility>
 
 #include "lab/contenders/engines.hpp"
 #include "lab/session/session.hpp"
@@ -123,12 +124,17 @@ Measured measure_error(const Contender& contender, const Scene& scene, double se
 }  // namespace
 
 Goal goal_named(std::string_view name) {
-    if (name == "lost") return Goal::escape;
-    if (name == "time") return Goal::work;
+    constexpr std::pair<std::string_view, Goal> also[] = {{"lost", Goal::escape}, {"time", Goal::work}};
+    const auto other = std::ranges::find(also, name, [](const auto& one) { return one.first; });
+    if (other != std::end(also)) return other->second;
     const auto at = std::ranges::find(goal_names, name);
     if (at != std::end(goal_names)) return static_cast<Goal>(at - std::begin(goal_names));
     std::string known;
-    for (const std::string_view one : goal_names) known += (known.empty() ? "" : ", ") + std::string(one);
+    for (const std::string_view one : goal_names) {
+        known += (known.empty() ? "" : ", ") + std::string(one);
+        for (const auto& [second, goal] : also)
+            if (name_of(goal) == one) known += " or " + std::string(second);
+    }
     throw InputError("unknown goal '" + std::string(name) + "'; allowed are " + known);
 }
 

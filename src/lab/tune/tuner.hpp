@@ -45,7 +45,7 @@ class Tuner {
     CpuStopwatch watch_;           ///< since the search from this place began
     std::set<std::string> tried_;  ///< for this target
 };
-inline constexpr std::size_t most_trials = 400;  ///< for one target
+inline constexpr std::size_t most_trials = 400;  ///< for one target, from one place
 
 /// The engine's defaults, with the scene's and then these changes, at the longest of these steps that meets
 /// the target, or the shortest.
