@@ -119,6 +119,18 @@ TEST(Goals, ErrorIsTheDistanceToTheReference) {
     EXPECT_LT(measure(request, falling()).value, 1e-12);
 }
 
+TEST(Goals, ErrorEndsWhereCollisionsAmplifyATinyShiftOfOneBall) {
+    // Each ball hits the next off centre, which amplifies how far the two are apart from where they should
+    // be. Nothing else is there, so a shift of all balls alike changes no collision.
+    Scene scene = empty_scene();
+    const double places[][2] = {
+        {0, 0}, {0.3382, 0.0118}, {0.6648, 0.1003}, {1.003, 0.1122}, {1.3297, 0.2006}};
+    for (const auto& [x, y] : places) add_ball(scene, {x, y}, {x > 0 ? 0.0 : 20, 0}, 0.02, 1);
+    Request request = request_for(Goal::error, "a=custom");
+    request.seconds = 1;
+    EXPECT_LT(measure(request, scene).value, 2e-11);
+}
+
 TEST(Goals, OverlapIsOfTheSmallerBall) {
     // Without continuous collision, where the first step ends is known.
     Scene scene = empty_scene();
