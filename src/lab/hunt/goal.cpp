@@ -108,6 +108,15 @@ Scene shifted(const Scene& scene, bool turned) {
     return other;
 }
 
+/// Between a ball's positions in two worlds, m. Null: the world has lost it. A lost ball left the bounds, so
+/// it is at least as far from the other position as their border is.
+double distance(const Ball* a, const Ball* b, const Box& bounds) {
+    if (a && b) return length(a->position - b->position);
+    if (!a && !b) return 0;
+    const Vec2 low = (a ? a : b)->position - bounds.min, high = bounds.max - (a ? a : b)->position;
+    return std::min({low.x, low.y, high.x, high.y});
+}
+
 Measured measure_error(const Contender& contender, const Scene& scene, double seconds) {
     constexpr double tame = 1e-9;  // radii
     const Engine& reference = engine_named("reference");
@@ -122,17 +131,17 @@ Measured measure_error(const Contender& contender, const Scene& scene, double se
     World* const worlds[] = {ours.get(), truth.get(), near[0].get(), near[1].get()};
     Measured worst;
     static_cast<void>(run(worlds, contender.dt, seconds, [&](double time) {
-        for (std::size_t i = 0; i < truth->balls().size(); ++i) {
-            const Ball &right = truth->balls()[i], *other = find_ball(ours->balls(), right.number);
-            const auto goes_astray = [&](const std::unique_ptr<World>& world) {
-                const Ball* const moved = find_ball(world->balls(), right.number);
-                return !moved || length(moved->position - right.position) > tame * right.radius;
+        for (const Ball& ball : scene.balls) {
+            const Ball* const right = find_ball(truth->balls(), ball.number);
+            const auto off = [&](const std::unique_ptr<World>& world) {
+                return distance(right, find_ball(world->balls(), ball.number), scene.bounds) / ball.radius;
             };
             // Beyond here a last digit decides.
-            if (std::ranges::any_of(near, goes_astray) || truth->uncertainty()[i] > tame * right.radius)
+            if (std::ranges::any_of(near, [&](const auto& world) { return off(world) > tame; }) ||
+                (right && truth->uncertainty()[static_cast<std::size_t>(right - truth->balls().data())] >
+                              tame * ball.radius))
                 return false;
-            const double error = other ? length(other->position - right.position) / right.radius : INFINITY;
-            note(worst, error, time, [&] { return "ball " + std::to_string(right.number); });
+            note(worst, off(ours), time, [&] { return "ball " + std::to_string(ball.number); });
         }
         return true;
     }));

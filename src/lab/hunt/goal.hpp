@@ -13,8 +13,10 @@ enum class Goal {
     overlap,  ///< the deepest at the end of any step, in radii of the ball
     energy,   ///< gained, as a share of what the balls could at most have had at the start
     escape,   ///< balls lost from a closed box, or no longer numbers
-    error,    ///< distance to the reference, in radii, while that is known and chaos has not begun
-    work      ///< box and shape tests per ball and step: the engine's own counts, so no noise
+    /// Distance to the reference, in radii, while that is known and chaos has not begun. A ball that only one
+    /// of the two has lost counts as on the border of the bounds, where that is nearest to the other's.
+    error,
+    work  ///< box and shape tests per ball and step: the engine's own counts, so no noise
 };
 inline constexpr std::string_view goal_names[] = {"overlap", "energy", "escape", "error", "work"};
 

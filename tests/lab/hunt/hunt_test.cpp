@@ -131,6 +131,26 @@ TEST(Goals, ErrorEndsWhereCollisionsAmplifyATinyShiftOfOneBall) {
     EXPECT_LT(measure(request, scene).value, 2e-11);
 }
 
+TEST(Goals, ErrorOfABallThatTheEngineLosesFirstIsHowFarItIsFromTheBounds) {
+    // After a third of a second it has fallen by 0.545 m, and by 0.57225 m in Box2D.
+    Scene scene = falling();
+    scene.bounds = {{-1, -0.572}, {1, 1}};
+    const Measured measured = measure(request_for(Goal::error, "a=box2d"), scene);
+    EXPECT_NEAR(measured.value, (0.572 - 0.545) / 0.1, 1e-9);
+    EXPECT_NEAR(measured.time, 1.0 / 3, 1e-9);
+    EXPECT_EQ(measured.what, "ball 0");
+}
+
+TEST(Goals, ErrorOfABallThatTheReferenceLosesFirstIsHowFarItIsFromTheBounds) {
+    // After a sixth of a second it has risen by 0.36375 m, and by 0.350125 m in Box2D.
+    Scene scene = empty_scene({0, -9.81});
+    add_ball(scene, {0, 0}, {0, 3}, 0.1);
+    scene.bounds = {{-1, -1}, {1, 0.3635}};
+    const Measured measured = measure(request_for(Goal::error, "a=box2d"), scene);
+    EXPECT_NEAR(measured.value, (0.3635 - 0.350125) / 0.1, 1e-5);
+    EXPECT_NEAR(measured.time, 1.0 / 6, 1e-9);
+}
+
 TEST(Goals, OverlapIsOfTheSmallerBall) {
     // Without continuous collision, where the first step ends is known.
     Scene scene = empty_scene();
