@@ -45,8 +45,8 @@ std::size_t scenes_of(const HuntOptions& options) {
     return options.scenes.value_or(options.seconds.value_or(long_budget) < long_budget ? few : usual);
 }
 
-/// The rounds of a budget are those that take about so long, by the time of a scene on one core of 2.5 GHz.
-/// No clock decides, so that the same options give the same bytes.
+/// The rounds of a budget follow from a nominal time of a scene on one core. No clock decides, so that the
+/// same options give the same bytes.
 std::size_t rounds_of(const HuntOptions& options) {
     constexpr std::size_t usual = 4;
     if (options.rounds || !options.seconds) return options.rounds.value_or(usual);
@@ -133,8 +133,10 @@ void add_hunt(CLI::App& program, Action& chosen) {
         ->capture_default_str()
         ->type_name("GOAL");
     command
-        .add_option("--seconds", options->seconds,
-                    "About how long to hunt, s: in place of --rounds, as many as take that long on one core")
+        .add_option(
+            "--seconds", options->seconds,
+            "In place of --rounds, as many as this gives at a nominal 2 ms a scene, s (30 ms with error); "
+            "the real time may be a tenth of it or seven times as much")
         ->check(number_from(1e-3, 1e6))
         ->type_name("BUDGET");
     command.add_option("--length", options->length, "Length of each run, s (default 1)")
