@@ -16,9 +16,9 @@ namespace {
 /// impact.
 constexpr double graze = 1e-11;
 /// More events of a ball at one instant than this have no end: the ball is jammed. With parts alone there may
-/// be more: a ball that a moving part squeezes against a wall can have hundreds of impacts, each faster than
-/// the one before, until it gets out.
-constexpr int most_at_once = 200, most_with_parts = 1000;
+/// be more: a ball that moving parts squeeze can have a thousand impacts within a nanosecond, each faster
+/// than the one before, until it gets out.
+constexpr int most_at_once = 200, most_with_parts = 3000;
 /// More events of a ball in a row without a significant impact than this have no end either. Impacts slower
 /// than idle_impact, in units of √(r·g), are not significant: the bounce reaches 1e-10 radii. Balls in
 /// resting contact can repeat them forever.
