@@ -113,9 +113,11 @@ struct Simulation {
     void join_island(BallIndex i, double time);
     /// s: time step of creeping members.
     [[nodiscard]] double long_tick_length() const { return 4 * tick_length; }
-    /// Whether a ball of this speed, m/s, moves less than creep_distance in a long tick.
+    /// Whether a member of this speed, m/s, may creep: it moves less than creep_distance in a long tick, and
+    /// two of them approach no faster than in a resting contact, since those that creep have no impacts with
+    /// each other and with walls.
     [[nodiscard]] bool creeps_at(double speed, const Ball& ball) const {
-        return speed * long_tick_length() <= creep_distance * ball.radius;
+        return speed * long_tick_length() <= creep_distance * ball.radius && speed <= slow / 2;
     }
     void leave_island(BallIndex i) { hot[i].in_island = false; }
 

@@ -52,6 +52,12 @@ class Islands {
     void start_tick_path(BallIndex i, double time, const ContactSolver::Body& body);
     void start_creep_path(BallIndex i, double time, double until, const ContactSolver::Body& body);
 
+    /// A flying ball near a member.
+    struct Beside {
+        BallIndex member = 0, ball = 0;
+        Vec2 position;  ///< of the flying ball
+    };
+
     // Ticks (ticks.cpp).
     void solve(double time);
     void start_creep(double time);
@@ -59,6 +65,7 @@ class Islands {
     void add_member(BallIndex i, double time);
     void stop_pushed_creep(double time);
     void collect_contacts(double time, double duration);
+    void find_overlapped();
     void add_ball_contact(BallIndex i, BallIndex j, double time, double duration);
     [[nodiscard]] double overlap_with_moving_parts(BallIndex i, double time);
     void add_part_contacts(BallIndex i, double time, double duration);
@@ -74,10 +81,11 @@ class Islands {
     /// Forces of the last tick in this window, of primitive a or ball a on ball b, by index.
     ForceCache part_forces_, ball_forces_;
     bool any_creeps_ = false;
-    double deepest_ = 0;                 ///< m, deepest overlap of a member with a ball or a moving part
-    std::vector<BallIndex> members_;     ///< balls of the current solve, sorted
-    std::vector<BallIndex> creeping_;    ///< since the current tick
-    std::vector<BallIndex> overlapped_;  ///< non-members that members overlap
+    double deepest_ = 0;               ///< m, deepest overlap of a member with a ball or a moving part
+    std::vector<BallIndex> members_;   ///< balls of the current solve, sorted
+    std::vector<BallIndex> creeping_;  ///< since the current tick
+    std::vector<Beside> beside_;
+    std::vector<BallIndex> overlapped_;  ///< see find_overlapped()
     std::vector<BallIndex> rank_;        ///< per ball: index among the bodies of a solve
 };
 

@@ -24,6 +24,7 @@ void Islands::reserve(std::size_t balls) {
     contact_solver_.reserve(balls);
     reserve_for(members_, balls);
     reserve_for(creeping_, balls);
+    reserve_for(beside_, balls, contacts_per_ball);
     reserve_for(overlapped_, balls, contacts_per_ball);
     if (rank_.size() < balls) rank_.resize(balls);
 }
@@ -82,12 +83,13 @@ void Islands::solve(double time) {
 void Islands::solve_members(double time, double duration) {
     for (const BallIndex i : members_) sim_.hot[i].in_solve = true;
     stop_pushed_creep(time);
-    collect_contacts(time, duration);
-    while (!overlapped_.empty()) {
+    for (overlapped_.clear();;) {
         for (const BallIndex j : overlapped_) add_member(j, time);
         collect_contacts(time, duration);
+        contact_solver_.solve(duration, sim_.scene.gravity);
+        find_overlapped();  // by members that the position correction has moved
+        if (overlapped_.empty()) break;
     }
-    contact_solver_.solve(duration, sim_.scene.gravity);
     if (sim_.record->trace) trace_tick(sim_, contact_solver_, members_, time, duration);
     remember_forces(time, duration);
     for (const BallIndex i : members_) sim_.hot[i].in_solve = false;
@@ -165,7 +167,7 @@ void Islands::collect_contacts(double time, double duration) {
                                  1 / ball.mass, ball.radius * ball.radius / inertia(ball)});
     }
     deepest_ = 0;
-    overlapped_.clear();
+    beside_.clear();
     ball_forces_.rewind(), part_forces_.rewind();
     for (const BallIndex i : members_) {
         ball_forces_.advance_to(i);
@@ -176,6 +178,18 @@ void Islands::collect_contacts(double time, double duration) {
     for (const BallIndex i : members_) {
         part_forces_.advance_to(i);
         add_part_contacts(i, time, duration);
+    }
+    find_overlapped();
+}
+
+/// Finds the flying balls that members deeply overlap, where the contact solver has them now.
+void Islands::find_overlapped() {
+    overlapped_.clear();
+    for (const auto& [member, ball, position] : beside_) {
+        const ContactSolver::Body& body = contact_solver_.bodies()[rank_[member]];
+        const double radius = sim_.balls[ball].radius;
+        const double deep = body.radius + radius - corrected_overlap * std::min(body.radius, radius);
+        if (length_squared(body.position - position) < deep * deep) overlapped_.push_back(ball);
     }
 }
 
@@ -198,10 +212,7 @@ void Islands::add_ball_contact(BallIndex i, BallIndex j, double time, double dur
     const bool deep = gap < -resting_distance * std::min(a.radius, b.radius);
     const Vec2 other_velocity = b.asleep ? Vec2{} : b.velocity;
     const double closing = -dot(a.velocity - other_velocity, normal);
-    if (flies) {
-        if (deep) overlapped_.push_back(j);
-        return;
-    }
+    if (flies) return beside_.push_back({i, j, there});
     deepest_ = std::max(deepest_, -gap);
     const bool jammed = sim_.particles[i].jammed || sim_.particles[j].jammed;
     if (!deep && !jammed && closing > sim_.slow) return;

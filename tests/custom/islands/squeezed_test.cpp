@@ -80,6 +80,26 @@ Scene pit(std::mt19937& random, double most_ratio) {
     return scene;
 }
 
+/// Twelve balls of all sizes that fall into a pit, with masses up to `most_ratio` times the least, in any
+/// order.
+Scene filled_pit(std::mt19937& random, double most_ratio) {
+    Scene scene = empty_scene({0, -9.81});
+    scene.rest_speed = 0.1;
+    scene.materials[0] = {"ball", between(random, 0, 0.9), 0, 0};
+    const double width = between(random, 0.3, 1);
+    add_part(scene, {shape::Polyline{{{0, 6}, {0, 0}, {width, 0}, {width, 6}}, false}},
+             {"", between(random, 0, 0.9), 0, 0});
+    double above = 0.1;
+    for (int i = 0; i < 12; ++i) {
+        const double r = std::min(between(random, 0.03, 0.12), 0.4 * width);
+        const double mass = std::exp(between(random, 0, std::log(most_ratio)));
+        const Vec2 velocity{between(random, -1, 1), between(random, -6, 0)};
+        add_ball(scene, {between(random, r, width - r), above + r}, velocity, r, mass);
+        above += 2 * r + 0.005;
+    }
+    return scene;
+}
+
 /// Depth of an overlap in radii of the smaller ball; below 0 for a gap.
 double depth(const Scene& scene, const Contact& contact) {
     double r = scene.balls[contact.ball].radius;
@@ -123,6 +143,25 @@ TEST(Squeezed, ABallThatIsSqueezedOutAlongAnArcDoesNotEnterIt) {
 TEST(Squeezed, LightBallsUnderHeavyOnesOverlapLittle) {
     EXPECT_LT(deepest(pit, 100, 4, 1000), 0.11);
     EXPECT_LT(deepest(pit, 1000, 5, 1000), 0.11);
+}
+
+// The position correction pushes a light ball out from under a heavy one, into others that may still fly.
+TEST(Squeezed, ABallIsNotPushedOutOfOneIntoAnotherThatFlies) {
+    EXPECT_LT(deepest(filled_pit, 10, 6, 1000), 0.02);
+}
+
+// Both creep to the wall, the lower one pushed by the one on the slope. What creeps has no impacts with
+// walls.
+TEST(Squeezed, BallsThatSlideIntoACornerDoNotEnterTheWall) {
+    for (const double wall : {2.0, 2.05, 2.1, 2.15, 2.2}) {
+        Scene scene = empty_scene({0, -9.81});
+        scene.rest_speed = 0.1;
+        scene.materials[0] = {"ball", 0, 0, 0};
+        add_part(scene, {shape::Polyline{{{-8, 1.4}, {0, 0}, {wall, 0}, {wall, 9}}, false}}, {"", 0, 0, 0});
+        add_ball(scene, {-1.38, 1.1}, {}, 1);
+        add_ball(scene, {0.6, 1}, {}, 1);
+        EXPECT_LT(deepest_in(scene, 480), 0.005) << wall;
+    }
 }
 
 // Its arms press the ball between them, and its impacts on them have no end. Relative to them it hardly
