@@ -39,6 +39,14 @@ class Cells {
         friend auto operator<=>(const Cell&, const Cell&) = default;
     };
 
+    static constexpr BallIndex none = ~BallIndex{0};
+    static constexpr std::uint64_t unlisted = ~std::uint64_t{0};
+    /// A ball in the list of its cell.
+    struct Link {
+        std::uint64_t key = unlisted;  ///< of the cell: level, column, row
+        BallIndex next = none, previous = none;
+    };
+
     void reserve(std::size_t balls);
     /// Starts with these balls, none of them listed.
     void reset(std::span<const Ball> balls);
@@ -49,6 +57,7 @@ class Cells {
     void insert(BallIndex i, Vec2 center);
     void remove(BallIndex i);
     [[nodiscard]] const Cell& operator[](BallIndex i) const { return cells_[i]; }
+    [[nodiscard]] const Link& link(BallIndex i) const { return links_[i]; }
     /// Draws the cells in use, each with the number of its balls.
     void inspect(Inspector& inspector) const;
     /// The least width for a ball of this radius.
@@ -71,16 +80,10 @@ class Cells {
     }
 
   private:
-    static constexpr BallIndex none = ~BallIndex{0};
     static constexpr int index_bits = 28;
     static constexpr std::uint32_t index_mask = (1U << index_bits) - 1;
     static constexpr std::uint32_t most_levels = 128;
 
-    struct Link {
-        std::uint64_t key = unlisted;  ///< of the cell: level, column, row
-        BallIndex next = none, previous = none;
-    };
-    static constexpr std::uint64_t unlisted = ~std::uint64_t{0};
     struct Level {
         std::uint32_t number = 0;
         std::size_t balls = 0;
