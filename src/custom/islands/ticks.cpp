@@ -78,18 +78,17 @@ void Islands::solve(double time) {
     store_forces();
 }
 
-/// Solves the contacts of all members over a tick of this duration, s. Balls that members overlap become
-/// members too.
+/// Solves the contacts of all members over a tick of this duration, s. Flying balls into which the position
+/// correction moves members become members too.
 void Islands::solve_members(double time, double duration) {
     for (const BallIndex i : members_) sim_.hot[i].in_solve = true;
     stop_pushed_creep(time);
-    for (overlapped_.clear();;) {
-        for (const BallIndex j : overlapped_) add_member(j, time);
+    do {
         collect_contacts(time, duration);
         contact_solver_.solve(duration, sim_.scene.gravity);
-        find_overlapped();  // by members that the position correction has moved
-        if (overlapped_.empty()) break;
-    }
+        find_overlapped();
+        for (const BallIndex j : overlapped_) add_member(j, time);
+    } while (!overlapped_.empty());
     if (sim_.record->trace) trace_tick(sim_, contact_solver_, members_, time, duration);
     remember_forces(time, duration);
     for (const BallIndex i : members_) sim_.hot[i].in_solve = false;
@@ -182,7 +181,7 @@ void Islands::collect_contacts(double time, double duration) {
     find_overlapped();
 }
 
-/// Finds the flying balls that members deeply overlap, where the contact solver has them now.
+/// Finds the flying balls into which the position correction has moved members.
 void Islands::find_overlapped() {
     overlapped_.clear();
     for (const auto& [member, ball, position] : beside_) {
