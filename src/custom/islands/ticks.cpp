@@ -192,8 +192,7 @@ void Islands::find_overlapped() {
     }
 }
 
-/// Adds the contact of two balls that touch, or will touch slowly within the tick. A faster approach is an
-/// event.
+/// Adds the contact of two balls that touch or may touch within the tick.
 void Islands::add_ball_contact(BallIndex i, BallIndex j, double time, double duration) {
     const Ball &a = sim_.balls[i], &b = sim_.balls[j];
     ++sim_.record->statistics.pair_tests;
@@ -214,13 +213,13 @@ void Islands::add_ball_contact(BallIndex i, BallIndex j, double time, double dur
     if (flies) return beside_.push_back({i, j, there});
     deepest_ = std::max(deepest_, -gap);
     const bool jammed = sim_.particles[i].jammed || sim_.particles[j].jammed;
-    if (!deep && !jammed && closing > sim_.slow) return;
     ++sim_.record->statistics.narrow_tests;
     ++sim_.record->statistics.contacts;
     const bool i_above = dot(normal, sim_.scene.gravity) <= 0;
     ContactSolver::Contact contact;
     const auto other =
         sim_.hot[j].in_solve ? rank_[j] : contact_solver_.add({there, {}, {}, 0, b.radius, 0, 0});
+    contact.bounces = !deep && !jammed && closing > sim_.slow;
     contact.upper = i_above ? rank_[i] : other;
     contact.lower = i_above ? other : rank_[i];
     contact.normal = i_above ? normal : -normal;
