@@ -12,7 +12,7 @@
 // Finkel, Bentley 1974, "Quad trees"; proxies in the smallest node that contains them: Samet 1990, "The
 // Design and Analysis of Spatial Data Structures", 3.4 (the MX-CIF tree, after Kedem 1982).
 
-#include <algorithm>
+#include <numeric>
 
 #include "custom/broad_phase/broad_phase.hpp"
 
@@ -20,211 +20,159 @@ namespace flipside::custom {
 
 namespace {
 
+Vec2 middle_of(const Box& box) {
+    return 0.5 * (box.min + box.max);
+}
+
 class Tree {
   public:
-    explicit Tree(const BroadPhaseOptions& options)
-        : world_(options.world),
-          capacity_(static_cast<std::uint32_t>(options.adaptive_capacity)),
-          depth_(options.adaptive_depth) {
-        nodes_.push_back({});
-    }
-
-    /// Returns the number of box tests.
-    std::uint64_t build(std::span<const Proxy> proxies) {
-        const auto count = static_cast<std::uint32_t>(proxies.size());
-        // At each depth at most count / (capacity + 1) nodes are split.
-        nodes_.reserve(1 + 4 * static_cast<std::size_t>(depth_) * (count / (capacity_ + 1)));
-        proxies_ = proxies;
-        items_.resize(count);
-        for (Handle i = 0; i < count; ++i) items_[i] = i;
-        sorted_.resize(count);
-        nodes_.assign(1, {middle_of(world_), 0, count, count, 0});
-        levels_ = 0;
-        tests_ = 0;
-        split(0, 0.25 * (world_.max - world_.min), 1);
-        return tests_;
-    }
-
-    /// Visits the items in a node, and in the nodes below it that a box reaches, each with its node. Returns
-    /// the number of box tests.
-    std::uint64_t reach(const Box& box, auto&& visit, std::uint32_t node = 0) const {
-        const Node& n = nodes_[node];
-        for (std::uint32_t i = n.begin; i < n.own_end; ++i) visit(items_[i], node);
-        return n.children != 0 ? reach_below(box, visit, node) : 0;
-    }
-    std::uint64_t reach_below(const Box& box, auto&& visit, std::uint32_t node) const {
-        const Node& n = nodes_[node];
-        std::uint64_t tests = 1;
-        for (std::uint32_t child = 0; child < 4; ++child)
-            if (reaches(box, n, child)) tests += reach(box, visit, n.children + child);
-        return tests;
-    }
-
-    /// Visits all nodes with their index, their own items, and whether they have children.
-    void each_node(auto&& visit) const {
-        for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
-            const Node& n = nodes_[i];
-            visit(i, std::span(items_).subspan(n.begin, n.own_end - n.begin), n.children != 0);
-        }
-    }
-    /// Visits the cells of all nodes, parents first, each with whether it is a leaf. `still`: of the cells.
-    void each_cell(bool still, auto&& visit) const { each_cell({world_, 0, 0, no_cell, 0, still}, visit); }
-    /// Adds the nodes that a box reaches, from `node` down.
-    void add_reached(const Box& box, std::uint32_t node, std::vector<std::uint32_t>& reached) const {
-        reached.push_back(node);
-        const Node& n = nodes_[node];
-        if (n.children == 0) return;
-        for (std::uint32_t child = 0; child < 4; ++child)
-            if (reaches(box, n, child)) add_reached(box, n.children + child, reached);
-    }
-
-    [[nodiscard]] const Box& box_of(Handle item) const { return proxies_[item].box; }
-    [[nodiscard]] int levels() const { return levels_; }
-    [[nodiscard]] int nodes() const { return static_cast<int>(nodes_.size()); }
-
-  private:
     struct Node {
-        Vec2 middle;
+        Box box;
         /// Indices into items_: its own from begin to own_end, then those of the children.
         std::uint32_t begin = 0, own_end = 0, end = 0;
+        std::uint32_t parent = no_cell;
+        int level = 0;
         std::uint32_t children = 0;  ///< index of the first of four; 0 without children
     };
-    static constexpr int straddles = -1;
 
-    /// Whether a box reaches a child that is not empty.
-    [[nodiscard]] bool reaches(const Box& box, const Node& n, std::uint32_t child) const {
-        const bool to_side = child % 2 == 0 ? box.min.x < n.middle.x : box.max.x >= n.middle.x;
-        const bool to_height = child < 2 ? box.min.y < n.middle.y : box.max.y >= n.middle.y;
-        return to_side && to_height && nodes_[n.children + child].begin < nodes_[n.children + child].end;
+    /// Keeps a reference to the proxies and counts its tests in `tests`.
+    Tree(const std::vector<Proxy>& proxies, std::uint64_t& tests, const BroadPhaseOptions& options)
+        : proxies_(proxies),
+          tests_(tests),
+          world_(options.world),
+          capacity_(static_cast<std::uint32_t>(options.adaptive_capacity)),
+          depth_(options.adaptive_depth) {}
+
+    /// Builds the tree of the proxies from handle `first` on.
+    void build(Handle first) {
+        const auto count = static_cast<std::uint32_t>(proxies_.size()) - first;
+        // At each depth at most count / (capacity + 1) nodes are split.
+        nodes_.reserve(1 + 4 * static_cast<std::size_t>(depth_) * (count / (capacity_ + 1)));
+        items_.resize(count);
+        sorted_.resize(count);
+        std::iota(items_.begin(), items_.end(), first);
+        nodes_.assign(1, {world_, 0, count, count});
+        split(0);
     }
-    static Box part_of(const Box& box, Vec2 middle, std::uint32_t child) {
-        Box part = box;
-        (child % 2 == 0 ? part.max.x : part.min.x) = middle.x;
-        (child < 2 ? part.max.y : part.min.y) = middle.y;
-        return part;
-    }
-    void each_cell(Cell cell, auto& visit) const {
-        const Node& n = nodes_[cell.index];
-        cell.listed = static_cast<int>(n.own_end - n.begin);
-        visit(cell, n.children == 0);
+
+    /// Visits a node, and those below it that a box reaches unless they are empty, each with its own items.
+    void reach(const Box& box, std::uint32_t node, auto&& visit) const {
+        visit(node, items(node));
+        const Node& n = nodes_[node];
         if (n.children == 0) return;
-        for (std::uint32_t i = 0; i < 4; ++i)
-            each_cell(
-                {part_of(cell.box, n.middle, i), 0, n.children + i, cell.index, cell.level + 1, cell.still},
-                visit);
+        ++tests_;
+        const Vec2 middle = middle_of(n.box);
+        const bool columns[] = {box.min.x < middle.x, box.max.x >= middle.x};
+        const bool rows[] = {box.min.y < middle.y, box.max.y >= middle.y};
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            const Node& child = nodes_[n.children + i];
+            if (columns[i % 2] && rows[i / 2] && child.begin < child.end) reach(box, n.children + i, visit);
+        }
     }
 
-    static Vec2 middle_of(const Box& box) { return 0.5 * (box.min + box.max); }
+    /// Parents come first.
+    [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
+    /// The proxies in a node, without those below it.
+    [[nodiscard]] std::span<const Handle> items(std::uint32_t node) const {
+        return std::span(items_).subspan(nodes_[node].begin, nodes_[node].own_end - nodes_[node].begin);
+    }
 
-    /// The child that contains a box: below left, below right, above left, above right.
-    int child_for(Vec2 middle, const Box& box) {
-        ++tests_;
+  private:
+    /// 0 for a box that crosses the middle, else 1 + the number of the child that contains it.
+    static std::uint32_t group_of(const Box& box, Vec2 middle) {
         const bool left = box.max.x < middle.x, right = box.min.x >= middle.x;
         const bool below = box.max.y < middle.y, above = box.min.y >= middle.y;
-        if (!(left || right) || !(below || above)) return straddles;
-        return (above ? 2 : 0) + (right ? 1 : 0);
+        return (left || right) && (below || above) ? 1U + (above ? 2U : 0U) + (right ? 1U : 0U) : 0U;
     }
 
-    /// `quarter`: a quarter of the size of the node, the offset from its centre to those of its children.
-    void split(std::uint32_t node, Vec2 quarter, int level) {
+    void split(std::uint32_t node) {
         const Node n = nodes_[node];
-        if (n.end - n.begin <= capacity_ || level > depth_) return;
-        std::uint32_t counts[5] = {};
+        if (n.end - n.begin <= capacity_ || n.level == depth_) return;
+        tests_ += n.end - n.begin;
+        const Vec2 middle = middle_of(n.box);
+        std::uint32_t begins[6] = {n.begin};  // of the groups, and the end of the last
         for (std::uint32_t i = n.begin; i < n.end; ++i) {
-            sorted_[i] = {items_[i], child_for(n.middle, proxies_[items_[i]].box)};
-            ++counts[sorted_[i].child + 1];
+            sorted_[i] = {items_[i], group_of(proxies_[items_[i]].box, middle)};
+            ++begins[sorted_[i].group + 1];
         }
-        if (counts[0] == n.end - n.begin) return;
-        std::uint32_t at[5] = {n.begin};
-        for (int i = 1; i < 5; ++i) at[i] = at[i - 1] + counts[i - 1];
+        std::partial_sum(std::begin(begins), std::end(begins), std::begin(begins));
+        if (begins[1] == n.end) return;
         const auto first = static_cast<std::uint32_t>(nodes_.size());
-        nodes_[node].own_end = at[1];
+        nodes_[node].own_end = begins[1];
         nodes_[node].children = first;
-        for (int i = 0; i < 4; ++i) {
-            const Vec2 offset = {i % 2 == 0 ? -quarter.x : quarter.x, i < 2 ? -quarter.y : quarter.y};
-            const std::uint32_t end = at[i + 1] + counts[i + 1];
-            nodes_.push_back({n.middle + offset, at[i + 1], end, end, 0});
-        }
-        for (std::uint32_t i = n.begin; i < n.end; ++i) items_[at[sorted_[i].child + 1]++] = sorted_[i].item;
-        levels_ = std::max(levels_, level);
-        for (std::uint32_t child = first; child < first + 4; ++child) split(child, 0.5 * quarter, level + 1);
+        for (std::uint32_t i = 0; i < 4; ++i)
+            nodes_.push_back(
+                {quarter_of(n.box, i), begins[i + 1], begins[i + 2], begins[i + 2], node, n.level + 1});
+        for (std::uint32_t i = n.begin; i < n.end; ++i) items_[begins[sorted_[i].group]++] = sorted_[i].item;
+        for (std::uint32_t child = first; child < first + 4; ++child) split(child);
     }
 
     struct Sorted {
         Handle item;
-        int child;
+        std::uint32_t group;
     };
+    const std::vector<Proxy>& proxies_;
+    std::uint64_t& tests_;
     Box world_;
     std::uint32_t capacity_;
-    int depth_, levels_ = 0;
-    std::span<const Proxy> proxies_;
+    int depth_;
     std::vector<Node> nodes_;
     std::vector<Handle> items_;
     std::vector<Sorted> sorted_;  ///< buffer of split()
-    std::uint64_t tests_ = 0;
 };
 
 class AdaptiveQuadtree final : public BroadPhase {
   public:
     AdaptiveQuadtree(std::vector<Proxy> still, const BroadPhaseOptions& options)
-        : BroadPhase(std::move(still)), still_tree_(options), moving_tree_(options) {
-        still_tree_.build(still_);
+        : BroadPhase(std::move(still)),
+          still_tree_(proxies_, tests_, options),
+          moving_tree_(proxies_, tests_, options) {
+        still_tree_.build(0);
+        moving_tree_.build(first_moving_);
+        tests_ = 0;
     }
 
     [[nodiscard]] BroadPhaseFacts facts() const override {
-        BroadPhaseFacts facts{
-            .name = "adaptive quadtree", .levels = moving_tree_.levels(), .nodes = moving_tree_.nodes()};
-        moving_tree_.each_node([&](std::uint32_t, std::span<const Handle> items, bool split) {
-            if (!split) ++facts.leaves;
-            facts.most_in_leaf = std::max(facts.most_in_leaf, static_cast<int>(items.size()));
-        });
+        BroadPhaseFacts facts{.name = "adaptive quadtree",
+                              .nodes = static_cast<int>(moving_tree_.nodes().size())};
+        for (const Tree::Node& node : moving_tree_.nodes()) {
+            facts.levels = std::max(facts.levels, node.level);
+            facts.leaves += node.children == 0;
+            facts.most_in_leaf = std::max(facts.most_in_leaf, static_cast<int>(node.own_end - node.begin));
+        }
         return facts;
     }
 
-    void inspect(Inspector& inspector) const override {
-        moving_tree_.each_cell(false, [&](const Cell& cell, bool leaf) {
-            if (leaf) inspector.cell(cell.box, cell.listed);
-        });
-    }
-
-    [[nodiscard]] std::vector<Cell> tree() const override {
+    [[nodiscard]] std::vector<Cell> cells() const override {
         std::vector<Cell> cells;
-        const auto add = [&](const Cell& cell, bool leaf) {
-            if (!leaf || cell.listed > 0) cells.push_back(cell);
-        };
-        still_tree_.each_cell(true, add);
-        moving_tree_.each_cell(false, add);
+        for (const Tree* tree : {&still_tree_, &moving_tree_})
+            for (std::uint32_t i = 0; i < tree->nodes().size(); ++i) {
+                const Tree::Node& node = tree->nodes()[i];
+                cells.push_back({node.box, static_cast<int>(node.own_end - node.begin),
+                                 static_cast<int>(node.end - node.begin), i, node.parent, node.level,
+                                 node.children == 0, tree == &still_tree_});
+            }
         return cells;
-    }
-
-    /// The nodes from its own down, and those of the still tree.
-    [[nodiscard]] Visited visited(Handle moving) const override {
-        Visited visited;
-        const auto proxy = moving - static_cast<Handle>(still_.size());
-        moving_tree_.each_node([&](std::uint32_t node, std::span<const Handle> items, bool) {
-            const auto at = std::ranges::find(items, proxy);
-            if (at == items.end()) return;
-            const Box& box = moving_tree_.box_of(proxy);
-            moving_tree_.add_reached(box, node, visited.cells);
-            still_tree_.add_reached(box, 0, visited.still_cells);
-        });
-        return visited;
     }
 
   private:
     void search() override {
-        tests_ += moving_tree_.build(moving_);
-        moving_tree_.each_node([&](std::uint32_t node, std::span<const Handle> items, bool split) {
-            for (std::size_t i = 0; i < items.size(); ++i) {
-                const Handle b = items[i];
-                const Box& box = moving_[b].box;
-                const auto test = [&](Handle a, std::uint32_t cell) { test_moving(a, b, cell); };
-                for (const Handle a : items.subspan(i + 1)) test(a, node);
-                if (split) tests_ += moving_tree_.reach_below(box, test, node);
-                tests_ +=
-                    still_tree_.reach(box, [&](Handle a, std::uint32_t cell) { test_still(a, b, cell); });
+        moving_tree_.build(first_moving_);
+        for (std::uint32_t node = 0; node < moving_tree_.nodes().size(); ++node) {
+            const std::span<const Handle> own = moving_tree_.items(node);
+            for (std::size_t i = 0; i < own.size(); ++i) {
+                const Handle b = own[i];
+                const auto test_with = [&](std::span<const Handle> items, std::uint32_t cell, bool still) {
+                    log_visit(b, cell, still);
+                    for (const Handle a : items) test(a, b, cell);
+                };
+                moving_tree_.reach(proxies_[b].box, node, [&](std::uint32_t cell, auto items) {
+                    test_with(cell == node ? own.subspan(i + 1) : items, cell, false);
+                });
+                still_tree_.reach(proxies_[b].box, 0,
+                                  [&](std::uint32_t cell, auto items) { test_with(items, cell, true); });
             }
-        });
+        }
     }
 
     Tree still_tree_, moving_tree_;

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "custom/broad_phase/capacity.hpp"
 #include "custom/geometry/bounds.hpp"
 #include "world/inspector.hpp"
 #include "world/statistics.hpp"
@@ -41,32 +42,50 @@ struct Pair {
 
 inline constexpr std::uint32_t no_cell = ~0U;
 
-/// A test of one box against another, and whether they overlap.
-struct PairTest {
-    Pair pair;
-    bool overlap = false;
-    Handle query = 0;              ///< the proxy whose query made the test
-    std::uint32_t cell = no_cell;  ///< node of a tree that lists the other proxy
-};
-
-/// A node of a quadtree, for traces.
+/// A cell of a grid, or a node of a tree.
 struct Cell {
     Box box;
-    int listed = 0;                  ///< number of proxies listed in it, without those below it
-    std::uint32_t index = no_cell;   ///< in the array of the tree
-    std::uint32_t parent = no_cell;  ///< no_cell for the root
-    int level = 0;                   ///< 0 for the root
-    bool still = false;              ///< whether its tree holds only still proxies
+    int listed = 0;                 ///< number of proxies listed in it, without those below it
+    int within = 0;                 ///< the same with those below it
+    std::uint32_t index = no_cell;  ///< in the array of the tree; no_cell in a grid
+    std::uint32_t parent = no_cell;
+    int level = 0;       ///< 0 for the root
+    bool leaf = true;    ///< nothing is below it
+    bool still = false;  ///< of a tree that holds only still proxies
 };
 
-/// Indices of the nodes that the query of one proxy visits.
-struct Visited {
-    std::vector<std::uint32_t> cells, still_cells;
+/// The part of the box of a node that belongs to a child: 0 below left, 1 below right, 2 above left, 3 above
+/// right.
+[[nodiscard]] constexpr Box quarter_of(Box box, std::uint32_t child) {
+    const Vec2 middle = 0.5 * (box.min + box.max);
+    (child % 2 == 0 ? box.max.x : box.min.x) = middle.x;
+    (child < 2 ? box.max.y : box.min.y) = middle.y;
+    return box;
+}
+
+/// What a search did, for traces.
+struct SearchLog {
+    /// A test of one box against another, and whether they overlap.
+    struct Test {
+        Pair pair;
+        bool overlap = false;
+        Handle query = 0;              ///< the proxy whose query made the test
+        std::uint32_t cell = no_cell;  ///< node of a tree that lists the other proxy
+    };
+    /// A node of a tree that the query of a proxy visited.
+    struct Visit {
+        Handle query = 0;
+        std::uint32_t cell = no_cell;
+        bool still = false;  ///< as in Cell
+    };
+    std::vector<Test> tests;
+    std::vector<Visit> visits;
 };
 
 class BroadPhase {
   public:
-    explicit BroadPhase(std::vector<Proxy> still) : still_(std::move(still)) {}
+    explicit BroadPhase(std::vector<Proxy> still)
+        : proxies_(std::move(still)), first_moving_(static_cast<Handle>(proxies_.size())) {}
     BroadPhase(const BroadPhase&) = delete;
     BroadPhase& operator=(const BroadPhase&) = delete;
     virtual ~BroadPhase() = default;
@@ -74,59 +93,53 @@ class BroadPhase {
     /// Replaces `pairs` by every overlapping pair that may meet, each once, sorted. Pairs of still proxies
     /// are never tested. Allocates only when the input is larger than ever before.
     void find_pairs(std::span<const Proxy> moving, std::vector<Pair>& pairs) {
+        reserve_for(proxies_, first_moving_ + moving.size());
+        proxies_.resize(first_moving_);
+        if (std::ranges::any_of(moving, &Proxy::ball))
+            proxies_.insert(proxies_.end(), moving.begin(), moving.end());
         pairs.clear();
         pairs_ = &pairs;
-        moving_ = std::ranges::any_of(moving, &Proxy::ball) ? moving : std::span<const Proxy>{};
         search();
         std::ranges::sort(pairs);
     }
     /// Number of box tests since the start, including those that building the structure costs.
     [[nodiscard]] std::uint64_t tests() const { return tests_; }
     [[nodiscard]] virtual BroadPhaseFacts facts() const = 0;
-    /// Adds every box test of two proxies to `log` from now on; null stops that.
-    void log_tests(std::vector<PairTest>* log) { log_ = log; }
-    /// Draws the cells of the last find_pairs().
-    virtual void inspect(Inspector&) const {}
-    /// For traces: the nodes of the last find_pairs() that have proxies at or below them, parents first.
-    /// Empty if there is no tree.
-    [[nodiscard]] virtual std::vector<Cell> tree() const { return {}; }
-    /// For traces: the nodes that the query of a moving proxy visits, by its handle. Cost: linear in the
-    /// tree.
-    [[nodiscard]] virtual Visited visited(Handle) const { return {}; }
+    /// The cells of the last search, parents first.
+    [[nodiscard]] virtual std::vector<Cell> cells() const { return {}; }
+    /// Draws the cells.
+    void inspect(Inspector& inspector) const {
+        for (const Cell& cell : cells())
+            if (cell.leaf && !cell.still) inspector.cell(cell.box, cell.listed);
+    }
+    /// Adds what searches do to `log` from now on; null stops that.
+    void log_searches(SearchLog* log) { log_ = log; }
 
   protected:
-    /// Tests all pairs of moving_ with still_ and among each other that may overlap, in any order.
+    /// Tests all pairs of moving proxies with all others that may overlap, in any order.
     virtual void search() = 0;
-    /// Tests a still and a moving proxy, by their indices, and lists them if they overlap. The test belongs
-    /// to the query of b, which found a in a cell.
-    void test_still(Handle a, Handle b, std::uint32_t cell = no_cell) {
-        test(a, still_[a], handle_of(b), moving_[b], cell);
+    /// Tests two proxies, and lists them if they overlap. The test belongs to the query of b, which found a
+    /// in a cell.
+    void test(Handle a, Handle b, std::uint32_t cell = no_cell) {
+        if (!may_meet(proxies_[a], proxies_[b])) return;
+        ++tests_;
+        const bool overlaps = overlap(proxies_[a].box, proxies_[b].box);
+        const Pair pair{std::min(a, b), std::max(a, b)};
+        if (overlaps) pairs_->push_back(pair);
+        if (log_ != nullptr) log_->tests.push_back({pair, overlaps, b, cell});
     }
-    /// The same for two moving proxies.
-    void test_moving(Handle a, Handle b, std::uint32_t cell = no_cell) {
-        test(handle_of(a), moving_[a], handle_of(b), moving_[b], cell);
+    void log_visit(Handle query, std::uint32_t cell, bool still = false) {
+        if (log_ != nullptr) log_->visits.push_back({query, cell, still});
     }
-    /// Handle of a moving proxy.
-    [[nodiscard]] Handle handle_of(Handle moving) const {
-        return static_cast<Handle>(still_.size()) + moving;
-    }
+    [[nodiscard]] std::size_t moving() const { return proxies_.size() - first_moving_; }
 
-    std::vector<Proxy> still_;
-    std::span<const Proxy> moving_;
+    std::vector<Proxy> proxies_;  ///< by handle
+    Handle first_moving_;
     std::uint64_t tests_ = 0;
 
   private:
-    void test(Handle a, const Proxy& of_a, Handle b, const Proxy& of_b, std::uint32_t cell) {
-        if (!may_meet(of_a, of_b)) return;
-        ++tests_;
-        const bool overlaps = overlap(of_a.box, of_b.box);
-        const Pair pair{std::min(a, b), std::max(a, b)};
-        if (overlaps) pairs_->push_back(pair);
-        if (log_ != nullptr) log_->push_back({pair, overlaps, b, cell});
-    }
-
     std::vector<Pair>* pairs_ = nullptr;
-    std::vector<PairTest>* log_ = nullptr;
+    SearchLog* log_ = nullptr;
 };
 
 struct BroadPhaseOptions {
@@ -137,28 +150,22 @@ struct BroadPhaseOptions {
     double grid_cell = 0;       ///< m, 0: fitted to the boxes
 };
 
-/// Tests every pair: n(n−1)/2 for n balls. All other broad phases are tested against it.
-[[nodiscard]] std::unique_ptr<BroadPhase> make_brute_force(std::vector<Proxy> still,
-                                                           const BroadPhaseOptions& options);
+using MakeBroadPhase = std::unique_ptr<BroadPhase>(std::vector<Proxy> still,
+                                                   const BroadPhaseOptions& options);
 
+/// Tests every pair: n(n−1)/2 for n balls. All other broad phases are tested against it.
+MakeBroadPhase make_brute_force;
 /// The full quadtree in an array, with quadtree_levels below the root. Boxes outside `world` belong to the
 /// cells at the border.
-[[nodiscard]] std::unique_ptr<BroadPhase> make_quadtree(std::vector<Proxy> still,
-                                                        const BroadPhaseOptions& options);
-
+MakeBroadPhase make_quadtree;
 /// A quadtree that splits a node of more than adaptive_capacity proxies, at most adaptive_depth times. A box
 /// that crosses a split stays in the node above it.
-[[nodiscard]] std::unique_ptr<BroadPhase> make_adaptive_quadtree(std::vector<Proxy> still,
-                                                                 const BroadPhaseOptions& options);
-
+MakeBroadPhase make_adaptive_quadtree;
 /// A uniform grid of square cells, grid_cell wide; 0 fits the cells to the moving boxes. Boxes outside
 /// `world` belong to the cells at the border. At most 2^22 cells, and 1,024 for each moving box if they are
 /// fitted: too small a cell is enlarged.
-[[nodiscard]] std::unique_ptr<BroadPhase> make_grid(std::vector<Proxy> still,
-                                                    const BroadPhaseOptions& options);
-
+MakeBroadPhase make_grid;
 /// Sweep and prune along x.
-[[nodiscard]] std::unique_ptr<BroadPhase> make_sweep(std::vector<Proxy> still,
-                                                     const BroadPhaseOptions& options);
+MakeBroadPhase make_sweep;
 
 }  // namespace flipside::custom

@@ -14,10 +14,8 @@ class BruteForce final : public BroadPhase {
 
   private:
     void search() override {
-        for (Handle b = 0; b < moving_.size(); ++b) {
-            for (Handle a = 0; a < still_.size(); ++a) test_still(a, b);
-            for (Handle a = 0; a < b; ++a) test_moving(a, b);
-        }
+        for (Handle b = first_moving_; b < proxies_.size(); ++b)
+            for (Handle a = 0; a < b; ++a) test(a, b);
     }
 };
 

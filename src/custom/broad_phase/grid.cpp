@@ -1,18 +1,14 @@
-// Uniform grid of square cells. A proxy is listed in every cell that its box overlaps. Still proxies are
-// listed once; moving ones are listed again for every search. Pairs are searched only in cells that list a
-// moving proxy. A box over more than `most_cells_listed` cells is wide: it is in no list and is tested
-// against all others.
+// Uniform grid of square cells. A proxy is listed in every cell that its box overlaps: still proxies once,
+// moving ones again in every search. A moving proxy is tested against those that the cells under it listed
+// before it. A box over more than `most_cells_listed` cells is wide: it is in no list and is tested against
+// all others.
 //
 // Finding the cells under a box needs its four coordinates once, and counts as one box test.
 // Cost: O(n · cells per box + pairs sharing a cell); wide boxes cost O(n) each.
 // Bentley, Friedman 1979, "Data structures for range searching", 2.3; Ericson 2005, "Real-time collision
 // detection", 7.1.
 
-#include <algorithm>
-#include <cmath>
-
-#include "custom/broad_phase/capacity.hpp"
-#include "custom/broad_phase/cell_lists.hpp"
+#include "custom/broad_phase/quadtree.hpp"
 
 namespace flipside::custom {
 
@@ -21,27 +17,29 @@ namespace {
 class Grid final : public CellBroadPhase {
   public:
     Grid(std::vector<Proxy> still, const BroadPhaseOptions& options)
-        : CellBroadPhase(std::move(still)), world_(options.world), fits_cells_(options.grid_cell == 0) {
+        : CellBroadPhase(std::move(still), options.world), fits_cells_(options.grid_cell == 0) {
         const Vec2 size = world_.max - world_.min;
-        set_cells(fits_cells_ ? std::max(size.x, size.y) : widened(options.grid_cell, most_cells));
+        divide(fits_cells_ ? std::max(size.x, size.y) : widened(options.grid_cell, most_cells));
     }
 
     [[nodiscard]] BroadPhaseFacts facts() const override {
         return {.name = "grid",
                 .leaves = static_cast<int>(columns_ * rows_),
-                .leaf_width = cell_,
-                .leaf_height = cell_,
+                .leaf_width = size_.x,
+                .leaf_height = size_.y,
                 .most_in_leaf = most_in_cell_};
     }
 
-    void inspect(Inspector& inspector) const override {
-        if (fits_cells_ && fitted_for_ == 0) return;  // not fitted yet
-        for (std::uint32_t row = 0; row < rows_; ++row)
-            for (std::uint32_t column = 0; column < columns_; ++column) {
-                const Vec2 corner =
-                    world_.min + cell_ * Vec2{static_cast<double>(column), static_cast<double>(row)};
-                inspector.cell({corner, corner + Vec2{cell_, cell_}}, count(row * columns_ + column));
-            }
+    [[nodiscard]] std::vector<Cell> cells() const override {
+        std::vector<Cell> cells;
+        if (fits_cells_ && fitted_for_ == 0) return cells;  // not fitted yet
+        CellRange{0, 0, columns_ - 1, rows_ - 1}.each([&](std::uint32_t column, std::uint32_t row) {
+            const Vec2 corner =
+                world_.min + size_.x * Vec2{static_cast<double>(column), static_cast<double>(row)};
+            const int listed = count(row * columns_ + column);
+            cells.push_back({{corner, corner + size_}, listed, listed});
+        });
+        return cells;
     }
 
   private:
@@ -50,16 +48,28 @@ class Grid final : public CellBroadPhase {
     static constexpr std::uint64_t most_cells_listed = 64;  ///< under a box that is listed
 
     void search() override {
-        clear_moving();
+        remove_moving();
         fit_cells();
-        reserve_for(moving_lists_.links, moving_.size(), pairs_per_ball);
-        reserve_for(occupied_, moving_.size(), pairs_per_ball);
-        reserve_for(moving_cells_, moving_.size());
-        reserve_for(wide_, moving_.size());
-        for (Handle i = 0; i < moving_.size(); ++i) insert(i);
-        most_in_cell_ = 0;
-        for (const std::uint32_t cell : occupied_) search_cell(cell, cell % columns_, cell / columns_);
-        search_wide();
+        wide_.resize(wide_still_);
+        reserve_for(wide_, proxies_.size());
+        for (Handle b = first_moving_; b < proxies_.size(); ++b) {
+            ++tests_;
+            if (is_wide(b)) {
+                for (Handle a = 0; a < b; ++a) test(a, b);
+                continue;
+            }
+            for (const Handle a : wide_) test(a, b);
+            ranges_[b].each([&](std::uint32_t column, std::uint32_t row) {
+                search_cell(row * columns_ + column, column, row, b);
+            });
+        }
+    }
+
+    /// Finds the cells under the next proxy. A wide one comes to the others.
+    bool is_wide(Handle proxy) {
+        const bool wide = ranges_.emplace_back(cells_under(proxies_[proxy].box)).count() > most_cells_listed;
+        if (wide) wide_.push_back(proxy);
+        return wide;
     }
 
     /// A width of cells, m, at least `cell`, of which the world has at most so many.
@@ -68,36 +78,30 @@ class Grid final : public CellBroadPhase {
         return std::max({cell, std::sqrt(size.x * size.y / most), std::max(size.x, size.y) * 0x1p-16});
     }
 
-    /// Sets the width of the cells and lists the still proxies in them.
-    void set_cells(double cell) {
+    /// Divides the world into cells of this width and lists the still proxies in them.
+    void divide(double cell) {
         const Vec2 size = world_.max - world_.min;
-        cell_ = cell;
         const auto cells_along = [&](double length) {
-            return static_cast<std::uint32_t>(std::max(1.0, std::ceil(length / cell_)));
+            return static_cast<std::uint32_t>(std::max(1.0, std::ceil(length / cell)));
         };
-        columns_ = cells_along(size.x), rows_ = cells_along(size.y);
-        for (CellLists* lists : {&still_lists_, &moving_lists_}) lists->reset(columns_ * rows_);
-        still_cells_.clear();
-        wide_still_.clear();
-        for (Handle i = 0; i < still_.size(); ++i) {
-            still_cells_.push_back(cells_under(still_[i].box));
-            if (still_cells_.back().count() > most_cells_listed)
-                wide_still_.push_back(i);
-            else
-                still_cells_.back().each([&](std::uint32_t column, std::uint32_t row) {
-                    still_lists_.add(row * columns_ + column, i);
-                });
-        }
+        set_cells({cell, cell}, cells_along(size.x), cells_along(size.y));
+        wide_.clear();
+        for (Handle i = 0; i < first_moving_; ++i)
+            if (!is_wide(i))
+                ranges_[i].each(
+                    [&](std::uint32_t column, std::uint32_t row) { list(row * columns_ + column, i); });
+        wide_still_ = wide_.size();
+        keep_still();
     }
 
     /// Fits the cells to the median size of the boxes, if their number has changed and the size differs. Few
     /// boxes in a large world get wider cells, since making each cell costs time and memory.
     void fit_cells() {
-        if (!fits_cells_ || fitted_for_ == moving_.size() || moving_.empty()) return;
-        fitted_for_ = moving_.size();
+        if (!fits_cells_ || fitted_for_ == moving() || moving() == 0) return;
+        fitted_for_ = moving();
         sizes_.clear();
-        reserve_for(sizes_, moving_.size());
-        for (const Proxy& proxy : moving_) {
+        reserve_for(sizes_, moving());
+        for (const Proxy& proxy : std::span(proxies_).subspan(first_moving_)) {
             const Vec2 size = proxy.box.max - proxy.box.min;
             sizes_.push_back(std::max(size.x, size.y));
         }
@@ -105,60 +109,16 @@ class Grid final : public CellBroadPhase {
         std::ranges::nth_element(sizes_, median);
         constexpr double wider = 1.25;  // than the median box; narrower cells list each box more often
         constexpr double alike = 1.5;
-        const double most = std::min(most_cells, most_cells_per_box * static_cast<double>(moving_.size()));
+        const double most = std::min(most_cells, most_cells_per_box * static_cast<double>(moving()));
         const double cell = widened(wider * *median, most);
-        if (cell > alike * cell_ || cell_ > alike * cell) set_cells(cell);
+        if (cell > alike * size_.x || size_.x > alike * cell) divide(cell);
     }
 
-    [[nodiscard]] CellRange cells_under(const Box& box) const {
-        return {cell_index(box.min.x - world_.min.x, cell_, columns_),
-                cell_index(box.min.y - world_.min.y, cell_, rows_),
-                cell_index(box.max.x - world_.min.x, cell_, columns_),
-                cell_index(box.max.y - world_.min.y, cell_, rows_)};
-    }
-
-    void clear_moving() {
-        for (const std::uint32_t cell : occupied_) moving_lists_.first[cell] = CellLists::none;
-        occupied_.clear();
-        moving_lists_.links.clear();
-        moving_cells_.clear();
-        wide_.clear();
-    }
-
-    void insert(Handle proxy) {
-        const CellRange range = cells_under(moving_[proxy].box);
-        moving_cells_.push_back(range);
-        ++tests_;
-        if (range.count() > most_cells_listed) return wide_.push_back(proxy);
-        range.each([&](std::uint32_t column, std::uint32_t row) {
-            const std::uint32_t cell = row * columns_ + column;
-            if (moving_lists_.first[cell] == CellLists::none) occupied_.push_back(cell);
-            moving_lists_.add(cell, proxy);
-        });
-    }
-
-    /// Tests wide boxes against all others; each pair of two wide ones once.
-    void search_wide() {
-        for (const Handle a : wide_still_)
-            for (Handle b = 0; b < moving_.size(); ++b) test_still(a, b);
-        for (const Handle b : wide_) {
-            for (Handle a = 0; a < still_.size(); ++a)
-                if (still_cells_[a].count() <= most_cells_listed) test_still(a, b);
-            for (Handle a = 0; a < moving_.size(); ++a)
-                if (a != b && (a < b || moving_cells_[a].count() <= most_cells_listed)) test_moving(a, b);
-        }
-    }
-
-    Box world_;
     bool fits_cells_;
-    double cell_ = 0;  ///< width, m
-    std::uint32_t columns_ = 1, rows_ = 1;
-    std::vector<Handle> wide_still_;
     std::size_t fitted_for_ = 0;  ///< number of moving proxies
     std::vector<double> sizes_;   ///< m, buffer of fit_cells()
-
-    std::vector<std::uint32_t> occupied_;  ///< cells that list a moving proxy
-    std::vector<Handle> wide_;
+    std::vector<Handle> wide_;    ///< those still come first
+    std::size_t wide_still_ = 0;
 };
 
 }  // namespace

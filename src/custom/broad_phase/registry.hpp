@@ -12,7 +12,7 @@ namespace flipside::custom {
 struct BroadPhaseKind {
     std::string_view name;   ///< in the setting
     std::string_view title;  ///< in facts() and figures
-    std::unique_ptr<BroadPhase> (*make)(std::vector<Proxy> still, const BroadPhaseOptions& options);
+    MakeBroadPhase* make;
 };
 
 /// Brute force, against which all others are tested, comes first.

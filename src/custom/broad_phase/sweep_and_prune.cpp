@@ -26,7 +26,7 @@ struct Edge {
 class Sweep final : public BroadPhase {
   public:
     explicit Sweep(std::vector<Proxy> still) : BroadPhase(std::move(still)) {
-        for (Handle i = 0; i < still_.size(); ++i) still_order_.push_back({still_[i].box.min.x, i});
+        for (Handle i = 0; i < first_moving_; ++i) still_order_.push_back({proxies_[i].box.min.x, i});
         std::ranges::sort(still_order_);
     }
 
@@ -41,31 +41,30 @@ class Sweep final : public BroadPhase {
         for (auto edge = order_.cbegin(); edge != order_.cend(); ++edge) {
             const Handle b = edge->proxy;
             for (; still != still_order_.cend() && still->left <= edge->left; ++still)
-                sweep(still_[still->proxy], edge, order_.cend(),
-                      [&](Handle other) { test_still(still->proxy, other); });
-            sweep(moving_[b], still, still_order_.cend(), [&](Handle other) { test_still(other, b); });
-            sweep(moving_[b], edge + 1, order_.cend(), [&](Handle other) { test_moving(b, other); });
+                sweep(still->proxy, edge, order_.cend(), [&](Handle other) { test(still->proxy, other); });
+            sweep(b, still, still_order_.cend(), [&](Handle other) { test(other, b); });
+            sweep(b, edge + 1, order_.cend(), [&](Handle other) { test(b, other); });
         }
     }
 
     /// Tests a proxy against those of an order, starting at `from`, that begin before it ends.
-    void sweep(const Proxy& a, Position from, Position to, auto&& test) {
+    void sweep(Handle a, Position from, Position to, auto&& visit) {
         for (; from != to; ++from) {
-            if (from->left > a.box.max.x) {
+            if (from->left > proxies_[a].box.max.x) {
                 ++tests_;
                 return;
             }
-            test(from->proxy);
+            visit(from->proxy);
         }
     }
 
     /// Insertion sort, which is linear for an almost sorted list; std::sort if that takes too long.
     void sort() {
-        if (order_.size() != moving_.size()) {
-            order_.resize(moving_.size());
-            for (Handle i = 0; i < order_.size(); ++i) order_[i].proxy = i;
+        if (order_.size() != moving()) {
+            order_.resize(moving());
+            for (Handle i = 0; i < order_.size(); ++i) order_[i].proxy = first_moving_ + i;
         }
-        for (Edge& edge : order_) edge.left = moving_[edge.proxy].box.min.x;
+        for (Edge& edge : order_) edge.left = proxies_[edge.proxy].box.min.x;
         const std::uint64_t enough = tests_ + 8 * order_.size();
         for (std::size_t i = 1; i < order_.size(); ++i) {
             if (tests_ > enough) return sort_anew();
@@ -87,7 +86,7 @@ class Sweep final : public BroadPhase {
     }
 
     std::vector<Edge> still_order_;
-    std::vector<Edge> order_;  ///< of the moving proxies, by index into moving_
+    std::vector<Edge> order_;  ///< of the moving proxies
 };
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "custom/broad_phase/cell_lists.hpp"
+#include "custom/broad_phase/quadtree.hpp"
 #include "custom/geometry/bounds.hpp"
 #include "world/ball.hpp"
 #include "world/inspector.hpp"

@@ -1,32 +1,16 @@
 #include "custom/trace/simple_trace.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "custom/tolerances.hpp"
 #include "custom/trace/explain.hpp"
 
 namespace flipside::custom {
 
-namespace {
-
-/// Adds the cells of a broad phase that list at least one proxy.
-class CellLister final : public Inspector {
-  public:
-    explicit CellLister(TraceStage& stage) : stage_(stage) {}
-    [[nodiscard]] bool wants(Topic topic) const override { return topic == Topic::cells; }
-    void cell(const Box& box, int count) override {
-        if (count > 0) stage_.add("cell").with("box", box).with("listed", static_cast<std::int64_t>(count));
-    }
-
-  private:
-    TraceStage& stage_;
-};
-
-}  // namespace
-
 SimpleTrace::SimpleTrace(Trace& trace, const Scene& scene, const Layout& layout, BroadPhase& broad)
     : trace_(trace), scene_(scene), layout_(layout), broad_(broad) {
-    broad_.log_tests(&log_);
+    broad_.log_searches(&log_);
 }
 
 void SimpleTrace::begin(std::string_view name, std::string_view function) {
@@ -71,9 +55,9 @@ void SimpleTrace::found_pairs(std::span<const Proxy> moving, std::span<const Bal
     begin("broad phase", "find_pairs");
     std::size_t overlapping = 0;
     const Handle first = layout_.size() - static_cast<Handle>(moving.size() - balls.size());
-    const std::vector<Cell> tree = broad_.tree();
-    const bool two_trees = std::ranges::any_of(tree, &Cell::still);
-    for (const auto& [pair, overlap, query, cell] : log_) {
+    const std::vector<Cell> cells = broad_.cells();
+    const bool two_trees = std::ranges::any_of(cells, &Cell::still);
+    for (const auto& [pair, overlap, query, cell] : log_.tests) {
         TraceItem& item = name_proxy(stage().add("test"), "", pair.b, balls);
         name_proxy(item, pair.a >= layout_.size() ? "other_" : "", pair.a, balls);
         item.with("overlap", overlap);
@@ -86,39 +70,31 @@ void SimpleTrace::found_pairs(std::span<const Proxy> moving, std::span<const Bal
     for (Handle i = 0; i < first + moving.size(); ++i)
         name_proxy(stage().add("box"), "", i, balls)
             .with("box", i < first ? layout_.still_proxies()[i].box : moving[i - first].box);
-    add_cells(tree, moving.size(), balls);
+    add_cells(cells, balls);
     const std::uint64_t n = balls.size(), all = n * (n - 1) / 2 + n * layout_.size();
     stage().says = std::to_string(overlapping) + " of " + counted(all, "pair") +
                    " survive the box test, of which the broad phase (" + std::string(broad_.facts().name) +
                    ") made " + std::to_string(tests) + ".";
-    log_.clear();
+    log_ = {};
 }
 
-/// Adds the nodes of trees and the nodes that each query visits, or the occupied cells of a grid.
-void SimpleTrace::add_cells(std::span<const Cell> tree, std::size_t moving, std::span<const Ball> balls) {
-    if (tree.empty()) {
-        CellLister cells(stage());
-        broad_.inspect(cells);
-    }
-    const auto numbers = [](const std::vector<std::uint32_t>& cells) {
-        return std::vector<double>(cells.begin(), cells.end());
-    };
-    for (const Cell& cell : tree) {
+/// Adds the cells in which something is listed and, of trees, the nodes that each query visited.
+void SimpleTrace::add_cells(std::span<const Cell> cells, std::span<const Ball> balls) {
+    for (const Cell& cell : cells) {
+        if (cell.within == 0) continue;
         TraceItem& item = stage().add("cell");
-        item.with("level", static_cast<std::int64_t>(cell.level)).with("cell", cell.index);
+        if (cell.index != no_cell)
+            item.with("level", static_cast<std::int64_t>(cell.level)).with("cell", cell.index);
         if (cell.parent != no_cell) item.with("parent", cell.parent);
-        item.with("of_still", cell.still)
-            .with("listed", static_cast<std::int64_t>(cell.listed))
-            .with("box", cell.box);
+        if (cell.index != no_cell) item.with("of_still", cell.still);
+        item.with("listed", static_cast<std::int64_t>(cell.listed)).with("box", cell.box);
     }
-    if (tree.empty()) return;
-    const Handle end = layout_.size() + static_cast<Handle>(balls.size());
-    for (Handle i = end - static_cast<Handle>(moving); i < end; ++i) {
-        const Visited visited = broad_.visited(i);
-        name_proxy(stage().add("search"), "", i, balls)
-            .with("cells", numbers(visited.cells))
-            .with("still_cells", numbers(visited.still_cells));
-    }
+    std::map<Handle, std::vector<double>[2]> visited;
+    for (const auto& [query, cell, still] : log_.visits) visited[query][still].push_back(cell);
+    for (const auto& [query, visits] : visited)
+        name_proxy(stage().add("search"), "", query, balls)
+            .with("cells", visits[0])
+            .with("still_cells", visits[1]);
 }
 
 void SimpleTrace::decided_gates(const Table& table) {

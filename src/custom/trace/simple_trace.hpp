@@ -16,7 +16,7 @@ class SimpleTrace {
     SimpleTrace(Trace& trace, const Scene& scene, const Layout& layout, BroadPhase& broad);
     SimpleTrace(const SimpleTrace&) = delete;
     SimpleTrace& operator=(const SimpleTrace&) = delete;
-    ~SimpleTrace() { broad_.log_tests(nullptr); }
+    ~SimpleTrace() { broad_.log_searches(nullptr); }
 
     /// The next stages belong to motion iteration `k` of `n`.
     void motion(int k, int n);
@@ -44,7 +44,7 @@ class SimpleTrace {
     void begin(std::string_view name, std::string_view function);
     [[nodiscard]] TraceStage& stage() { return trace_.stages.back(); }
     [[nodiscard]] TraceStage& narrow() { return trace_.stages[trace_.stages.size() - 2]; }
-    void add_cells(std::span<const Cell> tree, std::size_t moving, std::span<const Ball> balls);
+    void add_cells(std::span<const Cell> cells, std::span<const Ball> balls);
     void add_axes(const Ball& ball, PrimitiveIndex primitive, const Pose& pose);
     TraceItem& add_response(const Ball& before, const Ball& after, const Impact& impact,
                             const Mixed& material, double closing);
@@ -58,7 +58,7 @@ class SimpleTrace {
     BroadPhase& broad_;
     std::string of_motion_, of_round_;  ///< "Motion iteration k of n. ", or empty if n is 1
     std::vector<Ball> before_;
-    std::vector<PairTest> log_;
+    SearchLog log_;
     Ball lower_, upper_;  ///< of the last test, before the response
     std::int64_t turn_ = 0;
     int overlapping_ = 0, impacts_ = 0, resting_ = 0;

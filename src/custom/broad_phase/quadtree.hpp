@@ -1,0 +1,105 @@
+#pragma once
+/// Lists of proxies per cell, for the leaves of the quadtree and for the grid. A proxy is listed in every
+/// cell that its box overlaps; a pair that shares several cells is tested only in the first of them.
+
+#include <cmath>
+
+#include "custom/broad_phase/broad_phase.hpp"
+
+namespace flipside::custom {
+
+/// Columns and rows of cells, both ends included.
+struct CellRange {
+    std::uint32_t left = 0, low = 0, right = 0, high = 0;
+
+    [[nodiscard]] std::uint64_t count() const {
+        return std::uint64_t{right - left + 1} * std::uint64_t{high - low + 1};
+    }
+    /// Visits the cells row by row.
+    void each(auto&& visit) const {
+        for (std::uint32_t row = low; row <= high; ++row)
+            for (std::uint32_t column = left; column <= right; ++column) visit(column, row);
+    }
+};
+
+class CellBroadPhase : public BroadPhase {
+  protected:
+    CellBroadPhase(std::vector<Proxy> still, const Box& world)
+        : BroadPhase(std::move(still)), world_(world) {}
+
+    /// Divides the world into empty cells of this size, m.
+    void set_cells(Vec2 size, std::uint32_t columns, std::uint32_t rows) {
+        size_ = size, columns_ = columns, rows_ = rows;
+        lists_.assign(std::size_t{columns} * rows, {});
+        links_.clear();
+        ranges_.clear();
+        most_in_cell_ = 0;
+    }
+    /// The cells under a box. Boxes outside the world, even at infinity, are in the outermost cells.
+    [[nodiscard]] CellRange cells_under(const Box& box) const {
+        const auto index = [](double offset, double width, std::uint32_t cells) {
+            const double at = std::floor(offset / width);
+            return at > 0 ? static_cast<std::uint32_t>(std::min(at, cells - 1.0)) : 0;
+        };
+        const Vec2 min = box.min - world_.min, max = box.max - world_.min;
+        return {index(min.x, size_.x, columns_), index(min.y, size_.y, rows_),
+                index(max.x, size_.x, columns_), index(max.y, size_.y, rows_)};
+    }
+    /// Adds a proxy to the front of the list of a cell.
+    void list(std::uint32_t cell, Handle proxy) {
+        List& list = lists_[cell];
+        links_.push_back({proxy, list.first, cell});
+        list.first = static_cast<std::uint32_t>(links_.size() - 1);
+        most_in_cell_ = std::max(most_in_cell_, ++list.count);
+    }
+    /// All still proxies are listed now.
+    void keep_still() { still_links_ = links_.size(), most_still_ = most_in_cell_; }
+    /// Removes the moving proxies, for another search.
+    void remove_moving() {
+        for (; links_.size() > still_links_; links_.pop_back()) {
+            List& list = lists_[links_.back().cell];
+            list = {links_.back().next, list.count - 1};
+        }
+        ranges_.resize(first_moving_);
+        reserve_for(ranges_, proxies_.size());
+        reserve_for(links_, proxies_.size(), pairs_per_ball);
+        most_in_cell_ = most_still_;
+    }
+    /// Tests proxy b against those listed in a cell under it, unless both are in an earlier one too, and
+    /// lists it. `node`: the index of the cell among those of a tree.
+    void search_cell(std::uint32_t cell, std::uint32_t column, std::uint32_t row, Handle b,
+                     std::uint32_t node = no_cell) {
+        const CellRange range = ranges_[b];
+        for (std::uint32_t link = lists_[cell].first; link != none; link = links_[link].next) {
+            const Handle a = links_[link].proxy;
+            if (column == std::max(ranges_[a].left, range.left) && row == std::max(ranges_[a].low, range.low))
+                test(a, b, node);
+        }
+        list(cell, b);
+    }
+    /// Number of proxies in a cell.
+    [[nodiscard]] int count(std::uint32_t cell) const { return lists_[cell].count; }
+
+    Box world_;
+    Vec2 size_;  ///< m, of a cell
+    std::uint32_t columns_ = 1, rows_ = 1;
+    std::vector<CellRange> ranges_;  ///< by handle
+    int most_in_cell_ = 0;
+
+  private:
+    static constexpr std::uint32_t none = ~0U;
+    struct List {
+        std::uint32_t first = none;  ///< index into links_
+        int count = 0;
+    };
+    struct Link {
+        Handle proxy;
+        std::uint32_t next, cell;
+    };
+    std::vector<List> lists_;  ///< by cell
+    std::vector<Link> links_;  ///< those of still proxies first
+    std::size_t still_links_ = 0;
+    int most_still_ = 0;  ///< still proxies in a cell
+};
+
+}  // namespace flipside::custom
