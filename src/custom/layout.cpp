@@ -35,6 +35,16 @@ bool Layout::should_collide(const Table& table, PrimitiveIndex i, const Pose& po
     return gate_of(scene_.parts[part]) == nullptr || !lets_through(table, part, pose, table.rate(part), ball);
 }
 
+void Layout::fill_proxies(const Table& table, std::span<const Ball> balls, double ahead, double margin,
+                          std::vector<Proxy>& moving) const {
+    moving.clear();
+    for (PrimitiveIndex i = still_; i < primitives_.size(); ++i)
+        moving.push_back(proxy_of(primitives_[i], table.pose(primitives_[i].part, ahead)));
+    for (const Ball& ball : balls)
+        moving.push_back(
+            {bounds_of(ball.position, ball.radius * (1 + margin)), ball.layer, ball.collides_with, true});
+}
+
 bool lets_through(const Table& table, PartIndex gate, const Pose& pose, double rate, const Ball& ball) {
     if (table.parts()[gate].open) return true;
     if (table.is_blocked(gate, ball.number)) return false;

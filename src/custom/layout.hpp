@@ -40,14 +40,9 @@ class Layout {
     [[nodiscard]] std::span<const PartIndex> gates() const { return gates_; }
 
     /// Fills `moving` with the proxies of the moving primitives, `ahead` seconds after the table's time, then
-    /// of the balls. `box_of` gives the box of a ball.
-    void fill_proxies(const Table& table, std::span<const Ball> balls, double ahead, auto&& box_of,
-                      std::vector<Proxy>& moving) const {
-        moving.clear();
-        for (PrimitiveIndex i = still_; i < primitives_.size(); ++i)
-            moving.push_back(proxy_of(primitives_[i], table.pose(primitives_[i].part, ahead)));
-        for (const Ball& ball : balls) moving.push_back({box_of(ball), ball.layer, ball.collides_with, true});
-    }
+    /// of the balls. Their boxes reach `margin` radii beyond them.
+    void fill_proxies(const Table& table, std::span<const Ball> balls, double ahead, double margin,
+                      std::vector<Proxy>& moving) const;
 
     /// Restitution, friction and kick between a ball and a ball or part.
     [[nodiscard]] const Mixed& mixed(const Ball& ball, const auto& other) const {

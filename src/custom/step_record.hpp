@@ -15,16 +15,14 @@ struct StepRecord {
     std::vector<Sensed> crossed;  ///< sensors with which balls overlapped
     Statistics statistics;
     Trace* trace = nullptr;  ///< trace of the step, or null
-    /// Wall time of each stage, s.
-    double broad_seconds = 0, flight_seconds = 0, contact_seconds = 0, report_seconds = 0;
 };
 
-/// Measures the stages of a step: lap() adds the wall time since the last lap.
+/// Measures the stages of a step: lap() adds the wall time since the last lap to a stage.
 class Stopwatch {
   public:
-    void lap(double& seconds) {
+    void lap(StageTime& stage) {
         const auto now = std::chrono::steady_clock::now();
-        seconds += std::chrono::duration<double>(now - last_).count();
+        stage.seconds += std::chrono::duration<double>(now - last_).count();
         last_ = now;
     }
 

@@ -85,16 +85,12 @@ void TouchList::begin() {
     std::swap(sensed_before_, sensed_);
     now_.clear();
     sensed_.clear();
-    narrow_tests_ = 0;
 }
 
 void TouchList::search(const Layout& layout, const Table& table, std::span<const Ball> balls,
                        BroadPhase& broad) {
     begin();
-    const auto box_of = [&](const Ball& ball) {
-        return bounds_of(ball.position, ball.radius * (1 + distance_));
-    };
-    layout.fill_proxies(table, balls, 0, box_of, moving_);
+    layout.fill_proxies(table, balls, 0, distance_, moving_);
     broad.find_pairs(moving_, pairs_);
     test_pairs(layout, table, balls);
 }
@@ -108,8 +104,7 @@ void TouchList::refresh(const Layout& layout, const Table& table, std::span<cons
 }
 
 void TouchList::test_pairs(const Layout& layout, const Table& table, std::span<const Ball> balls) {
-    narrow_tests_ = pairs_.size();
-    if (narrow_tests_ == 0) return;  // the kept contacts are sorted
+    if (pairs_.empty()) return;  // the kept contacts are sorted
     const Handle first_ball = layout.size();
     for (const Pair pair : pairs_) {
         const Ball& ball = balls[pair.b - first_ball];
@@ -171,42 +166,23 @@ void TouchList::wake_unsupported(std::span<Ball> balls, Vec2 gravity) {
 }
 
 void TouchList::wake_unheld(std::span<Ball> balls, Vec2 gravity) const {
-    struct Hold {
-        std::size_t holder, held;
-        auto operator<=>(const Hold&) const = default;
-    };
-    std::vector<Hold> holds;
-    std::vector<char> is_held(balls.size());
-    std::vector<std::size_t> to_follow;
-    const auto hold = [&](std::size_t i) {
-        if (std::exchange(is_held[i], 1) == 0) to_follow.push_back(i);
-    };
-    for (std::size_t i = 0; i < balls.size(); ++i)
-        if (!balls[i].asleep) hold(i);
-    const auto index_of = [&](BallNumber number) {
-        return static_cast<std::size_t>(find_ball(balls, number) - balls.data());
+    std::vector<char> held(balls.size());
+    for (std::size_t i = 0; i < balls.size(); ++i) held[i] = !balls[i].asleep;
+    const auto is_held = [&](BallNumber number) -> char& {
+        return held[static_cast<std::size_t>(find_ball(balls, number) - balls.data())];
     };
     const double most = most_from_above * length(gravity);
-    for (const Contact& contact : now_) {
-        const double along = dot(contact.normal, gravity);
-        const std::size_t a = index_of(contact.ball);
-        if (!contact.other.is_ball) {
-            if (along < most) hold(a);
-            continue;
+    char fixed = 1;  // a part holds
+    for (bool any = true; std::exchange(any, false);)
+        for (const Contact& contact : now_) {
+            const double along = dot(contact.normal, gravity);
+            char &ball = is_held(contact.ball),
+                 &other = contact.other.is_ball ? is_held(contact.other.index) : fixed;
+            if (along < most && other && !ball) ball = any = true;
+            if (-along < most && ball && !other) other = any = true;
         }
-        const std::size_t b = index_of(contact.other.index);
-        if (along < most) holds.push_back({b, a});
-        if (-along < most) holds.push_back({a, b});
-    }
-    std::ranges::sort(holds);
-    while (!to_follow.empty()) {
-        const std::size_t holder = to_follow.back();
-        to_follow.pop_back();
-        const auto first = std::ranges::lower_bound(holds, holder, {}, &Hold::holder);
-        for (auto one = first; one != holds.end() && one->holder == holder; ++one) hold(one->held);
-    }
     for (std::size_t i = 0; i < balls.size(); ++i)
-        if (is_held[i] == 0) balls[i].asleep = false;
+        if (!held[i]) balls[i].asleep = false;
 }
 
 void TouchList::report_sensors(double time, std::vector<Sensed>& crossed, std::vector<Event>& events) const {

@@ -21,10 +21,8 @@ class TouchList {
                  std::span<const Pair> pairs);
     /// One contact per touching pair (the deepest if there are several), sorted by ball, then other.
     [[nodiscard]] std::span<const Contact> contacts() const { return now_; }
-    /// The candidate pairs of the last search.
+    /// The candidate pairs of the last search, each tested by the narrow phase.
     [[nodiscard]] std::span<const Pair> pairs() const { return pairs_; }
-    /// Number of narrow-phase tests in the last search.
-    [[nodiscard]] std::uint64_t narrow_tests() const { return narrow_tests_; }
     /// Reports the contacts that began or ended between the last two searches.
     void report_touches(double time, std::vector<Event>& events) const;
     /// The same for overlaps with sensors. `crossed`: those in between (used as a buffer).
@@ -40,8 +38,7 @@ class TouchList {
     void wake_unsupported(std::span<Ball> balls, Vec2 gravity);
     /// Wakes the sleeping balls that nothing holds by the contacts of the last search: no support leads from
     /// them, through sleeping balls, to a part or to an awake ball. Only a state that was edited has such
-    /// balls, and no contact that ends would ever wake them. Cost: contacts · log(contacts), and memory for
-    /// them.
+    /// balls, and no contact that ends would ever wake them. Cost: as above.
     void wake_unheld(std::span<Ball> balls, Vec2 gravity) const;
 
     void reserve(std::size_t primitives, std::size_t balls);
@@ -59,7 +56,6 @@ class TouchList {
     std::vector<Proxy> moving_;
     std::vector<Pair> pairs_;  ///< candidates
     std::vector<char> woken_;  ///< per ball: by wake_unsupported()
-    std::uint64_t narrow_tests_ = 0;
 };
 
 }  // namespace flipside::custom

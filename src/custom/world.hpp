@@ -33,22 +33,26 @@ class CustomWorld final : public World {
     void trace(Trace* trace) override { record_.trace = trace; }
 
   private:
-    void reserve_for();
+    // world.cpp
     void make_step(double dt);
-    void launch();
     void step_simple(double dt);
-    void lose_balls();
+    void step_continuous(double dt);
+    // read_out.cpp
     void find_contacts() const;
     void search_contacts();
     void sort_events() const;
     void fill_statistics(std::uint64_t pair_tests);
+    // world_changes.cpp
+    void reserve_for();
+    BallNumber append(const Ball& ball);
+    void launch();
     void wake_all();
     void interrupt();
     void reload(auto&& how);
     void load(const State& state);
     bool resume(const State& state);
     void wake_restless();
-    void undo_to(const Clock& before);
+    void step_with_undo(double dt);
 
     std::shared_ptr<const Scene> scene_;
     SolverSettings settings_;

@@ -1,10 +1,45 @@
-// Changes of the world from outside: controls, balls that are added and removed, saved states.
+// Changes of the world from outside: controls, balls that are launched, added and removed, saved states.
 
+#include <algorithm>
 #include <utility>
 
 #include "custom/world.hpp"
+#include "world/limits.hpp"
 
 namespace flipside::custom {
+
+/// Lists grow here, when balls are added, and hardly ever in a step.
+void CustomWorld::reserve_for() {
+    custom::reserve_for(balls_, balls_.size() + 1);
+    if (simple_) simple_->reserve(balls_.size());
+    if (continuous_) continuous_->reserve(balls_.size());
+    guard_.reserve(balls_.capacity(), std::max(least_capacity, balls_.capacity() * contacts_per_ball));
+    contacts_.reserve(layout_.size(), balls_.size());
+    custom::reserve_for(table_.memory().forces, balls_.size(), contacts_per_ball);
+    custom::reserve_for(table_.memory().inside, balls_.size(), touches_per_ball);
+    custom::reserve_for(table_.reported_lost(), balls_.size());
+    custom::reserve_for(table_.blocked(), balls_.size());
+    custom::reserve_for(record_.events, balls_.size(), events_per_ball);
+    custom::reserve_for(record_.crossed, balls_.size(), touches_per_ball);
+}
+
+BallNumber CustomWorld::append(const Ball& ball) {
+    balls_.push_back(ball);
+    balls_.back().number = table_.new_number();
+    reserve_for();
+    return balls_.back().number;
+}
+
+/// Launches the balls that are waiting for it.
+void CustomWorld::launch() {
+    while (const auto launched = table_.launch(balls_)) {
+        interrupt();
+        if (launched->existing)
+            *std::ranges::lower_bound(balls_, launched->ball.number, {}, &Ball::number) = launched->ball;
+        else
+            append(launched->ball);
+    }
+}
 
 void CustomWorld::wake_all() {
     for (Ball& ball : balls_) ball.asleep = false;
@@ -33,12 +68,10 @@ void CustomWorld::apply(const Control& control) {
 BallNumber CustomWorld::add(const Ball& ball) {
     find_contacts();
     interrupt();
-    balls_.push_back(ball);
-    balls_.back().number = table_.new_number();
-    reserve_for();
+    const BallNumber number = append(ball);
     search_contacts();
-    contacts_.leave_sensors(balls_.back().number);
-    return balls_.back().number;
+    contacts_.leave_sensors(number);
+    return number;
 }
 
 bool CustomWorld::remove(BallNumber number) {
@@ -109,15 +142,22 @@ bool CustomWorld::resume(const State& state) {
     return reached == state;
 }
 
-/// Goes back to the time before the step that is being made: to the start of the window of that time, and
-/// from there as before. In a quiet world only time has passed.
-void CustomWorld::undo_to(const Clock& before) {
-    reload([&] {
+/// Makes a step that starts in a window or in a quiet world. If it is refused, goes back to the start of the
+/// window, and from there to the time before the step; in a quiet world only time has passed.
+void CustomWorld::step_with_undo(double dt) {
+    const Clock before = table_.clock();
+    const bool quiet = continuous_->quiet();
+    const auto make = [&] {
+        make_step(dt);
+        require_limits(engine_name, std::span(balls_).first(quiet ? 0 : balls_.size()), time());
+    };
+    const auto go_back = [&] {
         const auto origin = continuous_->kept_origin();
         if (!origin) return table_.set_to(before, table_.parts(), 0);
         load(*origin);
         continuous_->resume(before, balls_, record_);
-    });
+    };
+    guard_.attempt(make, [&] { reload(go_back); });
 }
 
 }  // namespace flipside::custom

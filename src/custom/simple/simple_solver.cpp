@@ -9,8 +9,15 @@
 
 namespace flipside::custom {
 
-SimpleSolver::SimpleSolver(const Scene& scene, const Layout& layout, const SolverSettings& settings)
-    : scene_(scene), layout_(layout), settings_(settings) {}
+SimpleSolver::SimpleSolver(Table& table, std::vector<Ball>& balls, const Layout& layout, BroadPhase& broad,
+                           const SolverSettings& settings, StepRecord& record)
+    : table_(table),
+      scene_(table.scene()),
+      balls_(balls),
+      layout_(layout),
+      broad_(broad),
+      settings_(settings),
+      record_(record) {}
 
 void SimpleSolver::reserve(std::size_t balls) {
     reserve_for(started_, balls);
@@ -18,85 +25,85 @@ void SimpleSolver::reserve(std::size_t balls) {
     reserve_for(pairs_, balls, pairs_per_ball);
 }
 
-void SimpleSolver::step(Table& table, std::vector<Ball>& balls, double dt, BroadPhase& broad,
-                        StepRecord& record) {
-    table_ = &table, balls_ = &balls, record_ = &record;
+void SimpleSolver::step(double dt) {
     const double duration = dt / settings_.motion_iterations;
     const TimeInterval interval(scene_.damping, duration);
-    trace_ = record.trace ? std::make_unique<SimpleTrace>(*record.trace, scene_, layout_, broad) : nullptr;
+    trace_ = record_.trace ? std::make_unique<SimpleTrace>(*record_.trace, scene_, layout_, broad_) : nullptr;
+    auto& stages = record_.statistics.stages;
     Stopwatch watch;
     for (int motion = 1; motion <= settings_.motion_iterations; ++motion) {
         ahead_ = motion * duration;
         if (trace_) trace_->motion(motion, settings_.motion_iterations);
         move_balls(interval);
-        watch.lap(record.flight_seconds);
-        find_pairs(broad);
-        watch.lap(record.broad_seconds);
+        watch.lap(stages[1]);
+        find_pairs();
+        watch.lap(stages[0]);
         decide_gates(duration);
         for (int round = 1; round <= settings_.collision_iterations; ++round)
             if (!respond_to_pairs(duration, round)) break;
         watch_sensors();
-        watch.lap(record.contact_seconds);
-        ++record.statistics.substeps;
+        watch.lap(stages[2]);
+        ++record_.statistics.substeps;
     }
+    table_.advance(dt);
+    lose_balls();
 }
 
 void SimpleSolver::move_balls(const TimeInterval& interval) {
     started_.clear();
-    if (trace_) trace_->will_move(*balls_);
-    for (Ball& ball : *balls_) {
+    if (trace_) trace_->will_move(balls_);
+    for (Ball& ball : balls_) {
         started_.push_back(ball.position);
         ball.asleep = false;  // the other solver may have put it to sleep
         fly_freely(ball, scene_.gravity, interval);
     }
-    if (trace_) trace_->moved(*balls_, interval);
+    if (trace_) trace_->moved(balls_, interval);
 }
 
-void SimpleSolver::find_pairs(BroadPhase& broad) {
-    const auto box_of = [](const Ball& ball) { return bounds_of(ball.position, ball.radius); };
-    layout_.fill_proxies(*table_, *balls_, ahead_, box_of, moving_);
-    const std::uint64_t tests_before = broad.tests();
-    broad.find_pairs(moving_, pairs_);
-    if (trace_) trace_->found_pairs(moving_, *balls_, broad.tests() - tests_before);
+void SimpleSolver::find_pairs() {
+    layout_.fill_proxies(table_, balls_, ahead_, 0, moving_);
+    const std::uint64_t tests_before = broad_.tests();
+    broad_.find_pairs(moving_, pairs_);
+    if (trace_) trace_->found_pairs(moving_, balls_, broad_.tests() - tests_before);
 }
 
 /// Gates decide by the positions of the balls before they moved.
 void SimpleSolver::decide_gates(double duration) {
-    for (const PartIndex part : layout_.gates()) decide_gate(part, table_->pose(part, ahead_ - duration));
-    if (trace_) trace_->decided_gates(*table_);
+    for (const PartIndex part : layout_.gates()) decide_gate(part, table_.pose(part, ahead_ - duration));
+    if (trace_) trace_->decided_gates(table_);
 }
 
 /// Decides for each ball that overlaps a gate whether the gate lets it through, and keeps the gate open as
 /// long as such a ball overlaps it. The rule is in world/gate.hpp. `before`: the gate before the balls moved.
 void SimpleSolver::decide_gate(PartIndex part, const Pose& before) {
     const shape::Gate& gate = *gate_of(scene_.parts[part]);
-    const Pose now = table_->pose(part, ahead_);
+    const Pose now = table_.pose(part, ahead_);
     const Primitive line{primitive::Segment{gate.a, gate.b}, part};
     const auto separation = [&](const Ball& ball) {
-        ++record_->statistics.narrow_tests;
+        ++record_.statistics.narrow_tests;
         return touch(ball.position, ball.radius, line, now).separation;
     };
-    std::erase_if(table_->blocked(), [&](const Blocked& blocked) {
+    std::erase_if(table_.blocked(), [&](const Blocked& blocked) {
         if (blocked.gate != part) return false;
-        const Ball* ball = find_ball(*balls_, blocked.ball);
+        const Ball* ball = find_ball(balls_, blocked.ball);
         return ball != nullptr && separation(*ball) > touch_distance * ball->radius;
     });
-    const bool was_open = table_->parts()[part].open;
+    const bool was_open = table_.parts()[part].open;
     bool occupied = false;
     for (const Pair pair : pairs_) {
         if (is_ball(pair.a) || layout_.primitive(pair.a).part != part) continue;
-        const Ball& ball = ball_of(pair.b);
+        const Ball& ball = balls_[index_of(pair.b)];
         if (separation(ball) >= 0) continue;
         const Vec2 started = before.undo(started_[index_of(pair.b)]);
         const bool is_blocked =
             !was_open &&
-            (table_->is_blocked(part, ball.number) ||
+            (table_.is_blocked(part, ball.number) ||
              !flipside::lets_through(gate, started, rotated(ball.velocity, -now.angle), ball.radius));
         occupied = occupied || !is_blocked;
-        if (is_blocked) table_->set_blocked(part, ball.number, true);
+        if (is_blocked) table_.set_blocked(part, ball.number, true);
     }
-    table_->set_open(part, occupied);
-    if (occupied) std::erase_if(table_->blocked(), [&](const Blocked& b) { return b.gate == part; });
+    table_.set_open(part, occupied);
+    if (occupied) std::erase_if(table_.blocked(), [&](const Blocked& b) { return b.gate == part; });
 }
 
 /// One collision iteration: narrow phase and response of every pair, in order. Each response uses the results
@@ -106,42 +113,42 @@ bool SimpleSolver::respond_to_pairs(double duration, int round) {
     if (trace_) trace_->begin_round(round, settings_.collision_iterations);
     bool any = false;
     for (const Pair pair : pairs_)
-        any |= is_ball(pair.a) ? respond_to_ball(ball_of(pair.a), ball_of(pair.b), around)
-                               : respond_to_primitive(ball_of(pair.b), pair.a, around);
+        any |= is_ball(pair.a) ? respond_to_ball(balls_[index_of(pair.a)], balls_[index_of(pair.b)], around)
+                               : respond_to_primitive(balls_[index_of(pair.b)], pair.a, around);
     if (trace_) trace_->end_round();
     return any;
 }
 
 bool SimpleSolver::respond_to_primitive(Ball& ball, PrimitiveIndex index, const Surroundings& around) {
     const Primitive& primitive = layout_.primitive(index);
-    const Pose pose = layout_.pose(*table_, index, ahead_);
-    if (!layout_.should_collide(*table_, index, pose, ball)) {
+    const Pose pose = layout_.pose(table_, index, ahead_);
+    if (!layout_.should_collide(table_, index, pose, ball)) {
         if (trace_) trace_->passed_over(ball, index);
         return false;
     }
-    ++record_->statistics.narrow_tests;
+    ++record_.statistics.narrow_tests;
     const Touch found = touch(ball.position, ball.radius, primitive, pose);
     if (trace_) trace_->tested(ball, index, pose, found);
     if (found.separation >= -overlap_slop * ball.radius || found.past_end) return false;
-    ++record_->statistics.contacts;
-    const Vec2 surface_velocity = cross(layout_.rate(*table_, index, ahead_), found.point - pose.pivot);
+    ++record_.statistics.contacts;
+    const Vec2 surface_velocity = cross(layout_.rate(table_, index, ahead_), found.point - pose.pivot);
     const Part& part = scene_.parts[primitive.part];
     const Impact impact = respond(ball, found, surface_velocity, layout_.mixed(ball, part), around);
     push_out(ball, found);
     if (trace_) trace_->responded(ball, index, surface_velocity, impact, layout_.mixed(ball, part));
     if (impact.happened) {
         report(ball, Other::part(primitive.part), impact, found.point);
-        if (part.target) table_->set_down(primitive.part, true);
+        if (part.target) table_.set_down(primitive.part, true);
     }
     return true;
 }
 
 bool SimpleSolver::respond_to_ball(Ball& lower, Ball& upper, const Surroundings& around) {
-    ++record_->statistics.narrow_tests;
+    ++record_.statistics.narrow_tests;
     const Touch found = touch(lower.position, lower.radius, upper.position, upper.radius);
     if (trace_) trace_->tested(lower, upper, found);
     if (found.separation >= -overlap_slop * std::min(lower.radius, upper.radius)) return false;
-    ++record_->statistics.contacts;
+    ++record_.statistics.contacts;
     const Impact impact = respond(lower, upper, layout_.mixed(lower, upper), around);
     push_out(lower, upper);
     if (trace_) trace_->responded(lower, upper, impact, layout_.mixed(lower, upper));
@@ -150,10 +157,10 @@ bool SimpleSolver::respond_to_ball(Ball& lower, Ball& upper, const Surroundings&
 }
 
 void SimpleSolver::report(const Ball& ball, Other other, const Impact& impact, Vec2 point) {
-    ++record_->statistics.impacts;
-    const double time = table_->time() + ahead_;
+    ++record_.statistics.impacts;
+    const double time = table_.time() + ahead_;
     if (!within_top_speed(ball)) refuse_speed(engine_name, ball, other, time, scene_);
-    record_->events.push_back(
+    record_.events.push_back(
         {time, EventKind::impact, ball.number, other, point, impact.normal, impact.speed, impact.impulse});
 }
 
@@ -164,13 +171,25 @@ void SimpleSolver::watch_sensors() {
         if (is_ball(pair.a)) continue;
         const Primitive& primitive = layout_.primitive(pair.a);
         if (!scene_.parts[primitive.part].sensor) continue;
-        const Ball& ball = ball_of(pair.b);
-        ++record_->statistics.narrow_tests;
-        const Pose pose = layout_.pose(*table_, pair.a, ahead_);
+        const Ball& ball = balls_[index_of(pair.b)];
+        ++record_.statistics.narrow_tests;
+        const Pose pose = layout_.pose(table_, pair.a, ahead_);
         const double separation = touch(ball.position, ball.radius, primitive, pose).separation;
         if (trace_) trace_->sensed(ball, pair.a, separation);
-        if (separation <= 0) record_->crossed.push_back({ball.number, primitive.part});
+        if (separation <= 0) record_.crossed.push_back({ball.number, primitive.part});
     }
+}
+
+/// Handles the balls that have left the bounds.
+void SimpleSolver::lose_balls() {
+    const auto outside = [&](const Ball& ball) { return !scene_.bounds.contains(ball.position); };
+    auto& reported = table_.reported_lost();
+    for (const Ball& ball : balls_) {
+        if (!outside(ball) || std::ranges::find(reported, ball.number) != reported.end()) continue;
+        record_.events.push_back({table_.time(), EventKind::lost, ball.number, {}, ball.position, {}, 0, 0});
+        if (scene_.keep_lost) reported.push_back(ball.number);
+    }
+    if (!scene_.keep_lost) std::erase_if(balls_, outside);
 }
 
 }  // namespace flipside::custom

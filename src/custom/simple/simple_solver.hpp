@@ -32,17 +32,18 @@ namespace flipside::custom {
 
 class SimpleSolver {
   public:
-    /// Keeps references to scene, layout and settings.
-    SimpleSolver(const Scene& scene, const Layout& layout, const SolverSettings& settings);
+    /// Keeps references to all arguments.
+    SimpleSolver(Table& table, std::vector<Ball>& balls, const Layout& layout, BroadPhase& broad,
+                 const SolverSettings& settings, StepRecord& record);
 
-    /// Moves the balls by dt seconds. The table's clock stays; its gates and targets may change.
-    void step(Table& table, std::vector<Ball>& balls, double dt, BroadPhase& broad, StepRecord& record);
+    /// Moves balls and table by dt seconds.
+    void step(double dt);
     /// Reserves memory for so many balls, so that steps allocate nothing.
     void reserve(std::size_t balls);
 
   private:
     void move_balls(const TimeInterval& interval);
-    void find_pairs(BroadPhase& broad);
+    void find_pairs();
     void decide_gates(double duration);
     void decide_gate(PartIndex part, const Pose& before);
     bool respond_to_pairs(double duration, int round);
@@ -50,19 +51,19 @@ class SimpleSolver {
     bool respond_to_ball(Ball& lower, Ball& upper, const Surroundings& around);
     void report(const Ball& ball, Other other, const Impact& impact, Vec2 point);
     void watch_sensors();
+    void lose_balls();
 
     [[nodiscard]] bool is_ball(Handle handle) const { return handle >= layout_.size(); }
     [[nodiscard]] std::size_t index_of(Handle ball) const { return ball - layout_.size(); }
-    [[nodiscard]] Ball& ball_of(Handle ball) { return (*balls_)[index_of(ball)]; }
 
+    Table& table_;
     const Scene& scene_;
+    std::vector<Ball>& balls_;
     const Layout& layout_;
+    BroadPhase& broad_;
     const SolverSettings& settings_;
+    StepRecord& record_;
 
-    // The current step.
-    Table* table_ = nullptr;
-    std::vector<Ball>* balls_ = nullptr;
-    StepRecord* record_ = nullptr;
     double ahead_ = 0;           ///< s from the table's time to the end of this motion iteration
     std::vector<Vec2> started_;  ///< m, per ball: centre before this motion iteration
     std::vector<Proxy> moving_;  ///< turning primitives, then balls

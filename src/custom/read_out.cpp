@@ -1,0 +1,92 @@
+// What a world tells of itself after a step: contacts, events, statistics and drawings.
+
+#include <algorithm>
+#include <tuple>
+
+#include "custom/world.hpp"
+
+namespace flipside::custom {
+
+std::span<const Event> CustomWorld::events() const {
+    find_contacts();
+    return record_.events;
+}
+
+std::span<const Contact> CustomWorld::contacts() const {
+    find_contacts();
+    return contacts_.contacts();
+}
+
+/// Finds the contacts after a step of the continuous solver.
+void CustomWorld::find_contacts() const {
+    if (contacts_found_) return;
+    contacts_found_ = true;
+    contacts_last_ = continuous_->quiet();
+    // Balls that slept since then have the same contacts.
+    if (contacts_skipped_ || continuous_->fell_asleep())
+        contacts_.search(layout_, table_, balls_, *broad_);
+    else
+        contacts_.refresh(layout_, table_, balls_, continuous_->find_pairs(balls_));
+    contacts_skipped_ = false;
+    record_.statistics.narrow_tests += contacts_.pairs().size();
+    contacts_.report_touches(time(), record_.events);
+    sort_events();
+}
+
+/// Finds the contacts after balls have changed in any way but by a step of the continuous solver.
+void CustomWorld::search_contacts() {
+    contacts_found_ = true;
+    contacts_last_ = contacts_skipped_ = false;
+    contacts_.search(layout_, table_, balls_, *broad_);
+    record_.statistics.narrow_tests += contacts_.pairs().size();
+}
+
+void CustomWorld::sort_events() const {
+    std::ranges::sort(record_.events, {}, [](const Event& event) {
+        return std::tie(event.time, event.kind, event.ball, event.other, event.speed, event.impulse);
+    });
+}
+
+void CustomWorld::fill_statistics(std::uint64_t pair_tests) {
+    Statistics& statistics = record_.statistics;
+    statistics.solver = settings_.solver;
+    statistics.event_ordered = continuous_ != nullptr;
+    statistics.pair_tests += pair_tests;
+    const bool all_sleep = continuous_ && continuous_->quiet();
+    statistics.asleep = static_cast<std::uint64_t>(all_sleep ? std::ssize(balls_)
+                                                             : std::ranges::count_if(balls_, &Ball::asleep));
+    statistics.broad_phase.name = "cells";
+    if (continuous_) return;  // events of all kinds alternate, so there are no stages
+    statistics.broad_phase = broad_->facts();
+    constexpr std::string_view stages[] = {"broad phase", "flight", "contact", "report"};
+    for (std::size_t i = 0; i < std::size(stages); ++i) statistics.stages[i].name = stages[i];
+}
+
+void CustomWorld::inspect(Inspector& inspector) const {
+    const auto bounds = [&](const Primitive& primitive) {
+        return bounds_of(primitive, table_.pose(primitive.part));
+    };
+    if (inspector.wants(Topic::boxes)) {
+        for (const Primitive& primitive : layout_.primitives())
+            inspector.box(Topic::boxes, bounds(primitive));
+        for (const Ball& ball : balls_) inspector.box(Topic::boxes, bounds_of(ball.position, ball.radius));
+    }
+    if (inspector.wants(Topic::cells) && continuous_) continuous_->inspect_cells(inspector);
+    if (inspector.wants(Topic::cells) && simple_) broad_->inspect(inspector);
+    if (inspector.wants(Topic::pairs)) {
+        find_contacts();
+        const auto place = [&](Handle handle) {
+            if (handle >= layout_.size()) return balls_[handle - layout_.size()].position;
+            const Box box = bounds(layout_.primitive(handle));
+            return 0.5 * (box.min + box.max);
+        };
+        for (const Pair pair : contacts_.pairs()) inspector.pair(place(pair.a), place(pair.b));
+    }
+    if (inspector.wants(Topic::contacts))
+        for (const Contact& contact : contacts()) inspector.contact(contact);
+    if (inspector.wants(Topic::sleep))
+        for (const Ball& ball : balls_)
+            if (ball.asleep) inspector.circle(Topic::sleep, ball.position, ball.radius);
+}
+
+}  // namespace flipside::custom
