@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "world/bounds.hpp"
+
 namespace flipside::reference {
 
 namespace {
@@ -179,12 +181,10 @@ template <class R>
 Box bounds_of(const Feature<R>& feature) {
     if (const auto* line = std::get_if<Line<R>>(&feature.is)) {
         const Vec2 a = narrow(line->start), b = narrow(line->start + line->length * line->along);
-        return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+        return united(bounds_of(a, 0), bounds_of(b, 0));
     }
     const auto& curve = std::get<Curve<R>>(feature.is);
-    const Vec2 c = narrow(curve.center);
-    const double r = static_cast<double>(curve.radius);
-    return {{c.x - r, c.y - r}, {c.x + r, c.y + r}};
+    return bounds_of(narrow(curve.center), static_cast<double>(curve.radius));
 }
 
 #define FLIPSIDE_FEATURES(R)                                                                   \

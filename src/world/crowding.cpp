@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "world/bounds.hpp"
+
 namespace flipside {
 
 namespace {
@@ -128,28 +130,19 @@ class Sweep {
     std::vector<std::uint8_t> kind_of_;
 };
 
-Box around(Vec2 center, double radius) {
-    return {{center.x - radius, center.y - radius}, {center.x + radius, center.y + radius}};
-}
-
-Box united(const Box& a, const Box& b) {
-    return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y)},
-            {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y)}};
-}
-
 struct AppendBoxes {
     std::vector<Box>& boxes;
 
     void line(Vec2 a, Vec2 b, double radius_a = 0, double radius_b = 0) const {
-        boxes.push_back(united(around(a, radius_a), around(b, radius_b)));
+        boxes.push_back(united(bounds_of(a, radius_a), bounds_of(b, radius_b)));
     }
-    void operator()(const shape::Point& s) const { boxes.push_back(around(s.at, 0)); }
+    void operator()(const shape::Point& s) const { boxes.push_back(bounds_of(s.at, 0)); }
     void operator()(const shape::Segment& s) const { line(s.a, s.b); }
-    void operator()(const shape::Arc& s) const { boxes.push_back(around(s.center, s.radius)); }
-    void operator()(const shape::Circle& s) const { boxes.push_back(around(s.center, s.radius)); }
+    void operator()(const shape::Arc& s) const { boxes.push_back(bounds_of(s.center, s.radius)); }
+    void operator()(const shape::Circle& s) const { boxes.push_back(bounds_of(s.center, s.radius)); }
     void operator()(const shape::Polygon& s) const {
-        Box box = around(s.points.front(), 0);
-        for (const Vec2 point : s.points) box = united(box, around(point, 0));
+        Box box = bounds_of(s.points.front(), 0);
+        for (const Vec2 point : s.points) box = united(box, bounds_of(point, 0));
         boxes.push_back(box);
     }
     void operator()(const shape::Capsule& s) const { line(s.a, s.b, s.radius, s.radius); }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "custom/broad_phase/capacity.hpp"
-#include "custom/geometry/bounds.hpp"
+#include "world/bounds.hpp"
 #include "world/inspector.hpp"
 #include "world/statistics.hpp"
 

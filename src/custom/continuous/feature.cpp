@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "custom/geometry/bounds.hpp"
+#include "world/bounds.hpp"
 
 namespace flipside::custom {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "custom/broad_phase/quadtree.hpp"
-#include "custom/geometry/bounds.hpp"
 #include "world/ball.hpp"
+#include "world/bounds.hpp"
 #include "world/inspector.hpp"
 
 namespace flipside::custom {

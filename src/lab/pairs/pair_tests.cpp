@@ -64,7 +64,7 @@ std::shared_ptr<const Scene> toy_scene(int balls) {
 }
 
 custom::Proxy proxy_of(Vec2 position) {
-    return {custom::bounds_of(position, radius), 1, ~0U, true};
+    return {bounds_of(position, radius), 1, ~0U, true};
 }
 
 /// Mean tests per search of each broad phase.

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "custom/geometry/bounds.hpp"
 #include "custom/geometry/narrow_phase.hpp"
+#include "world/bounds.hpp"
 
 namespace flipside::lab {
 
@@ -30,8 +30,8 @@ Box extent_of(const Scene& scene, std::span<const PartState> parts, PartIndex pa
     std::optional<Box> extent;
     for (const Primitive& primitive : surface_of(scene)) {
         if (primitive.part != part) continue;
-        const Box box = custom::bounds_of(primitive, pose_of(scene.parts[part], parts[part]));
-        extent = extent ? custom::united(*extent, box) : box;
+        const Box box = bounds_of(primitive, pose_of(scene.parts[part], parts[part]));
+        extent = extent ? united(*extent, box) : box;
     }
     return extent.value_or(scene.bounds);
 }

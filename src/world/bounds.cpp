@@ -1,8 +1,8 @@
-#include "custom/geometry/bounds.hpp"
+#include "world/bounds.hpp"
 
 #include <numbers>
 
-namespace flipside::custom {
+namespace flipside {
 
 namespace {
 
@@ -45,4 +45,4 @@ Box bounds_of(const Primitive& primitive, const Pose& pose) {
     return std::visit(BoundsOf{pose}, primitive.is);
 }
 
-}  // namespace flipside::custom
+}  // namespace flipside

@@ -4,7 +4,7 @@
 #include "world/surface.hpp"
 #include "world/table.hpp"
 
-namespace flipside::custom {
+namespace flipside {
 
 /// AABB of a disc.
 [[nodiscard]] constexpr Box bounds_of(Vec2 center, double radius) {
@@ -34,4 +34,4 @@ namespace flipside::custom {
     return length_squared(p - (ahead <= 0 ? a : ahead >= l ? b : a + ahead / l * along));
 }
 
-}  // namespace flipside::custom
+}  // namespace flipside

@@ -1,4 +1,4 @@
-#include "custom/geometry/bounds.hpp"
+#include "world/bounds.hpp"
 
 #include <numbers>
 
@@ -6,7 +6,7 @@
 
 #include "rapidcheck/gtest.h"
 
-namespace flipside::custom {
+namespace flipside {
 namespace {
 
 using std::numbers::pi;
@@ -67,4 +67,4 @@ TEST(Bounds, BoxesThatShareABorderOverlap) {
 }
 
 }  // namespace
-}  // namespace flipside::custom
+}  // namespace flipside
