@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <tuple>
 
-#include "world/gate.hpp"
-
 namespace flipside::box2d {
 
 namespace {
@@ -33,13 +31,10 @@ bool ContactRules::ShouldCollide(b2Fixture* a, b2Fixture* b) {
     return layers_meet(ball, table_.scene().parts[owner_a.is_ball ? owner_b.index : owner_a.index]);
 }
 
-bool passes_gate(const Table& table, PartIndex part, const Ball& ball, Vec2 center, Vec2 velocity) {
-    if (table.parts()[part].open) return true;
-    if (table.is_blocked(part, ball.number)) return false;
-    const Pose pose = table.pose(part);
-    const Vec2 relative = velocity - cross(table.rate(part), center - pose.pivot);
-    return lets_through(*gate_of(table.scene().parts[part]), pose.undo(center),
-                        rotated(relative, -pose.angle), ball.radius);
+bool passes_gate(const Table& table, PartIndex part, Ball ball, Vec2 center, Vec2 velocity) {
+    ball.position = center;
+    ball.velocity = velocity;
+    return table.lets_through(part, table.pose(part), table.rate(part), ball);
 }
 
 /// Whether the gate lets a ball through that touches it; notes what was decided.

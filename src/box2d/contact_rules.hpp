@@ -25,8 +25,7 @@ struct Impact {
 };
 
 /// Whether a gate lets a ball through that touches it (gate.hpp): as was decided when they met, or now.
-[[nodiscard]] bool passes_gate(const Table& table, PartIndex part, const Ball& ball, Vec2 center,
-                               Vec2 velocity);
+[[nodiscard]] bool passes_gate(const Table& table, PartIndex part, Ball ball, Vec2 center, Vec2 velocity);
 
 class ContactRules : public b2ContactListener, public b2ContactFilter {
   public:

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "world/gate.hpp"
-
 namespace flipside::custom {
 
 Layout::Layout(const Scene& scene)
@@ -32,7 +30,7 @@ bool Layout::should_collide(const Table& table, PrimitiveIndex i, const Pose& po
     if (always_collides_[i]) return true;
     const PartIndex part = primitives_[i].part;
     if (scene_.parts[part].sensor || table.parts()[part].down) return false;
-    return gate_of(scene_.parts[part]) == nullptr || !lets_through(table, part, pose, table.rate(part), ball);
+    return gate_of(scene_.parts[part]) == nullptr || !table.lets_through(part, pose, table.rate(part), ball);
 }
 
 void Layout::fill_proxies(const Table& table, std::span<const Ball> balls, double ahead, double margin,
@@ -43,14 +41,6 @@ void Layout::fill_proxies(const Table& table, std::span<const Ball> balls, doubl
     for (const Ball& ball : balls)
         moving.push_back(
             {bounds_of(ball.position, ball.radius * (1 + margin)), ball.layer, ball.collides_with, true});
-}
-
-bool lets_through(const Table& table, PartIndex gate, const Pose& pose, double rate, const Ball& ball) {
-    if (table.parts()[gate].open) return true;
-    if (table.is_blocked(gate, ball.number)) return false;
-    const Vec2 relative = ball.velocity - cross(rate, ball.position - pose.pivot);
-    return flipside::lets_through(*gate_of(table.scene().parts[gate]), pose.undo(ball.position),
-                                  rotated(relative, -pose.angle), ball.radius);
 }
 
 }  // namespace flipside::custom

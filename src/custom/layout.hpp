@@ -11,11 +11,6 @@ namespace flipside::custom {
 
 using PrimitiveIndex = std::uint32_t;
 
-/// Whether a gate lets a ball through that touches it, by the rule of world/gate.hpp; `pose` and `rate`
-/// (rad/s) are those of the gate.
-[[nodiscard]] bool lets_through(const Table& table, PartIndex gate, const Pose& pose, double rate,
-                                const Ball& ball);
-
 class Layout {
   public:
     explicit Layout(const Scene& scene);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "world/gate.hpp"
+
 namespace flipside {
 
 namespace {
@@ -139,6 +141,14 @@ bool Table::is_blocked(PartIndex gate, BallNumber ball) const {
 
 void Table::set_blocked(PartIndex gate, BallNumber ball, bool blocked) {
     set_listed(state_.blocked, {gate, ball}, blocked);
+}
+
+bool Table::lets_through(PartIndex gate, const Pose& pose, double rate, const Ball& ball) const {
+    if (state_.parts[gate].open) return true;
+    if (is_blocked(gate, ball.number)) return false;
+    const Vec2 relative = ball.velocity - cross(rate, ball.position - pose.pivot);
+    return flipside::lets_through(std::get<shape::Gate>(scene_->parts[gate].shape.is),
+                                  pose.undo(ball.position), rotated(relative, -pose.angle), ball.radius);
 }
 
 State Table::save(std::span<const Ball> balls) const {

@@ -78,6 +78,9 @@ class Table {
     /// Whether a closed gate blocks the ball, which is within a radius of it.
     [[nodiscard]] bool is_blocked(PartIndex gate, BallNumber ball) const;
     void set_blocked(PartIndex gate, BallNumber ball, bool blocked);
+    /// Whether a gate lets a ball through that touches it, by the rule of gate.hpp, in this pose and at this
+    /// rate (rad/s).
+    [[nodiscard]] bool lets_through(PartIndex gate, const Pose& pose, double rate, const Ball& ball) const;
     /// By gate, then ball.
     [[nodiscard]] std::vector<Blocked>& blocked() { return state_.blocked; }
     [[nodiscard]] const std::vector<Blocked>& blocked() const { return state_.blocked; }

@@ -102,7 +102,7 @@ void Gates::settle(PartIndex part) {
 
 bool Gates::lets_through(PartIndex part, const Ball& ball, double time) const {
     const Turning& turning = sim_.turnings[part];
-    return custom::lets_through(sim_.table, part, turning.pose(time), turning.rate_at(time), ball);
+    return sim_.table.lets_through(part, turning.pose(time), turning.rate_at(time), ball);
 }
 
 bool Gates::ignores(const Feature& feature, const Ball& ball) const {
