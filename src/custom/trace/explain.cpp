@@ -38,6 +38,15 @@ struct Explainer {
     Touch found;
 
     void add_ends(Vec2 a, Vec2 b) const { item.with("a", pose.apply(a)).with("b", pose.apply(b)); }
+    /// Adds a straight edge and the foot of the perpendicular. Returns the position of the foot, 0 at a, 1 at
+    /// b.
+    double add_edge(Vec2 a, Vec2 b) const {
+        const double at = dot(center - a, b - a) / length_squared(b - a);
+        add_ends(a, b);
+        item.with("foot", pose.apply(a + at * (b - a)));
+        add_position(item, at);
+        return at;
+    }
 
     /// Distance of the centre from the closest point, m; negative inside a solid.
     [[nodiscard]] double height() const { return found.separation + radius; }
@@ -50,11 +59,7 @@ struct Explainer {
             filled(length(center - circle.center), circle.radius, radius));
     }
     void operator()(const primitive::Segment& segment) const {
-        const Vec2 along = segment.b - segment.a;
-        const double at = dot(center - segment.a, along) / length_squared(along);
-        add_ends(segment.a, segment.b);
-        item.with("foot", pose.apply(segment.a + at * along));
-        add_position(item, at);
+        const double at = add_edge(segment.a, segment.b);
         const char* feature = at < 0 ? "past the end a" : at > 1 ? "past the end b" : "the face";
         add(item, "segment", feature, found.past_end ? to_a_point : to_a_face, filled(height(), 0, radius));
     }
@@ -97,40 +102,30 @@ struct Explainer {
             const Vec2 next = points[(i + 1) % points.size()];
             heights.push_back(dot(center - points[i], unit(-perp(next - points[i]))));
         }
-        const auto edge = std::ranges::max_element(heights) - heights.begin();
-        const auto first = static_cast<std::size_t>(edge);
-        const Vec2 a = points[first], b = points[(first + 1) % points.size()];
-        const double at = dot(center - a, b - a) / length_squared(b - a);
-        const bool corner = heights[first] > 0 && (at < 0 || at > 1);
+        const auto edge = static_cast<std::size_t>(std::ranges::max_element(heights) - heights.begin());
+        const double at = add_edge(points[edge], points[(edge + 1) % points.size()]);
+        const bool corner = heights[edge] > 0 && (at < 0 || at > 1);
         item.with("heights", TraceValue(std::move(heights))).with("outline", TraceValue(std::move(outline)));
-        add_ends(a, b);
-        item.with("foot", pose.apply(a + at * (b - a)));
-        add_position(item, at);
         add(item, "polygon", (corner ? "a corner of edge " : "edge ") + std::to_string(edge),
             corner ? to_a_point : to_a_face, filled(height(), 0, radius));
     }
     void operator()(const primitive::Taper& taper) const {
-        const Vec2 forward = unit(taper.b - taper.a);
-        const double slant = (taper.radius_a - taper.radius_b) / length(taper.b - taper.a);
+        const double span = length(taper.b - taper.a);
+        const double slant = (taper.radius_a - taper.radius_b) / span;  // sine of the angle of the sides
+        const Vec2 forward = (taper.b - taper.a) / span, from_a = center - taper.a;
         const bool round = std::abs(dot(found.normal, forward) - slant) > 1e-9;
-        const bool at_a = length_squared(center - taper.a) < length_squared(center - taper.b);
+        const bool at_a = length_squared(from_a) < length_squared(center - taper.b);
         add_ends(taper.a, taper.b);
         item.with("core", taper.radius_a).with("other_core", taper.radius_b);
-        add_position(item, along(taper, slant));
+        const double straight = std::sqrt((1 - slant) * (1 + slant));
+        add_position(item,
+                     (dot(from_a, forward) - slant * std::abs(dot(from_a, perp(forward))) / straight) / span);
+        const double core = !round ? 0 : at_a ? taper.radius_a : taper.radius_b;
         add(item, taper.radius_a == taper.radius_b ? "capsule" : "flipper",
             !round ? "a straight side"
             : at_a ? "the round end a"
                    : "the round end b",
-            round ? to_a_circle : to_a_face,
-            round ? filled(length(center - (at_a ? taper.a : taper.b)),
-                           at_a ? taper.radius_a : taper.radius_b, radius)
-                  : filled(height(), 0, radius));
-    }
-    /// Position along the straight side next to the centre.
-    [[nodiscard]] double along(const primitive::Taper& taper, double slant) const {
-        const double span = length(taper.b - taper.a), straight = std::sqrt((1 - slant) * (1 + slant));
-        const Vec2 forward = (taper.b - taper.a) / span, from_a = center - taper.a;
-        return (dot(from_a, forward) - slant * std::abs(dot(from_a, perp(forward))) / straight) / span;
+            round ? to_a_circle : to_a_face, filled(height() + core, core, radius));
     }
 };
 
@@ -144,20 +139,14 @@ void explain_touch(TraceItem& item, Vec2 center, double radius, const Primitive&
 
 std::vector<TriedAxis> axes_tried(Vec2 center, double radius, const primitive::Polygon& polygon,
                                   const Pose& pose) {
-    const Vec2 local = pose.undo(center);
-    const auto& points = polygon.points;
+    std::vector<Vec2> points;
+    for (const Vec2 point : polygon.points) points.push_back(pose.apply(point));
     std::vector<TriedAxis> axes;
     const auto test_axis = [&](Vec2 axis, const std::string& of) {
         const auto along = [&](Vec2 p) { return dot(p, axis); };
         const auto [low, high] = std::ranges::minmax(points, {}, along);
-        axes.push_back({.of = of,
-                        .axis = rotated(axis, pose.angle),
-                        .polygon = {along(low), along(high)},
-                        .disc = {along(local) - radius, along(local) + radius}});
-        // Projections are relative to the world's origin.
-        const double shift = dot(pose.apply(low), axes.back().axis) - along(low);
-        for (auto* shadow : {&axes.back().polygon, &axes.back().disc})
-            for (double& end : *shadow) end += shift;
+        axes.push_back(
+            {of, axis, {along(low), along(high)}, {along(center) - radius, along(center) + radius}});
     };
     std::size_t least = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -167,10 +156,10 @@ std::vector<TriedAxis> axes_tried(Vec2 center, double radius, const primitive::P
     }
     const Vec2 a = points[least], b = points[(least + 1) % points.size()];
     const bool outside = axes[least].overlap() < radius;
-    const bool past_a = dot(local - a, b - a) < 0, past_b = dot(local - b, a - b) < 0;
+    const bool past_a = dot(center - a, b - a) < 0, past_b = dot(center - b, a - b) < 0;
     if (outside && (past_a || past_b)) {
         const std::size_t corner = past_a ? least : (least + 1) % points.size();
-        test_axis(unit(local - points[corner]), "corner " + std::to_string(corner));
+        test_axis(unit(center - points[corner]), "corner " + std::to_string(corner));
         least = points.size();
     }
     axes[least].decides = true;

@@ -129,14 +129,13 @@ void SimpleTrace::passed_over(const Ball& ball, PrimitiveIndex primitive) {
 void SimpleTrace::add_axes(const Ball& ball, PrimitiveIndex primitive, const Pose& pose) {
     const auto* polygon = std::get_if<primitive::Polygon>(&layout_.primitive(primitive).is);
     if (polygon == nullptr) return;
-    const auto shadow = [](const double(&ends)[2]) { return std::vector<double>{ends[0], ends[1]}; };
     for (const TriedAxis& tried : axes_tried(ball.position, ball.radius, *polygon, pose)) {
         TraceItem& item = narrow().add("axis").with("turn", turn_).with("ball", ball.number);
         name_proxy(item, "", primitive, {})
             .with("of", tried.of)
             .with("axis", tried.axis)
-            .with("shadow_of_part", shadow(tried.polygon))
-            .with("shadow_of_ball", shadow(tried.disc))
+            .with("shadow_of_part", std::vector<double>{tried.polygon[0], tried.polygon[1]})
+            .with("shadow_of_ball", std::vector<double>{tried.disc[0], tried.disc[1]})
             .with("depth", tried.overlap())
             .with("decides", tried.decides)
             .with("formula", "overlap = end of the part's shadow - start of the ball's; below 0 a gap")
@@ -150,49 +149,37 @@ void SimpleTrace::tested(const Ball& ball, PrimitiveIndex primitive, const Pose&
     ++turn_;
     add_axes(ball, primitive, pose);
     TraceItem& item = narrow().add("closest").with("turn", turn_).with("ball", ball.number);
-    name_proxy(item, "", primitive, {})
-        .with("center", ball.position)
-        .with("radius", ball.radius)
-        .with("pivot", pose.pivot)
-        .with("pose_angle", pose.angle)
-        .with("point", found.point)
-        .with("normal", found.normal)
-        .with("separation", found.separation);
+    name_proxy(item, "", primitive, {}).with("pivot", pose.pivot).with("pose_angle", pose.angle);
     explain_touch(item, ball.position, ball.radius, layout_.primitive(primitive), pose);
-    const bool overlaps = found.separation < -overlap_slop * ball.radius && !found.past_end;
-    item.with("overlap", overlaps);
-    overlapping_ += overlaps;
+    finish_test(item, found, found.separation < -overlap_slop * ball.radius && !found.past_end);
 }
 
 void SimpleTrace::tested(const Ball& lower, const Ball& upper, const Touch& found) {
     lower_ = lower, upper_ = upper;
-    TraceItem& item = narrow()
-                          .add("closest")
-                          .with("turn", ++turn_)
-                          .with("ball", lower.number)
-                          .with("other_ball", upper.number)
-                          .with("center", lower.position)
-                          .with("radius", lower.radius)
-                          .with("other_center", upper.position)
-                          .with("other_radius", upper.radius)
-                          .with("point", found.point)
-                          .with("normal", found.normal)
-                          .with("separation", found.separation);
+    TraceItem& item = narrow().add("closest").with("turn", ++turn_).with("ball", lower.number);
+    item.with("other_ball", upper.number)
+        .with("other_center", upper.position)
+        .with("other_radius", upper.radius);
     explain_touch(item, lower.position, lower.radius, upper.position, upper.radius);
-    const bool overlaps = found.separation < -overlap_slop * std::min(lower.radius, upper.radius);
-    item.with("overlap", overlaps);
+    finish_test(item, found, found.separation < -overlap_slop * std::min(lower.radius, upper.radius));
+}
+
+void SimpleTrace::finish_test(TraceItem& item, const Touch& found, bool overlaps) {
+    item.with("center", lower_.position)
+        .with("radius", lower_.radius)
+        .with("point", found.point)
+        .with("normal", found.normal)
+        .with("separation", found.separation)
+        .with("overlap", overlaps);
     overlapping_ += overlaps;
 }
 
-TraceItem& SimpleTrace::add_response(const Ball& before, const Ball& after, const Impact& impact,
-                                     const Mixed& material, double closing) {
+TraceItem& SimpleTrace::add_response(const Ball& ball, const Impact& impact, const Mixed& material,
+                                     double closing) {
     const bool parting = closing <= 0;
     (impact.happened ? impacts_ : resting_) += !parting;
-    return stage()
-        .add("response")
-        .with("turn", turn_)
-        .with("ball", after.number)
-        .with("answer", impact.happened ? "impact"
+    TraceItem& item = stage().add("response").with("turn", turn_).with("ball", ball.number);
+    item.with("answer", impact.happened ? "impact"
                         : parting       ? "parting: pushed out only"
                                         : "resting contact")
         .with("closing", closing)
@@ -202,20 +189,25 @@ TraceItem& SimpleTrace::add_response(const Ball& before, const Ball& after, cons
         .with("friction", material.friction)
         .with("impulse", impact.impulse)
         .with("normal", impact.normal)
-        .with("velocity_before", before.velocity)
-        .with("velocity", after.velocity)
-        .with("spin_before", before.spin)
-        .with("spin", after.spin)
-        .with("position_before", before.position)
-        .with("position", after.position)
-        .with("push_out", after.position - before.position);
+        .with("push_out", ball.position - lower_.position);
+    return add_change(item, "", lower_, ball);
+}
+
+TraceItem& SimpleTrace::add_change(TraceItem& item, const std::string& prefix, const Ball& before,
+                                   const Ball& after) {
+    return item.with(prefix + "velocity_before", before.velocity)
+        .with(prefix + "velocity", after.velocity)
+        .with(prefix + "spin_before", before.spin)
+        .with(prefix + "spin", after.spin)
+        .with(prefix + "position_before", before.position)
+        .with(prefix + "position", after.position);
 }
 
 void SimpleTrace::responded(const Ball& ball, PrimitiveIndex primitive, Vec2 surface_velocity,
                             const Impact& impact, const Mixed& material) {
     const TraceItem& seen = narrow().items.back();
     const double closing = -dot(lower_.velocity - surface_velocity, seen.get<Vec2>("normal"));
-    TraceItem& item = add_response(lower_, ball, impact, material, closing);
+    TraceItem& item = add_response(ball, impact, material, closing);
     name_proxy(item, "", primitive, {})
         .with("surface_velocity", surface_velocity)
         .with("formula", "v' = v + (closing + max(e s, k)) n");
@@ -226,14 +218,8 @@ void SimpleTrace::responded(const Ball& ball, PrimitiveIndex primitive, Vec2 sur
 void SimpleTrace::responded(const Ball& lower, const Ball& upper, const Impact& impact,
                             const Mixed& material) {
     const double closing = -dot(lower_.velocity - upper_.velocity, unit(lower_.position - upper_.position));
-    TraceItem& item = add_response(lower_, lower, impact, material, closing);
-    item.with("other_ball", upper.number)
-        .with("other_velocity_before", upper_.velocity)
-        .with("other_velocity", upper.velocity)
-        .with("other_spin_before", upper_.spin)
-        .with("other_spin", upper.spin)
-        .with("other_position_before", upper_.position)
-        .with("other_position", upper.position)
+    TraceItem& item = add_response(lower, impact, material, closing).with("other_ball", upper.number);
+    add_change(item, "other_", upper_, upper)
         .with("formula", "J = (s + max(e s, k)) / (1/m1 + 1/m2), v1' = v1 + J n / m1, v2' = v2 - J n / m2");
     if (closing > 0)
         item.with("filled", "J = " + brief(impact.impulse) + " N s at s = " + brief(impact.speed) + " m/s");

@@ -46,8 +46,10 @@ class SimpleTrace {
     [[nodiscard]] TraceStage& narrow() { return trace_.stages[trace_.stages.size() - 2]; }
     void add_cells(std::span<const Cell> cells, std::span<const Ball> balls);
     void add_axes(const Ball& ball, PrimitiveIndex primitive, const Pose& pose);
-    TraceItem& add_response(const Ball& before, const Ball& after, const Impact& impact,
-                            const Mixed& material, double closing);
+    void finish_test(TraceItem& item, const Touch& found, bool overlaps);
+    TraceItem& add_response(const Ball& ball, const Impact& impact, const Mixed& material, double closing);
+    static TraceItem& add_change(TraceItem& item, const std::string& prefix, const Ball& before,
+                                 const Ball& after);
     /// Adds the ball, or the part and primitive, under names that begin with `prefix`.
     TraceItem& name_proxy(TraceItem& item, const std::string& prefix, Handle handle,
                           std::span<const Ball> balls) const;
