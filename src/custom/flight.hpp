@@ -55,17 +55,6 @@ struct TimeInterval {
     }
 };
 
-/// Inverse of E: the t at which E(t) = e; infinite if drag stops the motion before.
-inline double drag_time(double c, double e) {
-    if (c <= 0) return e;
-    return c * e < 1 ? -math::log1p(-c * e) / c : INFINITY;
-}
-
-/// The t at which v₀·e^(−ct) + a·E(t) is 0, for v₀ and a of opposite signs.
-inline double drag_turn(double v, double a, double c) {
-    return c > 0 ? math::log1p(-c * v / a) / c : -v / a;
-}
-
 /// A flight. Positions are displacements from the start, so that differences to a nearby point keep their
 /// digits far from the origin.
 struct Flight {

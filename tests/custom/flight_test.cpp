@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "custom/geometry/roots.hpp"
+
 namespace flipside::custom {
 namespace {
 

@@ -17,6 +17,16 @@ inline constexpr double never_touch = INFINITY;
 [[nodiscard]] double first_crossing(double gap, double rate, double bend);
 /// The same for gap + rate·E(t) + bend·F(t) (flight.hpp); with drag by about four Newton steps.
 [[nodiscard]] double first_crossing(double gap, double rate, double bend, double drag);
+/// Inverse of E: the t at which E(t) = e; infinite if drag stops the motion before.
+inline double drag_time(double c, double e) {
+    if (c <= 0) return e;
+    return c * e < 1 ? -math::log1p(-c * e) / c : INFINITY;
+}
+
+/// The t at which v₀·e^(−ct) + a·E(t) is 0, for v₀ and a of opposite signs.
+inline double drag_turn(double v, double a, double c) {
+    return c > 0 ? math::log1p(-c * v / a) / c : -v / a;
+}
 /// Time for which a function ≥ 0 stays so at least, given its slope and K ≥ |second derivative|.
 [[nodiscard]] double safe_time(double value, double slope, double k);
 

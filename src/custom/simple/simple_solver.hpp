@@ -8,17 +8,12 @@
 ///                           collision_iterations × ( for each pair: narrow phase, response )
 ///                           sensors )
 ///
-/// Collisions are tested only at the positions after each motion (discrete collision detection). Hence its
-/// errors:
+/// Collisions are tested only at the positions after each motion (discrete collision detection). So a ball
+/// that moves farther than its diameter passes thin parts, impacts are found up to one motion iteration late,
+/// in heaps some overlap remains, and the result depends on the order of the pairs. Section 2 of
+/// docs/engine.md tells how large these errors are. No ball ever sleeps.
 ///
-/// - Tunnelling: a ball that moves farther than its diameter in one motion iteration can pass thin parts, and
-///   a ball whose centre has crossed a wall is pushed out on the wrong side.
-/// - An impact is found up to one motion iteration late, so positions are of first order in its duration.
-/// - Overlap: each response treats two shapes alone. In a heap, some overlap remains after the collision
-///   iterations, more below heavy balls.
-/// - Order: pairs are solved one after another, so the result depends on the numbers of the balls.
-///
-/// Cost per step: motion_iterations × (broad phase + collision_iterations × pairs). No ball ever sleeps.
+/// Cost per step: motion_iterations × (broad phase + collision_iterations × pairs).
 
 #include "custom/flight.hpp"
 #include "custom/layout.hpp"
