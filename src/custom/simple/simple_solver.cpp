@@ -4,7 +4,6 @@
 
 #include "custom/broad_phase/capacity.hpp"
 #include "custom/engine.hpp"
-#include "world/gate.hpp"
 #include "world/limits.hpp"
 
 namespace flipside::custom {
@@ -69,16 +68,16 @@ void SimpleSolver::find_pairs() {
 
 /// Gates decide by the positions of the balls before they moved.
 void SimpleSolver::decide_gates(double duration) {
-    for (const PartIndex part : layout_.gates()) decide_gate(part, table_.pose(part, ahead_ - duration));
+    for (const PartIndex part : layout_.gates()) decide_gate(part, ahead_ - duration);
     if (trace_) trace_->decided_gates(table_);
 }
 
 /// Decides for each ball that overlaps a gate whether the gate lets it through, and keeps the gate open as
-/// long as such a ball overlaps it. The rule is in world/gate.hpp. `before`: the gate before the balls moved.
-void SimpleSolver::decide_gate(PartIndex part, const Pose& before) {
+/// long as such a ball overlaps it. The rule is in world/gate.hpp. `before`: when the balls started to move.
+void SimpleSolver::decide_gate(PartIndex part, double before) {
     const shape::Gate& gate = *gate_of(scene_.parts[part]);
-    const Pose now = table_.pose(part, ahead_);
     const Primitive line{primitive::Segment{gate.a, gate.b}, part};
+    const Pose now = table_.pose(part, ahead_), started = table_.pose(part, before);
     const auto separation = [&](const Ball& ball) {
         ++record_.statistics.narrow_tests;
         return touch(ball.position, ball.radius, line, now).separation;
@@ -88,19 +87,16 @@ void SimpleSolver::decide_gate(PartIndex part, const Pose& before) {
         const Ball* ball = find_ball(balls_, blocked.ball);
         return ball != nullptr && separation(*ball) > touch_distance * ball->radius;
     });
-    const bool was_open = table_.parts()[part].open;
     bool occupied = false;
     for (const Pair pair : pairs_) {
         if (is_ball(pair.a) || layout_.primitive(pair.a).part != part) continue;
-        const Ball& ball = balls_[index_of(pair.b)];
+        Ball ball = balls_[index_of(pair.b)];
         if (separation(ball) >= 0) continue;
-        const Vec2 started = before.undo(started_[index_of(pair.b)]);
-        const bool is_blocked =
-            !was_open &&
-            (table_.is_blocked(part, ball.number) ||
-             !flipside::lets_through(gate, started, rotated(ball.velocity, -now.angle), ball.radius));
-        occupied = occupied || !is_blocked;
-        if (is_blocked) table_.set_blocked(part, ball.number, true);
+        ball.position = started_[index_of(pair.b)];
+        if (table_.lets_through(part, started, table_.rate(part, before), ball))
+            occupied = true;
+        else
+            table_.set_blocked(part, ball.number, true);
     }
     table_.set_open(part, occupied);
     if (occupied) std::erase_if(table_.blocked(), [&](const Blocked& b) { return b.gate == part; });

@@ -98,58 +98,51 @@ void trace_paths(const Simulation& sim, bool all_start) {
 
 void trace_event(const Simulation& sim, BallIndex i, const std::function<void()>& handle) {
     Trace& trace = *sim.record->trace;
-    const Particle& particle = sim.particles[i];
-    const std::string_view name = name_of_next(particle);
-    const double time = time_of_next(particle);
-    const bool meets_ball = name == "meets a ball";
-    const BallIndex other = meets_ball ? particle.partner : i;
-    if (trace.stages.empty() || trace.stages.back().name != events_stage)
-        trace.stage(events_stage, "src/custom/continuous/events.cpp: handle");
-    const std::size_t stage = trace.stages.size() - 1, at = trace.stages[stage].items.size();
-    trace.stages[stage]
-        .add("event")
-        .with("time", sim.start + time)
-        .with("ball", sim.balls[i].number)
-        .with("event", name);
+    const EventType type = sim.particles[i].next;
+    const std::uint32_t partner = sim.particles[i].partner;
+    const double time = time_of_next(sim.particles[i]);
+    const std::string_view name = name_of_next(sim.particles[i]);
+    const bool meets = name.starts_with("meets"), meets_ball = meets && type == EventType::ball;
+    const BallIndex other = meets_ball ? partner : i;
+    const Part* part = meets && !meets_ball ? &sim.scene.parts[sim.features[partner].part] : nullptr;
     const auto velocity = [&](BallIndex k) { return sim.ball_at(k, time).velocity; };
-    const Vec2 before = velocity(i), other_before = velocity(other);
-    std::vector<double> way =
-        swept(particle.motion.path.start, time, [&](double t) { return sim.ball_at(i, t).position; });
-    std::vector<double> other_way = swept(sim.particles[other].motion.path.start, time,
-                                          [&](double t) { return sim.ball_at(other, t).position; });
-    const bool stale = meets_ball && sim.hot[other].version != particle.partner_version;
-    const bool meets_part = name == "meets a part";
-    const PartIndex part = meets_part ? sim.features[particle.partner].part : 0;
+    const auto way_here = [&](BallIndex k) {
+        return swept(sim.particles[k].motion.path.start, time,
+                     [&](double t) { return sim.ball_at(k, t).position; });
+    };
+    TraceItem item{"event", {}};
+    item.with("time", sim.start + time).with("ball", sim.balls[i].number).with("event", name);
+    if (meets_ball) item.with("other_ball", sim.balls[other].number);
+    if (part != nullptr) item.with("part", part->name);
+    item.with("velocity_before", velocity(i)).with("swept", way_here(i));
+    if (meets_ball) item.with("other_velocity_before", velocity(other)).with("other_swept", way_here(other));
+    const bool stale = meets_ball && sim.hot[other].version != sim.particles[i].partner_version;
     const std::vector<Event>& recorded = sim.record->events;
     const std::size_t before_it = recorded.size();
     handle();
-    TraceItem& item = trace.stages[stage].items[at];
-    if (meets_ball) item.with("other_ball", sim.balls[other].number);
-    if (meets_part) item.with("part", sim.scene.parts[part].name);
-    item.with("position", sim.ball_at(i, time).position).with("velocity_before", before);
-    item.with("velocity", velocity(i));
-    if (meets_ball) item.with("other_velocity_before", other_before).with("other_velocity", velocity(other));
-    const bool impact = recorded.size() > before_it && recorded[before_it].kind == EventKind::impact;
-    item.with("swept", std::move(way));
-    if (meets_ball) item.with("other_swept", std::move(other_way));
+    item.with("position", sim.ball_at(i, time).position).with("velocity", velocity(i));
+    if (meets_ball) item.with("other_velocity", velocity(other));
     if (stale) item.with("answer", "the other has changed its path meanwhile: predicted again");
-    if (impact) {
+    if (recorded.size() > before_it && recorded[before_it].kind == EventKind::impact) {
         const Event& event = recorded[before_it];
         const Mixed& material = meets_ball ? sim.layout.mixed(sim.balls[i], sim.balls[other])
-                                           : sim.layout.mixed(sim.balls[i], sim.scene.parts[part]);
+                                           : sim.layout.mixed(sim.balls[i], *part);
         item.with("answer", "impact")
             .with("point", event.point)
             .with("normal", event.normal)
             .with("speed", event.speed)
             .with("impulse", event.impulse)
             .with("restitution", material.restitution);
-    } else if (!stale && (meets_ball || meets_part)) {
+    } else if (!stale && meets) {
         item.with("answer", sim.particles[i].resting_on ? "comes to rest on it"
                             : sim.hot[i].in_island      ? "joins an island"
                                                         : "slow touch");
     }
     trace_next(sim, item, i);
-    TraceStage& events = trace.stages[stage];
+    if (trace.stages.empty() || trace.stages.back().name != events_stage)
+        trace.stage(events_stage, "src/custom/continuous/events.cpp: handle");
+    TraceStage& events = trace.stages.back();
+    events.items.push_back(std::move(item));
     const auto impacts = std::ranges::count_if(events.items, [](const TraceItem& one) {
         const TraceValue* answer = one.find("answer");
         return answer != nullptr && *answer == TraceValue(std::string("impact"));
