@@ -26,11 +26,6 @@ struct Proxy {
     bool ball = false;                  ///< a ball, or else part of the table
 };
 
-/// Whether the boxes of two proxies must be tested: one is a ball, and their layers meet.
-[[nodiscard]] constexpr bool may_meet(const auto& a, const auto& b) {
-    return (a.ball || b.ball) && layers_meet(a, b);
-}
-
 /// Two proxies whose boxes overlap; a < b, so b moves. Ordered by b, then a.
 struct Pair {
     Handle a = 0, b = 0;
@@ -118,12 +113,13 @@ class BroadPhase {
   protected:
     /// Tests all pairs of moving proxies with all others that may overlap, in any order.
     virtual void search() = 0;
-    /// Tests two proxies, and lists them if they overlap. The test belongs to the query of b, which found a
-    /// in a cell.
+    /// Tests two proxies if one is a ball and their layers meet, and lists them if they overlap. The test
+    /// belongs to the query of b, which found a in a cell.
     void test(Handle a, Handle b, std::uint32_t cell = no_cell) {
-        if (!may_meet(proxies_[a], proxies_[b])) return;
+        const Proxy &of_a = proxies_[a], &of_b = proxies_[b];
+        if (!(of_a.ball || of_b.ball) || !layers_meet(of_a, of_b)) return;
         ++tests_;
-        const bool overlaps = overlap(proxies_[a].box, proxies_[b].box);
+        const bool overlaps = overlap(of_a.box, of_b.box);
         const Pair pair{std::min(a, b), std::max(a, b)};
         if (overlaps) pairs_->push_back(pair);
         if (log_ != nullptr) log_->tests.push_back({pair, overlaps, b, cell});

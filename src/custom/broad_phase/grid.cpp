@@ -50,26 +50,23 @@ class Grid final : public CellBroadPhase {
     void search() override {
         remove_moving();
         fit_cells();
-        wide_.resize(wide_still_);
+        while (!wide_.empty() && wide_.back() >= first_moving_) wide_.pop_back();
         reserve_for(wide_, proxies_.size());
-        for (Handle b = first_moving_; b < proxies_.size(); ++b) {
-            ++tests_;
-            if (is_wide(b)) {
-                for (Handle a = 0; a < b; ++a) test(a, b);
-                continue;
-            }
-            for (const Handle a : wide_) test(a, b);
-            ranges_[b].each([&](std::uint32_t column, std::uint32_t row) {
-                search_cell(row * columns_ + column, column, row, b);
-            });
-        }
+        for (Handle b = first_moving_; b < proxies_.size(); ++b) insert(b);
+        tests_ += moving();
     }
 
-    /// Finds the cells under the next proxy. A wide one comes to the others.
-    bool is_wide(Handle proxy) {
-        const bool wide = ranges_.emplace_back(cells_under(proxies_[proxy].box)).count() > most_cells_listed;
-        if (wide) wide_.push_back(proxy);
-        return wide;
+    void insert(Handle b) {
+        const CellRange range = cells_under(proxies_[b].box);
+        ranges_.push_back(range);
+        const bool wide = range.count() > most_cells_listed, moves = b >= first_moving_;
+        if (wide && moves)
+            for (Handle a = 0; a < b; ++a) test(a, b);
+        if (!wide && moves)
+            for (const Handle a : wide_) test(a, b);
+        if (wide) return wide_.push_back(b);
+        range.each(
+            [&](std::uint32_t column, std::uint32_t row) { list(b, row * columns_ + column, column, row); });
     }
 
     /// A width of cells, m, at least `cell`, of which the world has at most so many.
@@ -86,12 +83,7 @@ class Grid final : public CellBroadPhase {
         };
         set_cells({cell, cell}, cells_along(size.x), cells_along(size.y));
         wide_.clear();
-        for (Handle i = 0; i < first_moving_; ++i)
-            if (!is_wide(i))
-                ranges_[i].each(
-                    [&](std::uint32_t column, std::uint32_t row) { list(row * columns_ + column, i); });
-        wide_still_ = wide_.size();
-        keep_still();
+        for (Handle i = 0; i < first_moving_; ++i) insert(i);
     }
 
     /// Fits the cells to the median size of the boxes, if their number has changed and the size differs. Few
@@ -118,7 +110,6 @@ class Grid final : public CellBroadPhase {
     std::size_t fitted_for_ = 0;  ///< number of moving proxies
     std::vector<double> sizes_;   ///< m, buffer of fit_cells()
     std::vector<Handle> wide_;    ///< those still come first
-    std::size_t wide_still_ = 0;
 };
 
 }  // namespace

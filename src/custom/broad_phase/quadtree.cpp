@@ -24,11 +24,7 @@ class Quadtree final : public CellBroadPhase {
           first_leaf_(((1U << (2 * levels_)) - 1) / 3) {
         const std::uint32_t side = 1U << levels_;
         set_cells((world_.max - world_.min) / static_cast<double>(side), side, side);
-        for (Handle i = 0; i < first_moving_; ++i) {
-            ranges_.push_back(cells_under(proxies_[i].box));
-            each_leaf(ranges_[i], [&](Node leaf, auto, auto) { list(leaf - first_leaf_, i); });
-        }
-        keep_still();
+        for (Handle i = 0; i < first_moving_; ++i) insert(i);
     }
 
     [[nodiscard]] BroadPhaseFacts facts() const override {
@@ -51,14 +47,16 @@ class Quadtree final : public CellBroadPhase {
   private:
     void search() override {
         remove_moving();
-        for (Handle b = first_moving_; b < proxies_.size(); ++b) {
-            ranges_.push_back(cells_under(proxies_[b].box));
-            ++tests_;
-            each_leaf(ranges_[b], [&](Node leaf, std::uint32_t column, std::uint32_t row) {
-                log_visit(b, leaf);
-                search_cell(leaf - first_leaf_, column, row, b, leaf);
-            });
-        }
+        for (Handle b = first_moving_; b < proxies_.size(); ++b) insert(b);
+        tests_ += moving();
+    }
+
+    void insert(Handle b) {
+        ranges_.push_back(cells_under(proxies_[b].box));
+        each_leaf(ranges_[b], [&](Node leaf, std::uint32_t column, std::uint32_t row) {
+            log_visit(b, leaf);
+            list(b, leaf - first_leaf_, column, row, leaf);
+        });
     }
 
     /// Visits the leaves in a range, from the node on this level in this column and row down.

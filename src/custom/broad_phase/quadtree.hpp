@@ -33,7 +33,7 @@ class CellBroadPhase : public BroadPhase {
         lists_.assign(std::size_t{columns} * rows, {});
         links_.clear();
         ranges_.clear();
-        most_in_cell_ = 0;
+        most_in_cell_ = most_still_ = 0;
     }
     /// The cells under a box. Boxes outside the world, even at infinity, are in the outermost cells.
     [[nodiscard]] CellRange cells_under(const Box& box) const {
@@ -45,18 +45,9 @@ class CellBroadPhase : public BroadPhase {
         return {index(min.x, size_.x, columns_), index(min.y, size_.y, rows_),
                 index(max.x, size_.x, columns_), index(max.y, size_.y, rows_)};
     }
-    /// Adds a proxy to the front of the list of a cell.
-    void list(std::uint32_t cell, Handle proxy) {
-        List& list = lists_[cell];
-        links_.push_back({proxy, list.first, cell});
-        list.first = static_cast<std::uint32_t>(links_.size() - 1);
-        most_in_cell_ = std::max(most_in_cell_, ++list.count);
-    }
-    /// All still proxies are listed now.
-    void keep_still() { still_links_ = links_.size(), most_still_ = most_in_cell_; }
-    /// Removes the moving proxies, for another search.
+    /// Prepares a search: removes the moving proxies from all lists.
     void remove_moving() {
-        for (; links_.size() > still_links_; links_.pop_back()) {
+        for (; !links_.empty() && links_.back().proxy >= first_moving_; links_.pop_back()) {
             List& list = lists_[links_.back().cell];
             list = {links_.back().next, list.count - 1};
         }
@@ -65,17 +56,22 @@ class CellBroadPhase : public BroadPhase {
         reserve_for(links_, proxies_.size(), pairs_per_ball);
         most_in_cell_ = most_still_;
     }
-    /// Tests proxy b against those listed in a cell under it, unless both are in an earlier one too, and
-    /// lists it. `node`: the index of the cell among those of a tree.
-    void search_cell(std::uint32_t cell, std::uint32_t column, std::uint32_t row, Handle b,
-                     std::uint32_t node = no_cell) {
+    /// Lists proxy b in a cell under it, and if it moves, tests it against those that are listed there
+    /// already, unless both are in an earlier cell too. `node`: the index of the cell among those of a tree.
+    void list(Handle b, std::uint32_t cell, std::uint32_t column, std::uint32_t row,
+              std::uint32_t node = no_cell) {
         const CellRange range = ranges_[b];
-        for (std::uint32_t link = lists_[cell].first; link != none; link = links_[link].next) {
+        List& list = lists_[cell];
+        const std::uint32_t first = b < first_moving_ ? none : list.first;
+        for (std::uint32_t link = first; link != none; link = links_[link].next) {
             const Handle a = links_[link].proxy;
             if (column == std::max(ranges_[a].left, range.left) && row == std::max(ranges_[a].low, range.low))
                 test(a, b, node);
         }
-        list(cell, b);
+        links_.push_back({b, list.first, cell});
+        list = {static_cast<std::uint32_t>(links_.size() - 1), list.count + 1};
+        most_in_cell_ = std::max(most_in_cell_, list.count);
+        if (b < first_moving_) most_still_ = most_in_cell_;
     }
     /// Number of proxies in a cell.
     [[nodiscard]] int count(std::uint32_t cell) const { return lists_[cell].count; }
@@ -98,8 +94,7 @@ class CellBroadPhase : public BroadPhase {
     };
     std::vector<List> lists_;  ///< by cell
     std::vector<Link> links_;  ///< those of still proxies first
-    std::size_t still_links_ = 0;
-    int most_still_ = 0;  ///< still proxies in a cell
+    int most_still_ = 0;       ///< still proxies in a cell
 };
 
 }  // namespace flipside::custom
