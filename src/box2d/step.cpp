@@ -222,17 +222,10 @@ void Box2dWorld::report_touches() {
 
 void Box2dWorld::report_lost() {
     const Scene& scene = table_.scene();
-    std::vector<BallNumber>& reported = table_.reported_lost();
-    for (std::size_t i = 0; i < balls_.size();) {
-        const Ball& ball = balls_[i];
-        if (scene.bounds.contains(ball.position) ||
-            std::ranges::find(reported, ball.number) != reported.end()) {
+    table_.report_lost(balls_, events_);
+    for (std::size_t i = scene.keep_lost ? balls_.size() : 0; i < balls_.size();) {
+        if (scene.bounds.contains(balls_[i].position)) {
             ++i;
-            continue;
-        }
-        events_.push_back({0, EventKind::lost, ball.number, {}, ball.position, {}, 0, 0});
-        if (scene.keep_lost) {
-            reported.push_back(ball.number);
         } else {
             remove_at(i);
             looked_ = false;

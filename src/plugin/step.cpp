@@ -183,21 +183,15 @@ void PluginWorld::take_contacts(std::span<const flipside_contact> contacts) {
 
 void PluginWorld::report_lost() {
     const Scene& scene = table_.scene();
-    std::vector<BallNumber>& reported = table_.reported_lost();
-    for (std::size_t i = 0; i < balls_.size();) {
-        const Ball ball = balls_[i];
-        if (scene.bounds.contains(ball.position) ||
-            std::ranges::find(reported, ball.number) != reported.end()) {
+    table_.report_lost(balls_, events_);
+    for (std::size_t i = scene.keep_lost ? balls_.size() : 0; i < balls_.size();) {
+        const BallNumber number = balls_[i].number;
+        if (scene.bounds.contains(balls_[i].position)) {
             ++i;
-            continue;
-        }
-        events_.push_back({time(), EventKind::lost, ball.number, {}, ball.position, {}, 0, 0});
-        if (scene.keep_lost) {
-            reported.push_back(ball.number);
         } else {
-            remove(ball.number);
+            remove(number);
             std::erase_if(contacts_, [&](const Contact& contact) {
-                return contact.ball == ball.number || contact.other == Other::ball(ball.number);
+                return contact.ball == number || contact.other == Other::ball(number);
             });
         }
     }

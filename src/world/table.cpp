@@ -151,6 +151,17 @@ bool Table::lets_through(PartIndex gate, const Pose& pose, double rate, const Ba
                                   pose.undo(ball.position), rotated(relative, -pose.angle), ball.radius);
 }
 
+void Table::report_lost(std::span<const Ball> balls, std::vector<Event>& events) {
+    std::vector<BallNumber>& reported = state_.reported_lost;
+    for (const Ball& ball : balls) {
+        if (scene_->bounds.contains(ball.position) ||
+            std::ranges::find(reported, ball.number) != reported.end())
+            continue;
+        events.push_back({time(), EventKind::lost, ball.number, {}, ball.position, {}, 0, 0});
+        if (scene_->keep_lost) reported.push_back(ball.number);
+    }
+}
+
 State Table::save(std::span<const Ball> balls) const {
     State state = state_;
     state.balls.assign(balls.begin(), balls.end());

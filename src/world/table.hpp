@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 
+#include "world/events.hpp"
 #include "world/state.hpp"
 
 namespace flipside {
@@ -88,6 +89,9 @@ class Table {
 
     BallNumber new_number() { return state_.next_number++; }
     [[nodiscard]] std::vector<BallNumber>& reported_lost() { return state_.reported_lost; }
+    /// Adds an event for each ball that has left the bounds. The engine is to remove it, or if the scene
+    /// keeps it, this notes that it was reported.
+    void report_lost(std::span<const Ball> balls, std::vector<Event>& events);
     /// Engines that keep one are to name themselves and the time in it after each step.
     [[nodiscard]] EngineMemory& memory() { return state_.memory; }
 

@@ -45,7 +45,9 @@ void SimpleSolver::step(double dt) {
         ++record_.statistics.substeps;
     }
     table_.advance(dt);
-    lose_balls();
+    table_.report_lost(balls_, record_.events);
+    const auto lost = [&](const Ball& ball) { return !scene_.bounds.contains(ball.position); };
+    if (!scene_.keep_lost) std::erase_if(balls_, lost);
 }
 
 void SimpleSolver::move_balls(const TimeInterval& interval) {
@@ -174,18 +176,6 @@ void SimpleSolver::watch_sensors() {
         if (trace_) trace_->sensed(ball, pair.a, separation);
         if (separation <= 0) record_.crossed.push_back({ball.number, primitive.part});
     }
-}
-
-/// Handles the balls that have left the bounds.
-void SimpleSolver::lose_balls() {
-    const auto outside = [&](const Ball& ball) { return !scene_.bounds.contains(ball.position); };
-    auto& reported = table_.reported_lost();
-    for (const Ball& ball : balls_) {
-        if (!outside(ball) || std::ranges::find(reported, ball.number) != reported.end()) continue;
-        record_.events.push_back({table_.time(), EventKind::lost, ball.number, {}, ball.position, {}, 0, 0});
-        if (scene_.keep_lost) reported.push_back(ball.number);
-    }
-    if (!scene_.keep_lost) std::erase_if(balls_, outside);
 }
 
 }  // namespace flipside::custom

@@ -46,7 +46,6 @@ class SimpleSolver {
     bool respond_to_ball(Ball& lower, Ball& upper, const Surroundings& around);
     void report(const Ball& ball, Other other, const Impact& impact, Vec2 point);
     void watch_sensors();
-    void lose_balls();
 
     [[nodiscard]] bool is_ball(Handle handle) const { return handle >= layout_.size(); }
     [[nodiscard]] std::size_t index_of(Handle ball) const { return ball - layout_.size(); }
