@@ -1,7 +1,6 @@
 #include "box2d/touching.hpp"
 
 #include <algorithm>
-#include <tuple>
 
 #include <box2d/b2_time_of_impact.h>
 
@@ -44,12 +43,6 @@ Contact contact_of(const Meeting& meeting, const Touch& touch, const Units& unit
             separation};
 }
 
-template <class T>
-void sort_unique(std::vector<T>& list) {
-    std::ranges::sort(list);
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-}
-
 }  // namespace
 
 void Touching::look(b2World& world, const Table& table, const std::vector<Ball>& balls, const Units& units,
@@ -85,13 +78,7 @@ void Touching::look(b2World& world, const Table& table, const std::vector<Ball>&
     sort_unique(sensors);
     sort_unique(passed);
     sort_unique(at_gates);
-    std::ranges::sort(contacts, std::less{}, [](const Contact& c) {
-        return std::tuple(c.ball, c.other, c.separation, c.point.x, c.point.y);
-    });
-    const auto same_pair = [](const Contact& a, const Contact& b) {
-        return a.ball == b.ball && a.other == b.other;
-    };
-    contacts.erase(std::unique(contacts.begin(), contacts.end(), same_pair), contacts.end());
+    keep_deepest(contacts);
 }
 
 }  // namespace flipside::box2d

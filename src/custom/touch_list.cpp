@@ -28,11 +28,6 @@ Event event(double time, EventKind kind, const Contact& contact) {
     return {time, kind, contact.ball, contact.other, contact.point, contact.normal, 0, 0};
 }
 
-void sort_unique(std::vector<Sensed>& list) {
-    std::ranges::sort(list);
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-}
-
 /// Visits the elements of `these` that are not in `those`; both are sorted by key.
 template <class T>
 void each_missing(const std::vector<T>& these, const std::vector<T>& those, auto&& key_of, auto&& visit) {
@@ -113,12 +108,7 @@ void TouchList::test_pairs(const Layout& layout, const Table& table, std::span<c
         else
             test(balls[pair.a - first_ball], ball);
     }
-    std::ranges::sort(now_, [](const Contact& a, const Contact& b) {
-        return std::tie(a.ball, a.other, a.separation, a.normal.x, a.normal.y) <
-               std::tie(b.ball, b.other, b.separation, b.normal.x, b.normal.y);
-    });
-    const auto same = [](const Contact& a, const Contact& b) { return key(a) == key(b); };
-    now_.erase(std::unique(now_.begin(), now_.end(), same), now_.end());
+    keep_deepest(now_);
     sort_unique(sensed_);
     // The lists are swapped in the next search, so both get the same capacity now.
     before_.reserve(now_.capacity());

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <tuple>
 
 #include "reference/simulation.hpp"
 
@@ -99,13 +98,7 @@ void Simulation<R>::contacts(std::vector<Contact>& contacts) const {
                                 narrow(normal), static_cast<double>(gap)});
         });
     }
-    std::ranges::sort(contacts, [](const Contact& a, const Contact& b) {
-        return std::tie(a.ball, a.other, a.separation) < std::tie(b.ball, b.other, b.separation);
-    });
-    const auto same = [](const Contact& a, const Contact& b) {
-        return a.ball == b.ball && a.other == b.other;
-    };
-    contacts.erase(std::unique(contacts.begin(), contacts.end(), same), contacts.end());
+    keep_deepest(contacts);
 }
 
 #define FLIPSIDE_READ_OUT(R)                                             \

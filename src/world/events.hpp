@@ -2,9 +2,12 @@
 /// What happened during the last step, read after it; nothing calls back in mid-step.
 
 #include <algorithm>
+#include <functional>
 #include <span>
 #include <string_view>
+#include <tuple>
 #include <variant>
+#include <vector>
 
 #include "world/scene.hpp"
 
@@ -55,6 +58,17 @@ struct Contact {
     Vec2 normal;            ///< unit, from other to ball
     double separation = 0;  ///< m, negative when they overlap
 };
+
+/// Keeps the deepest contact of each pair, sorted by ball, then other.
+inline void keep_deepest(std::vector<Contact>& contacts) {
+    std::ranges::sort(contacts, std::less{}, [](const Contact& c) {
+        return std::tie(c.ball, c.other, c.separation, c.normal.x, c.normal.y, c.point.x, c.point.y);
+    });
+    const auto same_pair = [](const Contact& a, const Contact& b) {
+        return a.ball == b.ball && a.other == b.other;
+    };
+    contacts.erase(std::unique(contacts.begin(), contacts.end(), same_pair), contacts.end());
+}
 
 /// How deep the deepest of these overlaps, m; 0 where none does.
 [[nodiscard]] inline double deepest_overlap(std::span<const Contact> contacts) {

@@ -31,6 +31,11 @@ struct Pose {
     return {};
 }
 
+template <class T>
+void sort_unique(std::vector<T>& list) {
+    std::ranges::sort(list);
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+}
 /// Adds an item to a sorted list that lacks it, or removes it from one that has it.
 template <class T>
 void set_listed(std::vector<T>& sorted, const T& item, bool listed) {

@@ -48,8 +48,8 @@ class CellBroadPhase : public BroadPhase {
     /// Prepares a search: removes the moving proxies from all lists.
     void remove_moving() {
         for (; !links_.empty() && links_.back().proxy >= first_moving_; links_.pop_back()) {
-            List& list = lists_[links_.back().cell];
-            list = {links_.back().next, list.count - 1};
+            List& cell = lists_[links_.back().cell];
+            cell = {links_.back().next, cell.count - 1};
         }
         ranges_.resize(first_moving_);
         reserve_for(ranges_, proxies_.size());
@@ -61,16 +61,16 @@ class CellBroadPhase : public BroadPhase {
     void list(Handle b, std::uint32_t cell, std::uint32_t column, std::uint32_t row,
               std::uint32_t node = no_cell) {
         const CellRange range = ranges_[b];
-        List& list = lists_[cell];
-        const std::uint32_t first = b < first_moving_ ? none : list.first;
+        List& listed = lists_[cell];
+        const std::uint32_t first = b < first_moving_ ? none : listed.first;
         for (std::uint32_t link = first; link != none; link = links_[link].next) {
             const Handle a = links_[link].proxy;
             if (column == std::max(ranges_[a].left, range.left) && row == std::max(ranges_[a].low, range.low))
                 test(a, b, node);
         }
-        links_.push_back({b, list.first, cell});
-        list = {static_cast<std::uint32_t>(links_.size() - 1), list.count + 1};
-        most_in_cell_ = std::max(most_in_cell_, list.count);
+        links_.push_back({b, listed.first, cell});
+        listed = {static_cast<std::uint32_t>(links_.size() - 1), listed.count + 1};
+        most_in_cell_ = std::max(most_in_cell_, listed.count);
         if (b < first_moving_) most_still_ = most_in_cell_;
     }
     /// Number of proxies in a cell.
