@@ -55,16 +55,6 @@ double safe_time(double value, double slope, double k) {
 
 namespace {
 
-double value(const Quartic& c, double t) {
-    return (((c[4] * t + c[3]) * t + c[2]) * t + c[1]) * t + c[0];
-}
-double slope(const Quartic& c, double t) {
-    return ((4 * c[4] * t + 3 * c[3]) * t + 2 * c[2]) * t + c[1];
-}
-double bend(const Quartic& c, double t) {
-    return (12 * c[4] * t + 6 * c[3]) * t + 2 * c[2];
-}
-
 /// Root of a monotone function with different signs at `low` and `high`: Newton steps, and bisection where
 /// these would leave the bracket.
 double root_between(double low, double high, auto&& f, auto&& f_slope) {
@@ -91,9 +81,9 @@ Quartic squared_gap(Vec2 p, Vec2 v, Vec2 a, double reach) {
 }
 
 double first_crossing(const Quartic& c, double until) {
-    const auto f = [&](double t) { return value(c, t); };
-    const auto df = [&](double t) { return slope(c, t); };
-    const auto ddf = [&](double t) { return bend(c, t); };
+    const auto f = [&](double t) { return (((c[4] * t + c[3]) * t + c[2]) * t + c[1]) * t + c[0]; };
+    const auto df = [&](double t) { return ((4 * c[4] * t + 3 * c[3]) * t + 2 * c[2]) * t + c[1]; };
+    const auto ddf = [&](double t) { return (12 * c[4] * t + 6 * c[3]) * t + 2 * c[2]; };
 
     // The slope is monotone between these, the roots of 6c₄·t² + 3c₃·t + c₂.
     std::array<double, 4> turns{0, 0, 0, until};
