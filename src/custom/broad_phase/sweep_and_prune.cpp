@@ -66,23 +66,20 @@ class Sweep final : public BroadPhase {
         }
         for (Edge& edge : order_) edge.left = proxies_[edge.proxy].box.min.x;
         const std::uint64_t enough = tests_ + 8 * order_.size();
-        for (std::size_t i = 1; i < order_.size(); ++i) {
-            if (tests_ > enough) return sort_anew();
-            const Edge edge = order_[i];
-            std::size_t at = i;
-            for (; at > 0; --at) {
-                ++tests_;
-                if (order_[at - 1] <= edge) break;
-                order_[at] = order_[at - 1];
-            }
-            order_[at] = edge;
-        }
-    }
-    void sort_anew() {
-        std::ranges::sort(order_, [&](const Edge& a, const Edge& b) {
+        const auto is_before = [&](const Edge& a, const Edge& b) {
             ++tests_;
             return a < b;
-        });
+        };
+        for (std::size_t i = 1; i < order_.size(); ++i) {
+            if (tests_ > enough) {
+                std::ranges::sort(order_, is_before);
+                return;
+            }
+            const Edge edge = order_[i];
+            std::size_t at = i;
+            for (; at > 0 && is_before(edge, order_[at - 1]); --at) order_[at] = order_[at - 1];
+            order_[at] = edge;
+        }
     }
 
     std::vector<Edge> still_order_;
