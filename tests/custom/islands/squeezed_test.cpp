@@ -129,20 +129,20 @@ double deepest(Scene (*make)(std::mt19937&, double), double most_ratio, unsigned
 
 TEST(Squeezed, AnImpactOnABallInAWedgeCausesNoDeepOverlap) {
     EXPECT_LT(deepest(wedge, 2, 1), 0.01);
-    EXPECT_LT(deepest(wedge, 100, 2), 0.02);
+    EXPECT_LT(deepest(wedge, 100, 2), 0.015);
 }
 
 // Between two ticks such a ball would cross the arc on a chord, up to 1.6 radii deep. What is left is between
 // the balls, of which one is turned by the arc within a tick.
 TEST(Squeezed, ABallThatIsSqueezedOutAlongAnArcDoesNotEnterIt) {
-    EXPECT_LT(deepest(bowl, 300, 3), 0.05);
+    EXPECT_LT(deepest(bowl, 300, 3), 0.015);
 }
 
 // Positions must be corrected until the heavy balls have moved, and no farther than needed: else the light
 // ones slide out into their neighbours.
 TEST(Squeezed, LightBallsUnderHeavyOnesOverlapLittle) {
-    EXPECT_LT(deepest(pit, 100, 4, 1000), 0.11);
-    EXPECT_LT(deepest(pit, 1000, 5, 1000), 0.11);
+    EXPECT_LT(deepest(pit, 100, 4, 1000), 0.025);
+    EXPECT_LT(deepest(pit, 1000, 5, 1000), 0.025);
 }
 
 // The position correction pushes a light ball out from under a heavy one, into others that may still fly.

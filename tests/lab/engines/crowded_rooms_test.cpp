@@ -142,7 +142,7 @@ void expect_all_is_well(unsigned seed, int most_balls) {
             restored->restore(state);
         }
         if (still) {
-            EXPECT_LE(deepest_in_radii(*world), 0.05) << "step " << step;
+            EXPECT_LE(deepest_in_radii(*world), 0.03) << "step " << step;
         }
         follow_events(*world, pairs);
         EXPECT_TRUE(touching(*world) == pairs) << "step " << step;
@@ -211,8 +211,8 @@ TEST(CrowdedRooms, OfSmallBallsOverlapLittle) {
     }
     one_density.print("one density"), any_masses.print("masses of up to 1:10,000");
     EXPECT_GT(one_density.rooms, 0);
-    EXPECT_LE(one_density.deepest, wish != nullptr ? 0.1 : 0.03);
-    EXPECT_LE(any_masses.deepest, 0.1);
+    EXPECT_LE(one_density.deepest, 0.025);
+    EXPECT_LE(any_masses.deepest, 0.025);
 }
 
 }  // namespace
