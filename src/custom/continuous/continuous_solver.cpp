@@ -171,7 +171,7 @@ void ContinuousSolver::start_all_paths() {
     awake_.clear();
     for (BallIndex i = 0; i < sim_.balls.size(); ++i)
         if (!sim_.balls[i].asleep) awake_.push_back(i);
-    predictions_.predict_together(awake_, 0);
+    predictions_.predict(awake_, 0);
 }
 
 /// Handles events and ticks in order of time; a tick comes before an event at the same time.

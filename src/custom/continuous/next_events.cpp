@@ -25,6 +25,7 @@ void Predictions::enter_cell(BallIndex i) {
     sim_.cells.insert(i, here.position);
     paths_.update_swept_bounds(i, time, here);
     if (sim_.particles[i].cell_exit <= time) sim_.particles[i].cell_exit = never_touch;
+    ++batch_;
     predict_loss(i, time);
     predict_features(i, time, here.position);
     sim_.cells.query_new_neighbours(i, before, [&](BallIndex j) { predict_ball(i, j, time); });
@@ -51,35 +52,24 @@ std::uint64_t Predictions::order_of(BallIndex i, EventType next, std::uint32_t p
     return meets_ball | std::uint64_t{std::min(i, partner)} << 32 | std::max(i, partner);
 }
 
-void Predictions::predict(BallIndex i, double time) {
-    sim_.near[i] = {};
-    predict_with(i, time,
-                 [&] { sim_.cells.query_neighbours(i, [&](BallIndex j) { predict_ball(i, j, time); }); });
-}
-
-void Predictions::predict_together(std::span<const BallIndex> balls, double time) {
+void Predictions::predict(std::span<const BallIndex> balls, double time) {
     ++batch_;
     for (const BallIndex i : balls) sim_.near[i] = {};
-    for (const BallIndex i : balls)
-        predict_with(i, time, [&] {
-            sim_.hot[i].batch = batch_;
-            sim_.cells.query_neighbours(i, [&](BallIndex j) {
-                if (sim_.hot[j].batch != batch_) predict_ball(i, j, time);
-            });
-        });
+    for (const BallIndex i : balls) predict_in_batch(i, time);
 }
 
-void Predictions::predict_with(BallIndex i, double time, auto&& each_other) {
+void Predictions::predict_in_batch(BallIndex i, double time) {
     Particle& particle = sim_.particles[i];
     particle.next = EventType::none;
     particle.next_time = sim_.after_end;
     if (particle.frozen) sim_.near[i] = {INFINITY, -INFINITY, true};  // nothing is predicted of it
-    if (sim_.hot[i].lost || sim_.balls[i].asleep || particle.frozen) return queue_.set(i, INFINITY, 0);
+    if (sim_.hot[i].lost || sim_.balls[i].asleep || particle.frozen) return forget(i);
     if (!particle.on_tick_path) offer(i, particle.motion.until, EventType::path_end);
     predict_loss(i, time);
     const Path& path = particle.motion.path;
     predict_features(i, time, time == path.start ? path.flight.position : path.position(time));
-    each_other();
+    sim_.hot[i].batch = batch_;
+    sim_.cells.query_neighbours(i, [&](BallIndex j) { predict_ball(i, j, time); });
     schedule(i);
 }
 
@@ -87,7 +77,7 @@ void Predictions::schedule(BallIndex i) {
     const Particle& particle = sim_.particles[i];
     if (particle.cell_exit <= particle.next_time)
         return queue_.set(i, particle.cell_exit, std::uint64_t{i} << 32);
-    if (particle.next == EventType::none) return queue_.set(i, INFINITY, 0);
+    if (particle.next == EventType::none) return forget(i);
     queue_.set(i, particle.next_time, order_of(i, particle.next, particle.partner));
 }
 
@@ -169,9 +159,11 @@ void Predictions::predict_sensors(BallIndex i, double time, std::span<const Feat
     }
 }
 
-/// Predicts the impact of two balls. The result does not depend on which of them is predicted, nor when.
+/// Predicts the impact of two balls, unless the other has been predicted in this batch. The result does not
+/// depend on which of them is predicted, nor when.
 void Predictions::predict_ball(BallIndex i, BallIndex j, double time) {
     const HotState &a = sim_.hot[i], &b = sim_.hot[j];
+    if (b.batch == batch_) return;
     ++sim_.record->statistics.pair_tests;
     if (b.lost) return;
     if (a.ballistic && b.ballistic) return predict_flying(i, j, time);

@@ -78,13 +78,13 @@ class Predictions {
 
     void reserve(std::size_t balls) { queue_.reserve(balls); }
     /// Starts a window: no ball has a next event.
-    void clear() { queue_.reset(sim_.balls.size()); }
+    void clear() { queue_.reset(sim_.balls.size()), batch_ = 0; }
     [[nodiscard]] const EventQueue& queue() const { return queue_; }
 
     /// Predicts the next event of a ball on its path.
-    void predict(BallIndex i, double time);
+    void predict(BallIndex i, double time) { predict(std::span(&i, 1), time); }
     /// The same for several balls whose paths all start now. Each pair of them is predicted once.
-    void predict_together(std::span<const BallIndex> balls, double time);
+    void predict(std::span<const BallIndex> balls, double time);
     /// Lists a ball in the cell in which it is now, and predicts its events with the neighbours there.
     void enter_cell(BallIndex i);
     /// A lost ball has no events.
@@ -94,7 +94,7 @@ class Predictions {
     /// Order of events at the same time, whichever ball predicted them: first those without a second ball,
     /// then by the lower ball, then by the higher.
     [[nodiscard]] static std::uint64_t order_of(BallIndex i, EventType next, std::uint32_t partner);
-    void predict_with(BallIndex i, double time, auto&& each_other);
+    void predict_in_batch(BallIndex i, double time);
     void predict_features(BallIndex i, double time, Vec2 from);
     void predict_sensors(BallIndex i, double time, std::span<const FeatureIndex> near);
     void predict_ball(BallIndex i, BallIndex j, double time);
@@ -114,7 +114,7 @@ class Predictions {
     Gates& gates_;
     Paths& paths_;
     EventQueue queue_;
-    std::uint32_t batch_ = 0;  ///< counts the calls of predict_together()
+    std::uint32_t batch_ = 0;  ///< number of the current batch in this window
 };
 
 }  // namespace flipside::custom

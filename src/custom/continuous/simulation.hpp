@@ -32,7 +32,7 @@ struct alignas(64) HotState {
     double start = 0;         ///< of its path, s
     double radius = 0;
     std::uint32_t version = 0;  ///< incremented whenever its path changes
-    std::uint32_t batch = 0;    ///< in which it was predicted last
+    std::uint32_t batch = 0;    ///< of Predictions: in which it was predicted last
     bool ballistic = false;     ///< its path is a flight under gravity and drag alone
     bool in_island = false;     ///< in resting contact with another ball, or jammed
     bool lost = false;          ///< has left the bounds

@@ -38,7 +38,7 @@ void Islands::start_window() {
 
 void Islands::tick(double time) {
     solve(time);
-    predictions_.predict_together(members_, time);
+    predictions_.predict(members_, time);
 }
 
 /// Solves the contacts of all members and starts their paths until the next tick, without their next events.
