@@ -81,57 +81,6 @@ struct Loads {
     Series<double> slide{};  ///< acceleration along perp(normal) relative to the surface, m/s²
 };
 
-Loads expand_on_line(const Guide& guide, Vec2 normal, Vec2 velocity, const ExternalForces& external,
-                     const Friction& friction, Series<Vec2>& displacement) {
-    const double w = guide.rate, d = guide.offset, c = external.drag;
-    const Series<Vec2> t = turning_vector(-perp(normal), w), n = turning_vector(normal, w);
-    Series<double> s{};
-    Loads loads;
-    s[0] = guide.s;
-    s[1] = dot(velocity, t[0]) + d * w;
-    for (int k = 0; k + 2 <= order; ++k) {
-        const double speed = (k + 1) * s[k + 1] - (k == 0 ? d * w : 0);
-        const double force = 2 * w * (k + 1) * s[k + 1] - (k == 0 ? d * w * w : 0) -
-                             dot(n[k], external.gravity) + c * w * s[k];
-        const double tangential = w * w * s[k] + dot(t[k], external.gravity) - c * speed;
-        const double bend = friction.share() * tangential + friction.slide * force;
-        s[k + 2] = bend / ((k + 1) * (k + 2));
-        loads.force[k] = force;
-        loads.slide[k] = -bend;
-    }
-    for (int k = 0; k <= order; ++k) displacement[k] = product(s, t, k) + d * n[k];
-    return loads;
-}
-
-Loads expand_on_circle(const Guide& guide, Vec2 normal, Vec2 velocity, const ExternalForces& external,
-                       const Friction& friction, Series<Vec2>& displacement) {
-    const double c = external.drag, radius = guide.radius, side = dot(guide.out, normal) > 0 ? 1 : -1;
-    const Series<Vec2> center = turning_vector(guide.arm, guide.rate);
-    Series<Vec2> felt{};  // gravity and inertial forces in the frame of the moving centre
-    for (int k = 0; k + 2 <= order; ++k)
-        felt[k] = (k == 0 ? external.gravity : Vec2{}) - (k + 1) * (k + 2) * center[k + 2] -
-                  c * (k + 1) * center[k + 1];
-    Series<Vec2> out{}, tangent{};  // out' = turn·tangent, tangent' = −turn·out
-    Series<double> turn{};
-    Loads loads;
-    out[0] = guide.out;
-    tangent[0] = perp(guide.out);
-    turn[0] = dot(velocity - cross(guide.rate, guide.arm), tangent[0]) / radius;
-    for (int k = 0; k < order; ++k) {
-        const double force = -side * (dot_product(out, felt, k) + radius * product(turn, turn, k));
-        const double tangential = dot_product(tangent, felt, k) - c * radius * turn[k];
-        const double bend = friction.share() * tangential - side * friction.slide * force;
-        turn[k + 1] = bend / (radius * (k + 1));
-        const Vec2 turned = product(turn, tangent, k) / (k + 1);
-        out[k + 1] = turned;
-        tangent[k + 1] = perp(turned);
-        loads.force[k] = force;
-        loads.slide[k] = side * bend;
-    }
-    for (int k = 0; k <= order; ++k) displacement[k] = center[k] + radius * out[k];
-    return loads;
-}
-
 /// Time for which the last terms of the series stay below `error`, s.
 double valid_time(const Series<Vec2>& series, double error) {
     double h = never_touch;
@@ -142,72 +91,179 @@ double valid_time(const Series<Vec2>& series, double error) {
     return h;
 }
 
-/// Limits the steps of the searches for the end of a contact, which take about ten each.
-class StepBudget {
-  public:
-    /// Counts a step; false when the budget is used up.
-    bool take_step() { return ++steps_ <= most_steps; }
-    [[nodiscard]] bool left() const { return steps_ <= most_steps; }
-
-  private:
-    static constexpr int most_steps = 4000;
-    int steps_ = 0;
-};
-
-/// First time in [0, h] at which the series falls below zero.
-double first_below_zero(const Series<double>& f, double h, StepBudget& budget) {
-    double k2 = 0, power = 1;
-    for (int k = 2; k <= order; ++k, power *= h) k2 += k * (k - 1) * std::abs(f[k]) * power;
-    const double tolerance = 1e-15 * (std::abs(f[0]) + k2 * h * h + std::abs(f[1]) * h);
-    for (double t = 0; t < h && budget.take_step();) {
-        double value = 0, slope = 0;
-        for (int k = order; k >= 0; --k) {
-            slope = slope * t + value;
-            value = value * t + f[k];
-        }
-        if (value <= tolerance && slope < 0) return t;
-        const double step = safe_time(std::max(value, tolerance), slope, k2);
-        if (t + step <= t) return t;
-        t += step;
-    }
-    return never_touch;
+/// Speed of a ball along perp(normal) relative to the surface, m/s.
+double speed_along(const RestingContact& contact, const Ball& ball) {
+    return dot(ball.velocity - contact.surface_velocity, perp(contact.normal));
 }
 
-/// When the point of contact reaches an end of the feature: the search of time_of_impact, for the ends. An
-/// end nearer than rounding counts as reached if the point moves towards it.
-double end_of_face(const Feature& feature, const Turning& turning, const Path& path, double radius, double t0,
-                   double t1, StepBudget& budget) {
-    const double rate = turning.rate_at(t0);
-    const double v = path.max_speed(t1), a = path.max_acceleration(t1), w = std::abs(rate);
-    for (double t = t0; t <= t1 && budget.take_step();) {
-        const Vec2 p = path.position(t);
-        const Pose pose = turning.pose(t);
-        const Vec2 arm = p - pose.pivot, q = pose.undo(p);
-        const Vec2 u = rotated(path.velocity(t) - cross(rate, arm), -pose.angle);
-        const double far = w == 0 ? 0 : length(arm) + v * (t1 - t);
-        const double k = a + 2 * w * (v + w * far) + w * w * far;
-        const double rounding = 4 * 0x1p-53 * (std::abs(q.x) + std::abs(q.y) + radius);
-        const auto free = [&](double inside, double slope) {
-            if (inside < 0 || (inside <= rounding && slope < 0)) return 0.0;
-            return safe_time(std::max(inside, rounding), slope, k);
+/// Whether a ball rolls or slides.
+Friction friction_state(const RestingContact& contact, const Ball& ball) {
+    if (contact.friction <= 0) return {};
+    const double along = speed_along(contact, ball);
+    const double slip = along - ball.radius * ball.spin, support = contact.friction * contact.force;
+    const double none = 1e-12 * (std::abs(along) + ball.radius * std::abs(ball.spin)) +
+                        1e-12 * std::sqrt(ball.radius * std::max(0.0, contact.force));
+    if (std::abs(slip) > none) return {slip > 0 ? contact.friction : -contact.friction, false};
+    if (std::abs(contact.tangential) / 3 < support * (1 - 1e-12)) return {0, true};
+    return {contact.tangential > 0 ? contact.friction : -contact.friction, false, true};
+}
+
+/// Finds the path of a resting ball; see constrain().
+struct PathOnSurface {
+    const RestingContact& contact;
+    const Ball& ball;
+    const ExternalForces& external;
+    double time;  ///< s, at its start
+    ConstrainedPath& motion;
+    Guide guide = guide_of(contact, ball, time);
+    Friction friction = friction_state(contact, ball);
+    double along = speed_along(contact, ball);
+    int steps_left = 4000;  ///< of the searches for its end, which take about ten each
+
+    /// The path on a static line. It ends when the slip falls to 0.
+    void slide() {
+        Flight& flight = motion.path.flight;
+        const Vec2 tangent = perp(contact.normal);
+        const double gravity = dot(external.gravity, tangent);
+        const double sliding_force = friction.slide * contact.force;
+        flight.acceleration = (friction.share() * gravity - sliding_force) * tangent;
+        flight.drag = friction.share() * external.drag;
+        if (friction.rolls) motion.roll = tangent / ball.radius;
+        if (friction.slide == 0) return;
+        motion.spin_rate = 2 * sliding_force / ball.radius;
+        const double sign = friction.slide > 0 ? 1 : -1;
+        const double slip = sign * (along - ball.radius * ball.spin);
+        const double k = external.drag * flight.max_acceleration(0);
+        const auto growth = [&](double t) {
+            const Vec2 driving = flight.acceleration - flight.drag * flight.velocity_at(t);
+            return sign * dot(driving, tangent) - 2 * std::abs(sliding_force);
         };
-        double h = never_touch;
-        if (const auto* line = std::get_if<Line>(&feature.is)) {
-            const double s = dot(q - line->start, line->along), along = dot(u, line->along);
-            h = std::min(free(s + line->before.resting_length(radius), along),
-                         free(line->length + line->past.resting_length(radius) - s, -along));
-        } else if (const auto* arc = std::get_if<Arc>(&feature.is); arc && !arc->full) {
-            const Vec2 out = q - arc->center;
-            const double from =
-                free(cross(arc->from, out) + arc->before.resting_length(radius), cross(arc->from, u));
-            const double to = free(cross(out, arc->to) + arc->past.resting_length(radius), cross(u, arc->to));
-            h = arc->wide ? std::max(from, to) : std::min(from, to);
-        }
-        if (h <= 0) return t;
-        t += h;
+        // A ball that begins to slip does so faster and faster, until drag has slowed that.
+        const double rounding = 1e-15 * (std::abs(along) + ball.radius * std::abs(ball.spin));
+        const double first = friction.begins ? safe_time(rounding, std::max(0.0, growth(0)), k) : 0;
+        const auto free_time = [&](double t) {
+            const double now = sign * (dot(flight.velocity_at(t), tangent) - ball.radius * ball.spin) -
+                               2 * std::abs(sliding_force) * t - (friction.begins ? slip : 0);
+            return now > 0 ? safe_time(now, growth(t), k) : 0;
+        };
+        constexpr double longest = 1e6;  // s
+        motion.until = time + advance(free_time, first, longest, steps_left);
     }
-    return never_touch;
-}
+
+    /// The path on a curved or turning surface.
+    void move_on_curve(double t1) {
+        Path& path = motion.path;
+        const Vec2 velocity = path.flight.velocity;
+        TaylorPath& taylor = path.taylor.emplace_back();
+        const Loads loads = guide.straight ? expand_on_line(velocity, taylor.displacement)
+                                           : expand_on_circle(velocity, taylor.displacement);
+        path.flight = {guide.pivot + taylor.displacement[0], velocity, {}, 0};
+        const double stop = contact.turning->rate_at(time) != 0 ? contact.turning->stop : never_touch;
+        const double valid = time + valid_time(taylor.displacement, 1e-17 * ball.radius);
+        const double h = std::min({valid, stop, t1}) - time;
+        double power = 1;
+        for (int k = 1; k <= order; ++k, power *= h) {
+            taylor.top_speed += k * length(taylor.displacement[k]) * power;
+            if (k < order)
+                taylor.top_acceleration += (k + 1) * k * length(taylor.displacement[k + 1]) * power;
+        }
+        const double separates = time + first_below_zero(loads.force, h);
+        motion.until = std::min({valid, stop, separates});
+        motion.separates = motion.until == separates;
+        if (contact.friction <= 0) return;
+
+        Series<double> more{}, less{};  // friction to spare in both directions; or, sliding, the slip
+        const double sign = friction.slide > 0 ? 1 : -1;
+        more[0] = sign * (along - ball.radius * ball.spin);
+        for (int k = 0; k + 1 < order; ++k) {
+            const double sliding_force = friction.slide * loads.force[k];
+            taylor.spin[k + 1] =
+                (friction.rolls ? loads.slide[k] : 2 * sliding_force) / (ball.radius * (k + 1));
+            if (!friction.rolls) {
+                more[k + 1] = sign * (loads.slide[k] - 2 * sliding_force) / (k + 1);
+                continue;
+            }
+            more[k] = contact.friction * loads.force[k] + loads.slide[k] / 2;
+            less[k] = contact.friction * loads.force[k] - loads.slide[k] / 2;
+        }
+        // A ball that begins to slip does so faster at first.
+        if (friction.begins) more[0] = 0, more[1] = std::max(0.0, more[1]);
+        double switches = first_below_zero(more, h);
+        if (friction.rolls) switches = std::min(switches, first_below_zero(less, h));
+        if (time + switches < motion.until) {
+            motion.until = time + switches;
+            motion.separates = false;
+        }
+    }
+
+    Loads expand_on_line(Vec2 velocity, Series<Vec2>& displacement) const {
+        const double w = guide.rate, d = guide.offset, c = external.drag;
+        const Series<Vec2> t = turning_vector(-perp(contact.normal), w),
+                           n = turning_vector(contact.normal, w);
+        Series<double> s{};
+        Loads loads;
+        s[0] = guide.s;
+        s[1] = dot(velocity, t[0]) + d * w;
+        for (int k = 0; k + 2 <= order; ++k) {
+            const double speed = (k + 1) * s[k + 1] - (k == 0 ? d * w : 0);
+            const double force = 2 * w * (k + 1) * s[k + 1] - (k == 0 ? d * w * w : 0) -
+                                 dot(n[k], external.gravity) + c * w * s[k];
+            const double tangential = w * w * s[k] + dot(t[k], external.gravity) - c * speed;
+            const double bend = friction.share() * tangential + friction.slide * force;
+            s[k + 2] = bend / ((k + 1) * (k + 2));
+            loads.force[k] = force;
+            loads.slide[k] = -bend;
+        }
+        for (int k = 0; k <= order; ++k) displacement[k] = product(s, t, k) + d * n[k];
+        return loads;
+    }
+
+    Loads expand_on_circle(Vec2 velocity, Series<Vec2>& displacement) const {
+        const double c = external.drag, radius = guide.radius,
+                     side = dot(guide.out, contact.normal) > 0 ? 1 : -1;
+        const Series<Vec2> center = turning_vector(guide.arm, guide.rate);
+        Series<Vec2> felt{};  // gravity and inertial forces in the frame of the moving centre
+        for (int k = 0; k + 2 <= order; ++k)
+            felt[k] = (k == 0 ? external.gravity : Vec2{}) - (k + 1) * (k + 2) * center[k + 2] -
+                      c * (k + 1) * center[k + 1];
+        Series<Vec2> out{}, tangent{};  // out' = turn·tangent, tangent' = −turn·out
+        Series<double> turn{};
+        Loads loads;
+        out[0] = guide.out;
+        tangent[0] = perp(guide.out);
+        turn[0] = dot(velocity - cross(guide.rate, guide.arm), tangent[0]) / radius;
+        for (int k = 0; k < order; ++k) {
+            const double force = -side * (dot_product(out, felt, k) + radius * product(turn, turn, k));
+            const double tangential = dot_product(tangent, felt, k) - c * radius * turn[k];
+            const double bend = friction.share() * tangential - side * friction.slide * force;
+            turn[k + 1] = bend / (radius * (k + 1));
+            const Vec2 turned = product(turn, tangent, k) / (k + 1);
+            out[k + 1] = turned;
+            tangent[k + 1] = perp(turned);
+            loads.force[k] = force;
+            loads.slide[k] = side * bend;
+        }
+        for (int k = 0; k <= order; ++k) displacement[k] = center[k] + radius * out[k];
+        return loads;
+    }
+
+    /// First time in [0, h] at which the series falls below zero.
+    double first_below_zero(const Series<double>& f, double h) {
+        double k2 = 0, power = 1;
+        for (int k = 2; k <= order; ++k, power *= h) k2 += k * (k - 1) * std::abs(f[k]) * power;
+        const double tolerance = 1e-15 * (std::abs(f[0]) + k2 * h * h + std::abs(f[1]) * h);
+        const auto free_time = [&](double t) {
+            double value = 0, slope = 0;
+            for (int k = order; k >= 0; --k) {
+                slope = slope * t + value;
+                value = value * t + f[k];
+            }
+            if (value <= tolerance && slope < 0) return 0.0;
+            return safe_time(std::max(value, tolerance), slope, k2);
+        };
+        return advance(free_time, 0, h, steps_left);
+    }
+};
 
 }  // namespace
 
@@ -250,132 +306,31 @@ double ConstrainedPath::spin_at(double spin, double time) const {
     return spin + (path.is_taylor() ? path.taylor[0].spin.change(t) : spin_rate * t);
 }
 
-namespace {
-
-/// Whether a ball rolls or slides. `tangential` is the force per mass along perp(normal) without friction.
-Friction friction_state(const RestingContact& contact, const Ball& ball, double along, double tangential) {
-    if (contact.friction <= 0) return {};
-    const double slip = along - ball.radius * ball.spin, support = contact.friction * contact.force;
-    const double none = 1e-12 * (std::abs(along) + ball.radius * std::abs(ball.spin)) +
-                        1e-12 * std::sqrt(ball.radius * std::max(0.0, contact.force));
-    if (std::abs(slip) > none) return {slip > 0 ? contact.friction : -contact.friction, false};
-    if (std::abs(tangential) / 3 < support * (1 - 1e-12)) return {0, true};
-    return {tangential > 0 ? contact.friction : -contact.friction, false, true};
-}
-
-/// The path on a static line. It ends when the slip falls to 0.
-void slide(const RestingContact& contact, const Ball& ball, const Friction& friction, double along,
-           const ExternalForces& external, ConstrainedPath& motion, StepBudget& budget) {
-    Flight& flight = motion.path.flight;
-    const Vec2 tangent = perp(contact.normal);
-    const double gravity = dot(external.gravity, tangent), sliding_force = friction.slide * contact.force;
-    flight.acceleration = (friction.share() * gravity - sliding_force) * tangent;
-    flight.drag = friction.share() * external.drag;
-    if (friction.rolls) motion.roll = tangent / ball.radius;
-    if (friction.slide == 0) return;
-    motion.spin_rate = 2 * sliding_force / ball.radius;
-    // Conservative steps to the time at which the slip is 0.
-    const double sign = friction.slide > 0 ? 1 : -1, slip = sign * (along - ball.radius * ball.spin);
-    const double k = external.drag * flight.max_acceleration(0);
-    const auto growth = [&](double t) {
-        const Vec2 driving = flight.acceleration - flight.drag * flight.velocity_at(t);
-        return sign * dot(driving, tangent) - 2 * std::abs(sliding_force);
-    };
-    // A ball that begins to slip does so faster and faster, until drag has slowed that.
-    const double rounding = 1e-15 * (std::abs(along) + ball.radius * std::abs(ball.spin));
-    double t = friction.begins ? safe_time(rounding, std::max(0.0, growth(0)), k) : 0;
-    while (t < 1e6 && budget.take_step()) {
-        const double now = sign * (dot(flight.velocity_at(t), tangent) - ball.radius * ball.spin) -
-                           2 * std::abs(sliding_force) * t - (friction.begins ? slip : 0);
-        const double step = safe_time(std::max(0.0, now), growth(t), k);
-        if (t + step <= t || now <= 0) {
-            motion.until = motion.path.start + t;
-            return;
-        }
-        t += step;
-    }
-}
-
-/// The path on a curved or turning surface.
-void move_on_curve(const RestingContact& contact, const Ball& ball, const Guide& guide,
-                   const Friction& friction, double along, double t1, const ExternalForces& external,
-                   ConstrainedPath& motion, StepBudget& budget) {
-    Path& path = motion.path;
-    const double time = path.start;
-    const Vec2 velocity = path.flight.velocity;
-    TaylorPath& taylor = path.taylor.emplace_back();
-    const Loads loads =
-        guide.straight
-            ? expand_on_line(guide, contact.normal, velocity, external, friction, taylor.displacement)
-            : expand_on_circle(guide, contact.normal, velocity, external, friction, taylor.displacement);
-    path.flight = {guide.pivot + taylor.displacement[0], velocity, {}, 0};
-    const double stop = contact.turning->rate_at(time) != 0 ? contact.turning->stop : never_touch;
-    const double valid = time + valid_time(taylor.displacement, 1e-17 * ball.radius);
-    const double h = std::min({valid, stop, t1}) - time;
-    double power = 1;
-    for (int k = 1; k <= order; ++k, power *= h) {
-        taylor.top_speed += k * length(taylor.displacement[k]) * power;
-        if (k < order) taylor.top_acceleration += (k + 1) * k * length(taylor.displacement[k + 1]) * power;
-    }
-    const double separates = time + first_below_zero(loads.force, h, budget);
-    motion.until = std::min({valid, stop, separates});
-    motion.separates = motion.until == separates;
-    if (contact.friction <= 0) return;
-
-    Series<double> more{}, less{};  // friction to spare in both directions; or, sliding, the slip
-    const double sign = friction.slide > 0 ? 1 : -1;
-    more[0] = sign * (along - ball.radius * ball.spin);
-    for (int k = 0; k + 1 < order; ++k) {
-        const double sliding_force = friction.slide * loads.force[k];
-        taylor.spin[k + 1] = (friction.rolls ? loads.slide[k] : 2 * sliding_force) / (ball.radius * (k + 1));
-        if (!friction.rolls) {
-            more[k + 1] = sign * (loads.slide[k] - 2 * sliding_force) / (k + 1);
-            continue;
-        }
-        more[k] = contact.friction * loads.force[k] + loads.slide[k] / 2;
-        less[k] = contact.friction * loads.force[k] - loads.slide[k] / 2;
-    }
-    // A ball that begins to slip does so faster at first.
-    if (friction.begins) more[0] = 0, more[1] = std::max(0.0, more[1]);
-    double switches = first_below_zero(more, h, budget);
-    if (friction.rolls) switches = std::min(switches, first_below_zero(less, h, budget));
-    if (time + switches < motion.until) {
-        motion.until = time + switches;
-        motion.separates = false;
-    }
-}
-
-}  // namespace
-
 double friction_of(const RestingContact& contact, const Ball& ball) {
-    const double along = dot(ball.velocity - contact.surface_velocity, perp(contact.normal));
-    const Friction friction = friction_state(contact, ball, along, contact.tangential);
+    const Friction friction = friction_state(contact, ball);
     return friction.rolls ? -contact.tangential / 3 : -friction.slide * contact.force;
 }
 
 bool constrain(const RestingContact& contact, const Ball& ball, double time, double t1,
                const ExternalForces& external, ConstrainedPath& motion) {
     const Vec2 n = contact.normal, tangent = perp(n);
-    const Guide guide = guide_of(contact, ball, time);
-    const double along = dot(ball.velocity - contact.surface_velocity, tangent);
-    motion.fly({{}, along * tangent + contact.surface_velocity, {}, external.drag}, time);
-    Path& path = motion.path;
-    const Friction friction = friction_state(contact, ball, along, contact.tangential);
-    StepBudget budget;
-    if (!guide.straight || guide.rate != 0) {
-        move_on_curve(contact, ball, guide, friction, along, t1, external, motion, budget);
+    PathOnSurface path{contact, ball, external, time, motion};
+    motion.fly({{}, path.along * tangent + contact.surface_velocity, {}, external.drag}, time);
+    if (const Guide& guide = path.guide; !guide.straight || guide.rate != 0) {
+        path.move_on_curve(t1);
     } else {
-        path.flight.position = guide.pivot + (guide.offset * n - guide.s * tangent);
-        slide(contact, ball, friction, along, external, motion, budget);
+        motion.path.flight.position = guide.pivot + (guide.offset * n - guide.s * tangent);
+        path.slide();
     }
     const double last = std::min(motion.until, t1);
-    const double end = end_of_face(*contact.feature, *contact.turning, path, ball.radius, time, last, budget);
+    const double end = end_of_face(*contact.feature, *contact.turning, motion.path, ball.radius, time, last,
+                                   path.steps_left);
     if (end <= last) {
         motion.until = end;
         motion.separates = true;
     }
     if (motion.until > t1) motion.until = never_touch;
-    return budget.left();
+    return path.steps_left >= 0;
 }
 
 }  // namespace flipside::custom

@@ -144,27 +144,27 @@ double search(MovingAt&& moving, GapOf&& gap_of, double radius, double rounding,
     return never_touch;  // the whole interval has been searched
 }
 
-/// Search in the frame of a part that turns at a constant rate from `begin` at `begin_time`.
-double search_turning(const Feature& feature, Pose begin, double rate, double begin_time, const Path& path,
-                      double radius, double t0, double t1, std::uint64_t* steps) {
-    const double v = path.max_speed(t1), a = path.max_acceleration(t1), w = std::abs(rate);
-    const double drag = path.flight.drag, jerk = path.is_taylor() ? INFINITY : drag * a;
-    const auto moving = [&](double t) {
+/// Motion of a ball relative to a part until t1, as a function of time, in the pose of the scene file. The
+/// part turns at the rate that it has at t0.
+auto motion_relative_to(const Turning& turning, const Path& path, double t0, double t1) {
+    const double rate = turning.rate_at(t0), w = std::abs(rate), drag = path.flight.drag;
+    const double v = path.max_speed(t1), a = path.max_acceleration(t1);
+    const double jerk = path.is_taylor() ? INFINITY : drag * a;
+    Pose pose = turning.pose(t0);
+    return [=, &turning, &path](double t) mutable {
         const auto [p, u] = path.at(t);
-        const Pose pose{begin.pivot, begin.angle + rate * (t - begin_time)};
         if (w == 0) {
             const Vec2 driving = path.flight.acceleration - drag * u;
-            if (pose.angle == 0) return RelativeMotion{pose.undo(p), u, v, a, driving, jerk};
+            if (pose.angle == 0) return RelativeMotion{p, u, v, a, driving, jerk};
             return RelativeMotion{pose.undo(p), rotated(u, -pose.angle), v, a, rotated(driving, -pose.angle),
                                   jerk};
         }
-        const Vec2 relative = u - cross(rate, p - begin.pivot);
-        const double far = length(p - begin.pivot) + v * (t1 - t), top = v + w * far;
-        return RelativeMotion{pose.undo(p), rotated(relative, -pose.angle), top,
+        pose.angle = turning.begin.angle + rate * t;
+        const Vec2 arm = p - pose.pivot;
+        const double far = length(arm) + v * (t1 - t), top = v + w * far;
+        return RelativeMotion{pose.undo(p), rotated(u - cross(rate, arm), -pose.angle), top,
                               a + 2 * w * top + w * w * far};
     };
-    const auto gap = [&](const RelativeMotion& q) { return std::visit(GapTo{q, radius}, feature.is); };
-    return search(moving, gap, radius, gap_rounding(path.position(t0), radius), t0, t1, steps);
 }
 
 /// Whether gap + rate·E(t) + bend·F(t), negative at 0, rises above 0 and decreases again.
@@ -266,15 +266,12 @@ double straight_touch(Vec2 d, Vec2 v, double reach, double rounding) {
 
 double search_impact(const Feature& feature, const Turning& turning, const Path& path, double radius,
                      double t0, double t1, std::uint64_t* steps) {
-    if (turning.still() || t0 >= turning.stop) {
-        const Pose pose = turning.pose(t0);
-        return search_turning(feature, pose, 0, t0, path, radius, t0, t1, steps);
-    }
-    const double t = search_turning(feature, turning.begin, turning.rate, 0, path, radius, t0,
-                                    std::min(t1, turning.stop), steps);
-    if (t < never_touch || turning.stop >= t1) return t;
-    return search_turning(feature, {turning.begin.pivot, turning.end_angle}, 0, 0, path, radius, turning.stop,
-                          t1, steps);
+    const double stop = turning.rate_at(t0) == 0 ? t1 : std::min(t1, turning.stop);
+    const auto gap = [&](const RelativeMotion& q) { return std::visit(GapTo{q, radius}, feature.is); };
+    const double t = search(motion_relative_to(turning, path, t0, stop), gap, radius,
+                            gap_rounding(path.position(t0), radius), t0, stop, steps);
+    if (t < never_touch || stop >= t1) return t;
+    return search_impact(feature, turning, path, radius, stop, t1, steps);
 }
 
 double search_impact(const Path& a, const Path& b, double radii, double t0, double t1, std::uint64_t* steps) {
@@ -284,6 +281,33 @@ double search_impact(const Path& a, const Path& b, double radii, double t0, doub
     };
     const auto gap = [&](const RelativeMotion& q) { return gap_to_disc(q, {}, radii); };
     return search(moving, gap, radii, gap_rounding(a.position(t0), b.position(t0), radii), t0, t1, steps);
+}
+
+double end_of_face(const Feature& feature, const Turning& turning, const Path& path, double radius, double t0,
+                   double t1, int& steps_left) {
+    auto motion = motion_relative_to(turning, path, t0, t1);
+    const auto free_time = [&](double t) {
+        const RelativeMotion q = motion(t);
+        const double rounding = 4 * 0x1p-53 * (std::abs(q.at.x) + std::abs(q.at.y) + radius);
+        const auto free = [&](double inside, double slope) {
+            if (inside < 0 || (inside <= rounding && slope < 0)) return 0.0;
+            return safe_time(std::max(inside, rounding), slope, q.top_acceleration);
+        };
+        if (const auto* line = std::get_if<Line>(&feature.is)) {
+            const double s = dot(q.at - line->start, line->along), along = dot(q.velocity, line->along);
+            return std::min(free(s + line->before.resting_length(radius), along),
+                            free(line->length + line->past.resting_length(radius) - s, -along));
+        }
+        const auto* arc = std::get_if<Arc>(&feature.is);
+        if (arc == nullptr || arc->full) return never_touch;
+        const Vec2 out = q.at - arc->center;
+        const double from =
+            free(cross(arc->from, out) + arc->before.resting_length(radius), cross(arc->from, q.velocity));
+        const double to =
+            free(cross(out, arc->to) + arc->past.resting_length(radius), cross(q.velocity, arc->to));
+        return arc->wide ? std::max(from, to) : std::min(from, to);
+    };
+    return advance(free_time, t0, t1, steps_left);
 }
 
 double time_of_impact(const Feature& feature, const Turning& turning, const Path& path, double radius,

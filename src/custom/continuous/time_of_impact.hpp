@@ -16,6 +16,7 @@
 /// at the start; a gap of the size of rounding counts as 0.
 
 #include <cstdint>
+#include <utility>
 
 #include "custom/continuous/feature.hpp"
 #include "custom/continuous/path.hpp"
@@ -58,6 +59,22 @@ inline double gap_rounding(Vec2 p, Vec2 q, double radii) {
                                    double radius, double t0, double t1, std::uint64_t* steps = nullptr);
 [[nodiscard]] double search_impact(const Path& a, const Path& b, double radii, double t0, double t1,
                                    std::uint64_t* steps = nullptr);
+
+/// Conservative advancement: the first t in [t0, t1] at which `free_time(t)`, a time for which nothing
+/// happens after t, is 0 or rounding; never_touch if there is none. Each step counts down `steps_left`; below
+/// 0 the search was given up.
+double advance(auto&& free_time, double t0, double t1, int& steps_left) {
+    for (double t = t0; t <= t1 && steps_left-- > 0;) {
+        const double before = std::exchange(t, t + free_time(t));
+        if (t <= before) return before;
+    }
+    return never_touch;
+}
+
+/// When the point of contact of a ball that rests on the feature reaches an end of it, in [t0, t1], or
+/// never_touch. An end nearer than rounding counts as reached if the point moves towards it.
+[[nodiscard]] double end_of_face(const Feature& feature, const Turning& turning, const Path& path,
+                                 double radius, double t0, double t1, int& steps_left);
 
 /// First time in [t0, t1] at which box.contains(path.position(t)) is false, to one rounding of the time, or
 /// never_touch. Both coordinates are monotone between the instants at which one of them may have an extremum,
