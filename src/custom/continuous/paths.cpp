@@ -31,6 +31,44 @@ double direction_rounding(const Feature& feature) {
     return 16 * 0x1p-53 * (std::abs(line->start.x) + std::abs(line->start.y)) / line->length;
 }
 
+/// Unit vector in which the ball moves along a support: that of its velocity, or of the force if it is at
+/// rest.
+Vec2 direction_on(const RestingContact& support, const Ball& ball) {
+    const Vec2 tangent = perp(support.normal);
+    const double along = dot(ball.velocity - support.surface_velocity, tangent);
+    return (along != 0 ? along : support.tangential) > 0 ? tangent : -tangent;
+}
+
+/// Whether, of two faces that meet smoothly, this one supports the ball. Forces do not decide this, since a
+/// curve needs a greater one. The face that does not lead into the other does; if both or neither do, the
+/// longer one.
+bool takes_precedence(const RestingContact& support, const RestingContact& other, const Ball& ball,
+                      double time) {
+    const auto leads_into = [&](const RestingContact& from, const RestingContact& to) {
+        return dot(direction_on(from, ball), to.normal) < -speed_rounding / 2;
+    };
+    if (leads_into(support, other) != leads_into(other, support)) return leads_into(other, support);
+    const auto distance_left = [&](const RestingContact& on) {
+        const Pose pose = on.turning->pose(time);
+        return distance_to_end(*on.feature, pose.undo(ball.position),
+                               rotated(direction_on(on, ball), -pose.angle), ball.radius);
+    };
+    const double left = distance_left(support), other_left = distance_left(other);
+    return left > other_left || (left == other_left && &support < &other);
+}
+
+/// Whether one support carries the ball alone: its normal force and friction keep the ball off all others.
+bool supports_alone(const RestingContact& support, std::span<const RestingContact> all, const Ball& ball,
+                    double time) {
+    const Vec2 motion = support.force * support.normal + friction_of(support, ball) * perp(support.normal);
+    return std::ranges::all_of(all, [&](const RestingContact& other) {
+        if (&other == &support) return true;
+        if (dot(other.normal, support.normal) >= smooth_joint)
+            return takes_precedence(support, other, ball, time);
+        return other.force - dot(motion, other.normal) <= 1e-9 * support.force;
+    });
+}
+
 }  // namespace
 
 Paths::Paths(Simulation& sim, Gates& gates) : sim_(sim), gates_(gates) {
@@ -176,7 +214,8 @@ void Paths::find_supports(BallIndex i, double time) {
         if (std::abs(dot(relative, normal)) > still) continue;
         if (feature.gate) sim_.table.set_blocked(feature.part, ball.number, true);
         const double scale = length(sim_.external.gravity) + length_squared(relative) / ball.radius;
-        supports_.push_back({contact, contact.force > 1e-12 * scale});
+        contact.loaded = contact.force > 1e-12 * scale;
+        supports_.push_back(contact);
     }
 }
 
@@ -184,68 +223,30 @@ void Paths::find_supports(BallIndex i, double time) {
 /// the window.
 void Paths::note_tangent_faces(Particle& particle) const {
     const double time = particle.motion.path.start;
-    for (const auto& [contact, loaded, direction, distance_left] : supports_) {
+    for (const RestingContact& contact : supports_) {
         const auto* line = std::get_if<Line>(&contact.feature->is);
-        if (line == nullptr || loaded || contact.turning->rate_at(time) != 0) continue;
+        if (line == nullptr || contact.loaded || contact.turning->rate_at(time) != 0) continue;
         particle.tangent_faces.add(contact.turning->pose(time).apply(line->start), contact.normal);
     }
-}
-
-/// Finds in which direction the ball moves along each support: that of its velocity, or of the force if it is
-/// at rest.
-void Paths::find_directions(const Ball& ball, double time) {
-    for (Support& support : supports_) {
-        const RestingContact& contact = support.contact;
-        const Vec2 tangent = perp(contact.normal);
-        const double along = dot(ball.velocity - contact.surface_velocity, tangent);
-        support.direction = (along != 0 ? along : contact.tangential) > 0 ? tangent : -tangent;
-        const Pose pose = contact.turning->pose(time);
-        support.distance_left = distance_to_end(*contact.feature, pose.undo(ball.position),
-                                                rotated(support.direction, -pose.angle), ball.radius);
-    }
-}
-
-/// Whether, of two faces that meet smoothly, this one supports the ball. Forces do not decide this, since a
-/// curve needs a greater one. The face that does not lead into the other does; if both or neither do, the
-/// longer one.
-bool Paths::takes_precedence(const Support& support, const Support& other) {
-    const bool clear = dot(support.direction, other.contact.normal) >= -speed_rounding / 2;
-    const bool other_clear = dot(other.direction, support.contact.normal) >= -speed_rounding / 2;
-    if (clear != other_clear) return clear;
-    return support.distance_left > other.distance_left ||
-           (support.distance_left == other.distance_left && &support < &other);
-}
-
-/// Whether one support carries the ball alone: its normal force and friction keep the ball off all others.
-bool Paths::supports_alone(const Support& support, const Ball& ball) const {
-    const RestingContact& contact = support.contact;
-    const Vec2 motion = contact.force * contact.normal + friction_of(contact, ball) * perp(contact.normal);
-    return std::ranges::all_of(supports_, [&](const Support& other) {
-        if (&other == &support) return true;
-        if (dot(other.contact.normal, contact.normal) >= smooth_joint)
-            return takes_precedence(support, other);
-        return other.contact.force - dot(motion, other.contact.normal) <= 1e-9 * contact.force;
-    });
 }
 
 /// Chooses the support on which the ball rests, or two between which it lies still.
 void Paths::choose_support(BallIndex i, double time) {
     const Ball& ball = sim_.balls[i];
     Particle& particle = sim_.particles[i];
-    if (supports_.size() > 1) find_directions(ball, time);
-    for (const Support& support : supports_) {
-        if (!support.loaded || !supports_alone(support, ball)) continue;
-        particle.resting_on = support.contact.feature;
-        if (!constrain(support.contact, ball, time, sim_.end, sim_.external, particle.motion))
+    for (const RestingContact& support : supports_) {
+        if (!support.loaded || !supports_alone(support, supports_, ball, time)) continue;
+        particle.resting_on = support.feature;
+        if (!constrain(support, ball, time, sim_.end, sim_.external, particle.motion))
             sim_.join_island(i, time);
         return;
     }
     const double slow = 1e-6 * std::sqrt(ball.radius * length(sim_.external.gravity));
     const bool moving = std::ranges::any_of(
-        supports_, [&](const Support& support) { return support.contact.turning->rate_at(time) != 0; });
+        supports_, [&](const RestingContact& support) { return support.turning->rate_at(time) != 0; });
     if (!moving && length(ball.velocity) <= slow) rest_between(i, time);
     // Pressed between supports, one of which moves: no path of its own leads on from here.
-    if (particle.resting_on == nullptr && std::ranges::any_of(supports_, &Support::loaded))
+    if (particle.resting_on == nullptr && std::ranges::any_of(supports_, &RestingContact::loaded))
         sim_.join_island(i, time);
 }
 
@@ -258,19 +259,18 @@ void Paths::rest_between(BallIndex i, double time) {
     const auto direction = [&](const RestingContact& contact) {
         return contact.normal + turning * contact.friction * perp(contact.normal);
     };
-    for (const Support& first : supports_)
-        for (const Support& second : supports_) {
+    for (const RestingContact& first : supports_)
+        for (const RestingContact& second : supports_) {
             if (&first == &second || !first.loaded) continue;
-            const Vec2 u = direction(first.contact), v = direction(second.contact);
+            const Vec2 u = direction(first), v = direction(second);
             const double across = cross(u, v), none = 1e-12 * length(sim_.external.gravity);
             if (std::abs(across) < 1e-12) continue;
             const double force_u = -cross(sim_.external.gravity, v) / across,
                          force_v = -cross(u, sim_.external.gravity) / across;
             if (force_u < -none || force_v < -none) continue;
-            const double rubbed =
-                2 * (first.contact.friction * force_u + second.contact.friction * force_v) / ball.radius;
+            const double rubbed = 2 * (first.friction * force_u + second.friction * force_v) / ball.radius;
             ConstrainedPath& motion = sim_.particles[i].motion;
-            sim_.particles[i].resting_on = first.contact.feature;
+            sim_.particles[i].resting_on = first.feature;
             motion.path.flight = {ball.position, {}, {}, 0};
             motion.spin_rate = -turning * rubbed;
             if (ball.spin != 0 && rubbed > 0) motion.until = time + std::abs(ball.spin) / rubbed;

@@ -25,28 +25,19 @@ class Paths {
     void update_swept_bounds(BallIndex i, double time, const Flight::Motion& here);
 
   private:
-    struct Support {
-        RestingContact contact;
-        bool loaded = false;       ///< a force keeps the ball on it
-        Vec2 direction{};          ///< unit, in which the ball moves along it
-        double distance_left = 0;  ///< m, to the end of the feature in that direction
-    };
     /// Lists a ball in the cell at its position. Fast balls use wide cells, so that no ball changes its cell
     /// more than a thousand times a second.
     void list_in_cell(BallIndex i, double time);
     [[nodiscard]] bool pushes_through(PartIndex by, const Ball& ball, const Touch& touch);
     [[nodiscard]] bool beside_moving_part(BallIndex i);
     void find_supports(BallIndex i, double time);
-    void find_directions(const Ball& ball, double time);
     void note_tangent_faces(Particle& particle) const;
-    [[nodiscard]] static bool takes_precedence(const Support& support, const Support& other);
-    [[nodiscard]] bool supports_alone(const Support& support, const Ball& ball) const;
     void choose_support(BallIndex i, double time);
     void rest_between(BallIndex i, double time);
 
     Simulation& sim_;
     Gates& gates_;
-    std::vector<Support> supports_;
+    std::vector<RestingContact> supports_;  ///< of the ball whose path starts
 };
 
 }  // namespace flipside::custom

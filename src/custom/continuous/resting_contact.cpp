@@ -269,7 +269,7 @@ struct PathOnSurface {
 
 RestingContact resting_contact_at(const Feature& feature, const Turning& turning, const Ball& ball,
                                   Vec2 normal, double time, const ExternalForces& external) {
-    RestingContact contact{&feature, &turning, normal, {}, 0, 0, 0};
+    RestingContact contact{&feature, &turning, normal, {}};
     const Guide guide = guide_of(contact, ball, time);
     const Vec2 point = ball.position - ball.radius * normal;
     contact.surface_velocity = cross(guide.rate, point - turning.begin.pivot);

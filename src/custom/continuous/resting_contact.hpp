@@ -36,6 +36,7 @@ struct RestingContact {
     double force = 0;       ///< normal force per mass that keeps the ball on the surface, m/s²
     double tangential = 0;  ///< force per mass along perp(normal) without friction, m/s²
     double friction = 0;    ///< µ between the two
+    bool loaded = false;    ///< the force is more than rounding
 };
 
 /// The contact of a ball that touches the feature at `time`; `normal` as closest_point() and the pose give
