@@ -65,7 +65,7 @@ class Islands {
     void add_member(BallIndex i, double time);
     void stop_pushed_creep(double time);
     void collect_contacts(double time, double duration);
-    void find_overlapped();
+    [[nodiscard]] bool join_overlapped(double time);
     void add_ball_contact(BallIndex i, BallIndex j, double time, double duration);
     [[nodiscard]] double overlap_with_moving_parts(BallIndex i, double time);
     void add_part_contacts(BallIndex i, double time, double duration);
@@ -85,8 +85,7 @@ class Islands {
     std::vector<BallIndex> members_;   ///< balls of the current solve, sorted
     std::vector<BallIndex> creeping_;  ///< since the current tick
     std::vector<Beside> beside_;
-    std::vector<BallIndex> overlapped_;  ///< see find_overlapped()
-    std::vector<BallIndex> rank_;        ///< per ball: index among the bodies of a solve
+    std::vector<BallIndex> rank_;  ///< per ball: index among the bodies of a solve
 };
 
 }  // namespace flipside::custom

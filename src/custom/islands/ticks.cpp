@@ -25,7 +25,6 @@ void Islands::reserve(std::size_t balls) {
     reserve_for(members_, balls);
     reserve_for(creeping_, balls);
     reserve_for(beside_, balls, contacts_per_ball);
-    reserve_for(overlapped_, balls, contacts_per_ball);
     if (rank_.size() < balls) rank_.resize(balls);
 }
 
@@ -86,9 +85,7 @@ void Islands::solve_members(double time, double duration) {
     do {
         collect_contacts(time, duration);
         contact_solver_.solve(duration, sim_.scene.gravity);
-        find_overlapped();
-        for (const BallIndex j : overlapped_) add_member(j, time);
-    } while (!overlapped_.empty());
+    } while (join_overlapped(time));
     if (sim_.record->trace) trace_tick(sim_, contact_solver_, members_, time, duration);
     remember_forces(time, duration);
     for (const BallIndex i : members_) sim_.hot[i].in_solve = false;
@@ -178,18 +175,18 @@ void Islands::collect_contacts(double time, double duration) {
         part_forces_.advance_to(i);
         add_part_contacts(i, time, duration);
     }
-    find_overlapped();
 }
 
-/// Finds the flying balls into which the position correction has moved members.
-void Islands::find_overlapped() {
-    overlapped_.clear();
+/// Adds the flying balls into which the position correction has moved members. Returns whether there are any.
+bool Islands::join_overlapped(double time) {
+    const std::size_t before = members_.size();
     for (const auto& [member, ball, position] : beside_) {
         const ContactSolver::Body& body = contact_solver_.bodies()[rank_[member]];
         const double radius = sim_.balls[ball].radius;
         const double deep = body.radius + radius - corrected_overlap * std::min(body.radius, radius);
-        if (length_squared(body.position - position) < deep * deep) overlapped_.push_back(ball);
+        if (length_squared(body.position - position) < deep * deep) add_member(ball, time);
     }
+    return members_.size() > before;
 }
 
 /// Adds the contact of two balls that touch or may touch within the tick.
