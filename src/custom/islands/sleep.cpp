@@ -46,14 +46,12 @@ bool Sleep::may_rest(const Ball& ball) const {
 void Sleep::watch(std::span<const Ball> balls, double interval) {
     interval_ = interval;
     before_.clear();
-    for (const Ball& ball : balls)
-        if (may_rest(ball)) before_.push_back({ball.number, ball.position, ball.velocity});
+    std::ranges::copy_if(balls, std::back_inserter(before_),
+                         [&](const Ball& ball) { return may_rest(ball); });
 }
 
 bool Sleep::update(std::span<Ball> balls, std::span<const Contact> contacts) {
-    findings_.assign(balls.size(), {});
-    note_contacts(balls, contacts);
-    find_rest(balls);
+    find_rest(balls, contacts);
     find_sleepers(balls, contacts);
     bool any = false;
     for (std::size_t i = 0; i < balls.size(); ++i) {
@@ -93,7 +91,9 @@ void Sleep::find_sleepers(std::span<const Ball> balls, std::span<const Contact> 
     for (const Carried& pair : carried_) findings_[pair.upper].may_sleep &= findings_[pair.lower].may_sleep;
 }
 
-void Sleep::note_contacts(std::span<const Ball> balls, std::span<const Contact> contacts) {
+/// Finds the balls that were at rest during the interval.
+void Sleep::find_rest(std::span<const Ball> balls, std::span<const Contact> contacts) {
+    findings_.assign(balls.size(), {});
     for (const Contact& contact : contacts) {
         const auto note = [&](std::size_t i) {
             findings_[i].touches_ball |= contact.other.is_ball;
@@ -102,29 +102,24 @@ void Sleep::note_contacts(std::span<const Ball> balls, std::span<const Contact> 
         note(index_of(balls, contact.ball));
         if (contact.other.is_ball) note(index_of(balls, contact.other.index));
     }
-}
-
-void Sleep::find_rest(std::span<const Ball> balls) {
-    auto before = before_.begin();
     for (std::size_t i = 0; i < balls.size(); ++i) {
         Finding& finding = findings_[i];
-        finding.at_rest = balls[i].asleep;
-        while (before != before_.end() && before->number < balls[i].number) ++before;
-        if (before == before_.end() || before->number != balls[i].number || !may_rest(balls[i])) continue;
-        finding.at_rest = !finding.squeezed && rested(*before, balls[i], finding.touches_ball);
+        finding.at_rest = balls[i].asleep || (!finding.squeezed && rested(balls[i], finding.touches_ball));
     }
 }
 
-/// Whether a ball was at rest during the interval.
-bool Sleep::rested(const Before& before, const Ball& ball, bool touches_ball) const {
+/// Whether an awake ball was at rest during the interval.
+bool Sleep::rested(const Ball& ball, bool touches_ball) const {
+    const Ball* const before = may_rest(ball) ? find_ball(before_, ball.number) : nullptr;
+    if (before == nullptr) return false;
     const double fall = length(gravity_) * interval_;
-    if (fall == 0) return ball.velocity == Vec2{} && before.velocity == Vec2{} && ball.spin == 0;
+    if (fall == 0) return ball.velocity == Vec2{} && before->velocity == Vec2{} && ball.spin == 0;
     const double slowest = speed_limit(touches_ball);
     const double steady = touches_ball ? contact_gain * fall : 1e-3 * fall + 1e-2 * speed_;
-    return length(ball.velocity) < slowest && length(before.velocity) < slowest &&
+    return length(ball.velocity) < slowest && length(before->velocity) < slowest &&
            std::abs(ball.spin) * ball.radius < slowest &&
-           length(ball.position - before.position) < slowest * interval_ &&
-           length(ball.velocity - before.velocity) <= std::min(steady, falling * fall);
+           length(ball.position - before->position) < slowest * interval_ &&
+           length(ball.velocity - before->velocity) <= std::min(steady, falling * fall);
 }
 
 }  // namespace flipside::custom

@@ -38,16 +38,12 @@ class Sleep {
     bool update(std::span<Ball> balls, std::span<const Contact> contacts);
 
   private:
-    struct Before {
-        BallNumber number = 0;
-        Vec2 position, velocity;
-    };
     /// State of a ball at the end of the interval.
     struct Finding {
-        bool touches_ball = false;  ///< touches a ball
-        bool squeezed = false;      ///< overlaps something by more than squeezed_overlap
-        bool at_rest = false;       ///< or already asleep
-        bool may_sleep = false;     ///< or may stay asleep
+        bool touches_ball = false;
+        bool squeezed = false;   ///< overlaps something by more than squeezed_overlap
+        bool at_rest = false;    ///< or already asleep
+        bool may_sleep = false;  ///< or may stay asleep
     };
     /// A ball that lies on another.
     struct Carried {
@@ -56,15 +52,14 @@ class Sleep {
     };
     [[nodiscard]] double speed_limit(bool touches_ball) const;
     [[nodiscard]] bool may_rest(const Ball& ball) const;
-    [[nodiscard]] bool rested(const Before& before, const Ball& ball, bool touches_ball) const;
-    void note_contacts(std::span<const Ball> balls, std::span<const Contact> contacts);
-    void find_rest(std::span<const Ball> balls);
+    [[nodiscard]] bool rested(const Ball& ball, bool touches_ball) const;
+    void find_rest(std::span<const Ball> balls, std::span<const Contact> contacts);
     void find_sleepers(std::span<const Ball> balls, std::span<const Contact> contacts);
 
     double speed_;
     Vec2 gravity_;
     double interval_ = 0;            ///< s
-    std::vector<Before> before_;     ///< sorted by number
+    std::vector<Ball> before_;       ///< that may be at rest, at the start of the interval
     std::vector<Finding> findings_;  ///< per ball
     std::vector<Carried> carried_;
 };
