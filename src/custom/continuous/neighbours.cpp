@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 
 #include "custom/broad_phase/capacity.hpp"
 #include "custom/tolerances.hpp"
@@ -161,18 +162,6 @@ Box BoxIndex::clamped(const Box& box) const {
     return {inside(box.min), inside(box.max)};
 }
 
-void BoxIndex::each_listed(const Level& level, auto&& visit) const {
-    for (auto i = static_cast<std::uint32_t>(boxes_.size()); i-- > 0;) {
-        const Box& box = boxes_[i];
-        if (!(box.min.x <= box.max.x && box.min.y <= box.max.y)) continue;
-        const Box wide = grown(clamped(box), listed_margin * level.width);
-        const Vec2 first = level.per_width * (wide.min - level.low);
-        const Vec2 last = level.per_width * (wide.max - level.low);
-        visit(i, CellRange{index_of(first.x, level.columns), index_of(first.y, level.rows),
-                           index_of(last.x, level.columns), index_of(last.y, level.rows)});
-    }
-}
-
 bool BoxIndex::fill(Level& level, double most) const {
     const auto first = [&](double at) { return std::floor(at * level.per_width); };
     const Vec2 begin{first(range_.min.x), first(range_.min.y)};
@@ -181,21 +170,29 @@ bool BoxIndex::fill(Level& level, double most) const {
     level.low = level.width * begin;
     level.columns = static_cast<std::uint32_t>(columns);
     level.rows = static_cast<std::uint32_t>(rows);
+    std::vector<CellRange> ranges;  // per box
     double entries = 0;
-    each_listed(
-        level, [&](std::uint32_t, const CellRange& cells) { entries += static_cast<double>(cells.count()); });
+    for (const Box& box : boxes_) {
+        const Box wide = grown(clamped(box), listed_margin * level.width);
+        const Vec2 from = level.per_width * (wide.min - level.low);
+        const Vec2 to = level.per_width * (wide.max - level.low);
+        const bool empty = !(box.min.x <= box.max.x && box.min.y <= box.max.y);
+        ranges.push_back(empty ? CellRange{1, 1, 0, 0}
+                               : CellRange{index_of(from.x, level.columns), index_of(from.y, level.rows),
+                                           index_of(to.x, level.columns), index_of(to.y, level.rows)});
+        entries += static_cast<double>(ranges.back().count());
+    }
     if (entries > most) return false;
-    const auto each_entry = [&](auto&& visit) {
-        each_listed(level, [&](std::uint32_t i, const CellRange& cells) {
-            cells.each([&](std::uint32_t column, std::uint32_t row) { visit(i, level.cell(column, row)); });
-        });
-    };
+    // Counts the entries of each cell, finds where they end, and fills them in from there, the last box
+    // first.
     level.begins.assign(level.cell(0, level.rows) + 1, 0);
-    each_entry([&](std::uint32_t, std::size_t cell) { ++level.begins[cell]; });
-    std::uint32_t end = 0;
-    for (std::uint32_t& begins : level.begins) end += begins, begins = end;
-    level.entries.resize(end);
-    each_entry([&](std::uint32_t i, std::size_t cell) { level.entries[--level.begins[cell]] = i; });
+    for (const CellRange& range : ranges)
+        range.each([&](auto column, auto row) { ++level.begins[level.cell(column, row)]; });
+    std::partial_sum(level.begins.begin(), level.begins.end(), level.begins.begin());
+    level.entries.resize(level.begins.back());
+    for (auto i = static_cast<std::uint32_t>(ranges.size()); i-- > 0;)
+        ranges[i].each(
+            [&](auto column, auto row) { level.entries[--level.begins[level.cell(column, row)]] = i; });
     return true;
 }
 

@@ -194,8 +194,6 @@ class BoxIndex {
         }
     };
     [[nodiscard]] Box clamped(const Box& box) const;
-    /// Visits the boxes from the last to the first, each with the cells of the level that list it.
-    void each_listed(const Level& level, auto&& visit) const;
     /// Lists the boxes in the cells of a level, unless these or their entries are more than `most`.
     [[nodiscard]] bool fill(Level& level, double most) const;
 
