@@ -187,22 +187,6 @@ struct ClearOf {
     }
 };
 
-/// Bounds of a feature in the pose of the scene file.
-Box bounds_in_scene(const Feature& feature, const Primitive& primitive) {
-    if (const auto* line = std::get_if<Line>(&feature.is)) {
-        const Vec2 a = line->start, b = a + line->length * line->along;
-        return united(bounds_of(a, 0), bounds_of(b, 0));
-    }
-    if (const auto* circle = std::get_if<Circle>(&feature.is))
-        return bounds_of(circle->center, circle->radius);
-    return bounds_of(primitive);
-}
-
-bool is_solid(const Primitive& primitive) {
-    return std::holds_alternative<primitive::Polygon>(primitive.is) ||
-           std::holds_alternative<primitive::Taper>(primitive.is);
-}
-
 /// Bounds of a box that turns about a pivot.
 Box turned_about(Vec2 pivot, const Box& box) {
     const double dx = std::max(box.max.x - pivot.x, pivot.x - box.min.x);
@@ -325,10 +309,15 @@ std::vector<Box> ranges_of(std::span<const Feature> features, std::span<const Pr
     std::vector<Box> ranges;
     std::uint32_t before = ~0U;
     for (const Feature& feature : features) {
-        const Primitive& primitive = primitives[feature.primitive];
-        const bool stands_for_solid =
-            feature.primitive != std::exchange(before, feature.primitive) && is_solid(primitive);
-        const Box box = stands_for_solid ? bounds_of(primitive) : bounds_in_scene(feature, primitive);
+        Box box;
+        if (feature.primitive != std::exchange(before, feature.primitive)) {
+            box = bounds_of(primitives[feature.primitive]);
+        } else if (const auto* line = std::get_if<Line>(&feature.is)) {
+            box = united(bounds_of(line->start, 0), bounds_of(line->start + line->length * line->along, 0));
+        } else {
+            const auto [center, radius] = circle_of(feature);
+            box = bounds_of(center, radius);
+        }
         ranges.push_back(Table::moves(table.scene().parts[feature.part])
                              ? turned_about(table.pose(feature.part).pivot, box)
                              : box);

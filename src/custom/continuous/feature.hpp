@@ -131,8 +131,8 @@ struct Closest {
 /// The feature in the given pose.
 [[nodiscard]] Feature posed(const Feature& feature, const Pose& pose);
 
-/// Bounds of all positions that each feature can have; for the first feature of a polygon or taper, of all
-/// positions of the whole solid.
+/// Bounds of all positions that each feature can have; for the first feature of a primitive, of all positions
+/// of the whole primitive.
 [[nodiscard]] std::vector<Box> ranges_of(std::span<const Feature> features,
                                          std::span<const Primitive> primitives, const Table& table);
 
