@@ -69,8 +69,11 @@ void Events::handle(BallIndex i) {
     const bool leaves_cell = particle.cell_exit <= particle.next_time;
     const double time = leaves_cell ? particle.cell_exit : particle.next_time;
     if (sim_.search_steps > most_search_steps + search_steps_per_ball * sim_.particles.size() ||
-        (!leaves_cell && handled_ >= sim_.settings.max_impacts))
-        return freeze_all(time);
+        (!leaves_cell && handled_ >= sim_.settings.max_impacts)) {
+        for (BallIndex j = 0; j < sim_.particles.size(); ++j)
+            if (!sim_.hot[j].lost && !sim_.balls[j].asleep) islands_.freeze(j, time);
+        return;
+    }
     if (leaves_cell) return predictions_.enter_cell(i);
     // An event of two balls is counted for the lower one.
     Particle& counted = particle.next == EventType::ball && !sim_.balls[particle.partner].asleep
@@ -104,11 +107,6 @@ void Events::handle(BallIndex i) {
         case EventType::none:
             return;
     }
-}
-
-void Events::freeze_all(double time) {
-    for (BallIndex j = 0; j < sim_.particles.size(); ++j)
-        if (!sim_.hot[j].lost && !sim_.balls[j].asleep) islands_.freeze(j, time);
 }
 
 void Events::restart(BallIndex i, double time) {

@@ -31,8 +31,6 @@ class Events {
     void hit_ball(BallIndex i, double time);
     [[nodiscard]] bool collide(BallIndex low, BallIndex high, double rest_speed, double time);
     void restart(BallIndex i, double time);
-    /// Stops all balls until the next tick.
-    void freeze_all(double time);
     void release(PartIndex part, BallIndex hitting, double time);
     void wake_carried(BallIndex i, double time);
     void lose(BallIndex i, double time);

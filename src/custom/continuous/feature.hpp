@@ -145,17 +145,17 @@ struct Closest {
 class TangentFaces {
   public:
     void clear() { count_ = 0; }
-    [[nodiscard]] bool any() const { return count_ > 0; }
     /// Adds a face through `at` with the unit normal towards the ball. A fifth face is ignored: a joint in a
     /// narrow channel has four.
     void add(Vec2 at, Vec2 normal) {
         if (count_ < faces_.size()) faces_[count_++] = {at, normal};
     }
-    /// Whether a feature at rest, where it stands, lies entirely below one of the faces, to rounding. Tests
-    /// the full circle of an arc; returns false for a line.
-    [[nodiscard]] bool above(const Feature& feature) const {
-        if (std::holds_alternative<Line>(feature.is)) return false;
-        const auto [center, radius] = circle_of(feature);
+    /// Whether a feature at rest in this pose lies entirely below one of the faces, to rounding. Tests the
+    /// full circle of an arc; returns false for a line.
+    [[nodiscard]] bool above(const Feature& feature, const Pose& pose) const {
+        if (count_ == 0 || std::holds_alternative<Line>(feature.is)) return false;
+        const auto [in_scene, radius] = circle_of(feature);
+        const Vec2 center = pose.apply(in_scene);
         for (std::size_t i = 0; i < count_; ++i) {
             const Vec2 from_face = center - faces_[i].at;
             const double size = std::abs(center.x) + std::abs(center.y) + length(from_face) + radius;

@@ -72,31 +72,29 @@ double Gates::distance_to(PartIndex part, Vec2 center, double radius, const Pose
 }
 
 void Gates::settle() {
-    for (const PartIndex part : sim_.layout.gates()) settle(part);
-}
-
-void Gates::settle(PartIndex part) {
-    const Pose pose = sim_.turnings[part].pose(0);
-    const auto is_near = [&](const Ball& ball) {
-        const double out =
-            std::max(gate_clearance * ball.radius, 4 * gap_rounding(ball.position, ball.radius));
-        return layers_meet(ball, sim_.scene.parts[part]) &&
-               distance_to(part, ball.position, ball.radius, pose) < out;
-    };
-    const auto passes = [&](const Ball& ball) {
-        return inside(ball.number, part) || lets_through(part, ball, 0) ||
-               (!sim_.table.is_blocked(part, ball.number) &&
-                begins_deep(*gate_of(sim_.scene.parts[part]), pose.undo(ball.position), ball.radius));
-    };
-    const bool open =
-        std::ranges::any_of(sim_.balls, [&](const Ball& ball) { return is_near(ball) && passes(ball); });
-    sim_.table.set_open(part, open);
-    for (Ball& ball : sim_.balls) {
-        const bool near = is_near(ball);
-        const bool was_blocked = sim_.table.is_blocked(part, ball.number);
-        set_inside(ball.number, part, open && near);
-        sim_.table.set_blocked(part, ball.number, !open && near);
-        if (open && was_blocked) ball.asleep = false;
+    for (const PartIndex part : sim_.layout.gates()) {
+        const Pose pose = sim_.turnings[part].pose(0);
+        const auto is_near = [&](const Ball& ball) {
+            const double out =
+                std::max(gate_clearance * ball.radius, 4 * gap_rounding(ball.position, ball.radius));
+            return layers_meet(ball, sim_.scene.parts[part]) &&
+                   distance_to(part, ball.position, ball.radius, pose) < out;
+        };
+        const auto passes = [&](const Ball& ball) {
+            return inside(ball.number, part) || lets_through(part, ball, 0) ||
+                   (!sim_.table.is_blocked(part, ball.number) &&
+                    begins_deep(*gate_of(sim_.scene.parts[part]), pose.undo(ball.position), ball.radius));
+        };
+        const bool open =
+            std::ranges::any_of(sim_.balls, [&](const Ball& ball) { return is_near(ball) && passes(ball); });
+        sim_.table.set_open(part, open);
+        for (Ball& ball : sim_.balls) {
+            const bool near = is_near(ball);
+            const bool was_blocked = sim_.table.is_blocked(part, ball.number);
+            set_inside(ball.number, part, open && near);
+            sim_.table.set_blocked(part, ball.number, !open && near);
+            if (open && was_blocked) ball.asleep = false;
+        }
     }
 }
 

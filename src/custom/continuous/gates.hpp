@@ -48,7 +48,6 @@ class Gates {
 
   private:
     [[nodiscard]] std::vector<Sensed>& list() const { return sim_.table.memory().inside; }
-    void settle(PartIndex part);
     [[nodiscard]] double distance_to(PartIndex part, Vec2 center, double radius, const Pose& pose) const;
 
     Simulation& sim_;

@@ -95,12 +95,6 @@ bool Predictions::slides_to(const Particle& particle, const Ball& ball, const Fe
     return continues_in(*particle.resting_on, normal, feature);
 }
 
-/// Whether the ball flies along a face and this feature, which does not move, lies below that face.
-bool Predictions::above_tangent_face(const Particle& particle, const Feature& feature, const Pose& pose) {
-    if (!particle.tangent_faces.any()) return false;
-    return particle.tangent_faces.above(pose.angle == 0 ? feature : posed(feature, pose));
-}
-
 void Predictions::predict_features(BallIndex i, double time, Vec2 from) {
     Particle& particle = sim_.particles[i];
     sim_.near[i].part = particle.resting_on != nullptr;
@@ -124,7 +118,7 @@ void Predictions::predict_features(BallIndex i, double time, Vec2 from) {
         sim_.near[i].part = true;
         if (slides_to(particle, ball, feature)) continue;
         if (sim_.hot[i].in_island && rests_on(i, feature, turning.pose(time), time)) continue;
-        if (turning.rate_at(time) == 0 && above_tangent_face(particle, feature, turning.pose(time))) continue;
+        if (turning.rate_at(time) == 0 && particle.tangent_faces.above(feature, turning.pose(time))) continue;
         ++sim_.record->statistics.narrow_tests;
         const double last = std::min(
             {particle.next_time, sim_.end, particle.on_tick_path ? particle.motion.until : sim_.end});

@@ -101,8 +101,6 @@ class Predictions {
     void predict_flying(BallIndex i, BallIndex j, double time);
     void predict_loss(BallIndex i, double time);
     [[nodiscard]] bool slides_to(const Particle& particle, const Ball& ball, const Feature& feature) const;
-    [[nodiscard]] static bool above_tangent_face(const Particle& particle, const Feature& feature,
-                                                 const Pose& pose);
     [[nodiscard]] bool in_slow_contact(BallIndex i, BallIndex j, double time) const;
     [[nodiscard]] bool rests_on(BallIndex i, const Feature& feature, const Pose& pose, double time) const;
     void note_near(BallIndex i, BallIndex j, double until, double from);
