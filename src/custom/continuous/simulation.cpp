@@ -52,10 +52,8 @@ void Simulation::start_with(std::span<const Ball> at_start) {
     choose_tick();
     particles = std::span(pool_).first(balls.size());
     for (BallIndex i = 0; i < balls.size(); ++i) {
-        std::vector<TaylorPath> memory = std::move(particles[i].motion.path.taylor);
-        memory.clear();
-        particles[i] = {};
-        particles[i].motion.path.taylor = std::move(memory);
+        particles[i] = {.motion = std::move(particles[i].motion)};
+        particles[i].motion.fly({}, 0);
         hot[i] = {};
         near[i] = {};
         hot[i].radius = balls[i].radius;

@@ -57,7 +57,7 @@ struct Particle {
     bool frozen = false;        ///< stays in place without events until the next tick: Islands::freeze()
     double last_loaded = 0;     ///< s: when it last had a load from a ball, or from two sides
     int loads = 0;              ///< contacts that carry a force; those with balls count twice
-    Vec2 velocity_begin, velocity_end;  ///< m/s, at the ends of a tick; the parabola between has others
+    Vec2 velocity_begin{}, velocity_end{};  ///< m/s, at the ends of a tick; the parabola between has others
     EventType next = EventType::none;
     double next_time = 0;
     std::uint32_t partner = 0;          ///< FeatureIndex, BallIndex or PartIndex, according to `next`
@@ -71,10 +71,10 @@ struct Particle {
     int idle_events = 0;          ///< since its last significant impact
     double events_until = 0;      ///< s: end of the time that its events take at least_interval each
     double cell_exit = 0;         ///< s: when it must be listed in another cell
-    Box bounds;                   ///< swept bounds of its path until cell_exit, with sleep_distance
+    Box bounds{};                 ///< swept bounds of its path until cell_exit, with sleep_distance
     const Feature* resting_on = nullptr;      ///< its resting contact
     const Feature* separated_from = nullptr;  ///< the resting contact that has just ended
-    TangentFaces tangent_faces;               ///< faces along which it flies
+    TangentFaces tangent_faces{};             ///< faces along which it flies
 };
 
 struct Simulation {
