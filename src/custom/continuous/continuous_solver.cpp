@@ -276,7 +276,7 @@ void ContinuousSolver::pair_with_balls(std::span<const Ball> balls, BallIndex i)
     const Ball& ball = balls[rank_[i]];
     const Box box = near_box(ball);
     sim_.cells.query_neighbours(i, [&](BallIndex j) {
-        if ((j > i && !sim_.balls[j].asleep) || sim_.hot[j].lost) return;
+        if (j > i && !sim_.balls[j].asleep) return;
         ++sim_.record->statistics.pair_tests;
         const Ball& other = balls[rank_[j]];
         if (!overlap(box, near_box(other)) || !layers_meet(ball, other)) return;

@@ -251,7 +251,7 @@ void Events::wake_carried(BallIndex i, double time) {
             Ball& ball = sim_.balls[j];
             const double reach = carrier.radius + ball.radius,
                          near = touch_distance * std::min(carrier.radius, ball.radius);
-            if (!ball.asleep || sim_.hot[j].lost || length(ball.position - at) > reach + near ||
+            if (!ball.asleep || length(ball.position - at) > reach + near ||
                 !(dot(ball.position - at, sim_.scene.gravity) < 0) || !layers_meet(carrier, ball))
                 return;
             ball.asleep = false;

@@ -159,7 +159,6 @@ void Predictions::predict_ball(BallIndex i, BallIndex j, double time) {
     const HotState &a = sim_.hot[i], &b = sim_.hot[j];
     if (b.batch == batch_) return;
     ++sim_.record->statistics.pair_tests;
-    if (b.lost) return;
     if (a.ballistic && b.ballistic) return predict_flying(i, j, time);
     if (!layers_meet(sim_.balls[i], sim_.balls[j])) return;
     note_near(i, j, -INFINITY, -INFINITY);  // at any time

@@ -35,7 +35,7 @@ struct alignas(64) HotState {
     std::uint32_t batch = 0;    ///< of Predictions: in which it was predicted last
     bool ballistic = false;     ///< its path is a flight under gravity and drag alone
     bool in_island = false;     ///< in resting contact with another ball, or jammed
-    bool lost = false;          ///< has left the bounds
+    bool lost = false;          ///< has left the bounds, and is in no cell
     bool creeps = false;        ///< in an island, and hardly moves until its next long tick
     bool in_solve = false;      ///< is a body of the current solve
 };

@@ -194,7 +194,7 @@ void Islands::add_ball_contact(BallIndex i, BallIndex j, double time, double dur
     const Ball &a = sim_.balls[i], &b = sim_.balls[j];
     ++sim_.record->statistics.pair_tests;
     const HotState& hot = sim_.hot[j];
-    if (hot.lost || (hot.in_solve && j > i)) return;
+    if (hot.in_solve && j > i) return;
     const bool flies = !b.asleep && !hot.in_island, creeps = hot.creeps;
     const Vec2 there = flies || creeps ? sim_.particles[j].motion.path.position(time) : b.position;
     const Vec2 between = a.position - there;
