@@ -1,6 +1,7 @@
 #include "custom/continuous/resting_contact.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace flipside::custom {
 
@@ -9,15 +10,10 @@ namespace {
 constexpr int order = taylor_order;
 
 /// Term k of the product of two series.
-template <class A, class B>
-auto product(const Series<A>& a, const Series<B>& b, int k) {
-    auto sum = a[0] * b[k];
-    for (int j = 1; j <= k; ++j) sum += a[j] * b[k - j];
-    return sum;
-}
-double dot_product(const Series<Vec2>& a, const Series<Vec2>& b, int k) {
-    double sum = 0;
-    for (int j = 0; j <= k; ++j) sum += dot(a[j], b[k - j]);
+template <class Times = std::multiplies<>>
+auto product(const auto& a, const auto& b, int k, Times times = {}) {
+    auto sum = times(a[0], b[k]);
+    for (int j = 1; j <= k; ++j) sum += times(a[j], b[k - j]);
     return sum;
 }
 
@@ -233,8 +229,8 @@ struct PathOnSurface {
         tangent[0] = perp(guide.out);
         turn[0] = dot(velocity - cross(guide.rate, guide.arm), tangent[0]) / radius;
         for (int k = 0; k < order; ++k) {
-            const double force = -side * (dot_product(out, felt, k) + radius * product(turn, turn, k));
-            const double tangential = dot_product(tangent, felt, k) - c * radius * turn[k];
+            const double force = -side * (product(out, felt, k, dot) + radius * product(turn, turn, k));
+            const double tangential = product(tangent, felt, k, dot) - c * radius * turn[k];
             const double bend = friction.share() * tangential - side * friction.slide * force;
             turn[k + 1] = bend / (radius * (k + 1));
             const Vec2 turned = product(turn, tangent, k) / (k + 1);

@@ -243,13 +243,6 @@ void add_turns(const Series<double>& c, double h, Instants& turns) {
     for (std::size_t i = 0; i < count; ++i) turns.add(zeros[i]);
 }
 
-/// Adds the extremum of one coordinate of a flight, v(t) = v₀·e^(−ct) + a·E(t) = 0. There is at most one.
-void add_turn(double velocity, double acceleration, double drag, double h, Instants& turns) {
-    if (velocity * acceleration >= 0) return;
-    const double t = drag_turn(velocity, acceleration, drag);
-    if (t > 0 && t < h) turns.add(t);
-}
-
 }  // namespace
 
 // The miss distance is a cross product, so that grazing contacts keep their digits.
@@ -359,17 +352,16 @@ double first_exit(const Path& path, const Box& box, double t0, double t1) {
     const auto is_inside = [&](double t) { return box.contains(path.position(t)); };
     if (!is_inside(t0)) return t0;
     Instants turns;
-    const double h = t1 - path.start;
-    if (path.is_taylor()) {
-        for (double Vec2::*axis : {&Vec2::x, &Vec2::y}) {
+    for (double Vec2::*axis : {&Vec2::x, &Vec2::y}) {
+        if (path.is_taylor()) {
             Series<double> series;
             for (int k = 1; k <= taylor_order; ++k) series[k] = path.taylor[0].displacement[k].*axis;
-            add_turns(series, h, turns);
+            add_turns(series, t1 - path.start, turns);
+            continue;
         }
-    } else {
-        const Flight& flight = path.flight;
-        add_turn(flight.velocity.x, flight.acceleration.x, flight.drag, h, turns);
-        add_turn(flight.velocity.y, flight.acceleration.y, flight.drag, h, turns);
+        // Where v(t) = v₀·e^(−ct) + a·E(t) = 0, at most once.
+        const double velocity = path.flight.velocity.*axis, acceleration = path.flight.acceleration.*axis;
+        if (velocity * acceleration < 0) turns.add(drag_turn(velocity, acceleration, path.flight.drag));
     }
     std::ranges::sort(turns.all());
     double inside = t0;
