@@ -158,8 +158,8 @@ void Events::hit_feature(BallIndex i, double time) {
             sim_.table.set_down(index, true);
             release(index, i, time);
         }
+        sim_.leave_island(i);
     }
-    if (impact.happened) sim_.leave_island(i);
     restart(i, time);
 }
 
@@ -177,11 +177,10 @@ void Events::release(PartIndex part, BallIndex hitting, double time) {
         if (std::ranges::none_of(sim_.layout.primitives(),
                                  [&](const Primitive& p) { return touches(now, p); }))
             continue;
-        const bool slept = now.asleep;
         sim_.balls[j] = now;
         sim_.balls[j].asleep = false;
         restart(j, time);
-        if (slept) wake_carried(j, time);
+        if (now.asleep) wake_carried(j, time);
     }
 }
 

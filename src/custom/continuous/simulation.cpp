@@ -93,11 +93,6 @@ Vec2 Simulation::true_velocity(BallIndex i, double time) const {
     return particle.velocity_begin + part * (particle.velocity_end - particle.velocity_begin);
 }
 
-void Simulation::advance_to(BallIndex i, double time) {
-    advance(balls[i], particles[i].motion, time);
-    balls[i].velocity = true_velocity(i, time);
-}
-
 Ball Simulation::ball_at(BallIndex i, double time) const {
     Ball ball = balls[i];
     if (ball.asleep) return ball;

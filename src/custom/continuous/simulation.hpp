@@ -89,10 +89,10 @@ struct Simulation {
     /// Starts a window with these balls: assigns a particle to each.
     void start_with(std::span<const Ball> at_start);
 
-    /// Moves a ball along its path to `time`, with its true velocity.
-    void advance_to(BallIndex i, double time);
-    /// The ball at this time.
+    /// The ball at this time on its path, with its true velocity.
     [[nodiscard]] Ball ball_at(BallIndex i, double time) const;
+    /// Moves a ball there.
+    void advance_to(BallIndex i, double time) { balls[i] = ball_at(i, time); }
     /// Velocity of a ball that was advanced along its path to this time. The velocity of a member is
     /// interpolated linearly between ticks; that of its parabola serves only to reach the solved position. A
     /// creeping member has its new velocity right after the tick.

@@ -268,9 +268,12 @@ double search_impact(const Feature& feature, const Turning& turning, const Path&
 }
 
 double search_impact(const Path& a, const Path& b, double radii, double t0, double t1, std::uint64_t* steps) {
-    const double v = a.max_speed(t1) + b.max_speed(t1), k = a.max_acceleration(t1) + b.max_acceleration(t1);
+    const double top_speed = a.max_speed(t1) + b.max_speed(t1);
+    const double top_acceleration = a.max_acceleration(t1) + b.max_acceleration(t1);
     const auto moving = [&](double t) {
-        return RelativeMotion{a.position(t) - b.position(t), a.velocity(t) - b.velocity(t), v, k};
+        const auto [p, u] = a.at(t);
+        const auto [q, v] = b.at(t);
+        return RelativeMotion{p - q, u - v, top_speed, top_acceleration};
     };
     const auto gap = [&](const RelativeMotion& q) { return gap_to_disc(q, {}, radii); };
     return search(moving, gap, radii, gap_rounding(a.position(t0), b.position(t0), radii), t0, t1, steps);

@@ -202,12 +202,11 @@ void Islands::add_ball_contact(BallIndex i, BallIndex j, double time, double dur
                  slack = sim_.slow * duration + resting_distance * std::min(a.radius, b.radius);
     const double square = length_squared(between);
     if (square >= (reach + slack) * (reach + slack) || !layers_meet(a, b)) return;
+    if (flies) return beside_.push_back({i, j, there});
     const double distance = std::sqrt(square), gap = distance - reach;
     const Vec2 normal = distance > 0 ? between / distance : Vec2{0, 1};  // of balls at one point: any
     const bool deep = gap < -resting_distance * std::min(a.radius, b.radius);
-    const Vec2 other_velocity = b.asleep ? Vec2{} : b.velocity;
-    const double closing = -dot(a.velocity - other_velocity, normal);
-    if (flies) return beside_.push_back({i, j, there});
+    const double closing = -dot(a.velocity - (b.asleep ? Vec2{} : b.velocity), normal);
     deepest_ = std::max(deepest_, -gap);
     const bool jammed = sim_.particles[i].jammed || sim_.particles[j].jammed;
     ++sim_.record->statistics.narrow_tests;
