@@ -258,15 +258,15 @@ void ContinuousSolver::pair_with_parts(std::span<const Ball> balls, BallIndex i)
     const Box box = near_box(ball);
     const std::size_t first = pairs_.size();
     for (const FeatureIndex f : sim_.features_near(box)) {
-        if (!layers_meet(ball, sim_.features[f])) continue;
+        const Feature& feature = sim_.features[f];
+        if (!layers_meet(ball, feature)) continue;
         // The box of an arc is mostly empty.
-        if (std::holds_alternative<Arc>(sim_.features[f].is) &&
-            closest_point(sim_.features[f],
-                          sim_.turnings[sim_.features[f].part].pose(read_at_).undo(ball.position),
-                          ball.radius)
-                    .distance > ball.radius * (1 + sleep_distance))
+        const Pose pose = sim_.turnings[feature.part].pose(read_at_);
+        if (std::holds_alternative<Arc>(feature.is) &&
+            closest_point(feature, pose, ball.position, ball.radius).distance >
+                ball.radius * (1 + sleep_distance))
             continue;
-        const Pair pair{sim_.features[f].primitive, handle};
+        const Pair pair{feature.primitive, handle};
         if (pairs_.size() == first || pairs_.back() != pair) pairs_.push_back(pair);
     }
 }

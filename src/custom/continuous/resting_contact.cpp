@@ -143,7 +143,7 @@ struct PathOnSurface {
             return now > 0 ? safe_time(now, growth(t), k) : 0;
         };
         constexpr double longest = 1e6;  // s
-        motion.until = time + advance(free_time, first, longest, steps_left);
+        motion.until = time + conservative_advancement(free_time, first, longest, steps_left);
     }
 
     /// The path on a curved or turning surface.
@@ -257,7 +257,7 @@ struct PathOnSurface {
             if (value <= tolerance && slope < 0) return 0.0;
             return safe_time(std::max(value, tolerance), slope, k2);
         };
-        return advance(free_time, 0, h, steps_left);
+        return conservative_advancement(free_time, 0, h, steps_left);
     }
 };
 

@@ -303,7 +303,7 @@ double end_of_face(const Feature& feature, const Turning& turning, const Path& p
             free(cross(out, arc->to) + arc->past.resting_length(radius), cross(q.velocity, arc->to));
         return arc->wide ? std::max(from, to) : std::min(from, to);
     };
-    return advance(free_time, t0, t1, steps_left);
+    return conservative_advancement(free_time, t0, t1, steps_left);
 }
 
 double time_of_impact(const Feature& feature, const Turning& turning, const Path& path, double radius,

@@ -63,7 +63,7 @@ inline double gap_rounding(Vec2 p, Vec2 q, double radii) {
 /// Conservative advancement: the first t in [t0, t1] at which `free_time(t)`, a time for which nothing
 /// happens after t, is 0 or rounding; never_touch if there is none. Each step counts down `steps_left`; below
 /// 0 the search was given up.
-double advance(auto&& free_time, double t0, double t1, int& steps_left) {
+double conservative_advancement(auto&& free_time, double t0, double t1, int& steps_left) {
     for (double t = t0; t <= t1 && steps_left-- > 0;) {
         const double before = std::exchange(t, t + free_time(t));
         if (t <= before) return before;
