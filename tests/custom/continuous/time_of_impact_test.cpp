@@ -203,5 +203,17 @@ RC_GTEST_PROP(TimeOfImpact, ClearFeaturesAreNotTouched, ()) {
     }
 }
 
+// A step below rounding would never get anywhere.
+TEST(ConservativeAdvancement, EndsWhereStepsAreRounding) {
+    int steps_left = 10;
+    const auto near_a_half = [](double t) { return t < 0.5 ? 0.5 : 1e-18; };
+    EXPECT_EQ(conservative_advancement(near_a_half, 0, 1, steps_left), 0.5);
+    EXPECT_EQ(steps_left, 8);
+    EXPECT_EQ(conservative_advancement([](double) { return 0.3; }, 0, 1, steps_left), never_touch);
+    EXPECT_EQ(steps_left, 4);
+    EXPECT_EQ(conservative_advancement([](double) { return 0.01; }, 0, 1, steps_left), never_touch);
+    EXPECT_LT(steps_left, 0);
+}
+
 }  // namespace
 }  // namespace flipside::custom::test
