@@ -109,7 +109,7 @@ struct PathOnSurface {
     const RestingContact& contact;
     const Ball& ball;
     const ExternalForces& external;
-    double time;  ///< s, at its start
+    double time = 0;  ///< s, at its start
     ConstrainedPath& motion;
     Guide guide = guide_of(contact, ball, time);
     Friction friction = friction_state(contact, ball);
