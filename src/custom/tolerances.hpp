@@ -19,7 +19,8 @@ inline constexpr double sleep_distance = 3e-3;
 inline constexpr double near_margin = 4e-3;
 /// Balls that start with a deeper overlap are pushed out of parts, and join an island with balls.
 inline constexpr double deep_overlap = 1e-3;
-/// The position correction of a small island may leave overlaps of this depth.
+/// The position correction of a small island may leave overlaps of this depth. A flying ball that a member is
+/// moved into more deeply joins the island.
 inline constexpr double corrected_overlap = 5e-3;
 /// A ball with a deeper overlap does not fall asleep, since it is still being pushed out. A row of balls
 /// between two walls that has no room for one of them stays below this.

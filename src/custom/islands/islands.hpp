@@ -84,8 +84,8 @@ class Islands {
     double deepest_ = 0;               ///< m, deepest overlap of a member with a ball or a moving part
     std::vector<BallIndex> members_;   ///< balls of the current solve, sorted
     std::vector<BallIndex> creeping_;  ///< since the current tick
-    std::vector<Beside> beside_;
-    std::vector<BallIndex> rank_;  ///< per ball: index among the bodies of a solve
+    std::vector<Beside> beside_;       ///< of the current solve
+    std::vector<BallIndex> rank_;      ///< per ball: index among the bodies of a solve
 };
 
 }  // namespace flipside::custom
