@@ -36,6 +36,7 @@ void Box2dWorld::make_step(double dt) {
     for (int i = 0; i < n; ++i) substep(dt * i / n, dt * (i + 1) / n);
     table_.advance(dt);
     read_back();
+    enter_gates();
     report_impacts();
     report_touches();
     report_lost();
@@ -113,6 +114,21 @@ void Box2dWorld::leave_gates() {
     std::erase_if(table_.blocked(), [&](const Blocked& blocked) {
         return !std::ranges::binary_search(at_gates, BallOnPart{blocked.ball, blocked.gate});
     });
+}
+
+/// The solver decides about a gate where a ball makes contact with it, and a fast ball can be moved deep into
+/// one without a contact. It is decided here then, as it would be at the next one: a state that is saved now
+/// says all that a restored world needs.
+void Box2dWorld::enter_gates() {
+    for (const BallOnPart& at : touching_.at_gates) {
+        const Ball& ball = balls_[place_of(at.ball)];
+        if (table_.parts()[at.part].open || !begins_in_gate(at.part, ball)) continue;
+        if (table_.lets_through(at.part, table_.pose(at.part), table_.rate(at.part), ball))
+            rules_.open_gate(at.part, *parts_[at.part]);
+        else
+            table_.set_blocked(at.part, at.ball, true);
+        looked_ = false;
+    }
 }
 
 /// Gravity and damping over `h`, by Box2D's own formula v ← (v + h·g)/(1 + h·c).

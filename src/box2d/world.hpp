@@ -72,6 +72,7 @@ class Box2dWorld : public World {
 
     void report(EventKind kind, const Contact& contact);
     void leave_gates();
+    void enter_gates();
     void report_sensors();
     void report_impacts();
     void report_touches();
