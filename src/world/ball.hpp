@@ -30,8 +30,10 @@ struct Ball {
     friend bool operator==(const Ball&, const Ball&) = default;
 };
 
-/// Of that number, in a list by rising number; null where there is none.
+/// Of that number, in a list by rising number; null where there is none. It stands at the place of its number
+/// as long as no ball before it is gone.
 [[nodiscard]] inline const Ball* find_ball(std::span<const Ball> balls, BallNumber number) {
+    if (number < balls.size() && balls[number].number == number) return &balls[number];
     const auto at = std::ranges::lower_bound(balls, number, {}, &Ball::number);
     return at != balls.end() && at->number == number ? &*at : nullptr;
 }
