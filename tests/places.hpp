@@ -20,6 +20,7 @@ extern const char *const flipside_program, *const certificate_checker, *const ti
 extern const char *const fault_library, *const fake_gamepad_library;
 // Foreign engines.
 extern const char *const engine_in_c, *const chipmunk_engine;
-extern const char *const naughty_engine, *const keeper_engine, *const not_an_engine, *const later_engine;
+extern const char *const naughty_engine, *const keeper_engine, *const not_an_engine, *const later_engine,
+                                                                                         *const mute_engine;
 
 }  // namespace flipside::test

@@ -73,6 +73,8 @@ Description describe(const flipside_engine& engine) {
                     .settings = {}};
     if (engine.setting_count > most_settings || (engine.setting_count > 0 && !engine.settings))
         throw std::invalid_argument("has " + std::to_string(engine.setting_count) + " settings");
+    if ((out.features & (FLIPSIDE_SENSORS | FLIPSIDE_GATES)) != 0 && !out.offers.events)
+        throw std::invalid_argument("declares sensors or gates, but has no events to tell of them");
     for (std::uint32_t i = 0; i < engine.setting_count; ++i) {
         out.settings.push_back(describe(engine.settings[i]));
         const auto same = [&](const SettingDescription& one) { return one.name == out.settings.back().name; };

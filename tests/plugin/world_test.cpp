@@ -42,6 +42,8 @@ TEST(PluginEngine, WhatIsNoEngineIsBadInput) {
     EXPECT_NE(problem(test::not_an_engine).find("does not export flipside_engine_entry"), std::string::npos);
     EXPECT_NE(problem(test::later_engine).find("is of version 2 of the interface; allowed is 1"),
               std::string::npos);
+    EXPECT_NE(problem(test::mute_engine).find("declares sensors or gates, but has no events"),
+              std::string::npos);
     EXPECT_NE(problem("./nothing-there.so").find("cannot be read (No such file or directory)"),
               std::string::npos);
     EXPECT_NE(problem(test::source("README.md")).find("cannot be loaded"), std::string::npos);
