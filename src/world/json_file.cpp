@@ -126,6 +126,9 @@ std::string read_file(const std::filesystem::path& file, std::uintmax_t largest)
 Json parse_json(std::string_view text, const std::string& file) {
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
         throw InputError(file, "", "not JSON: the file is empty");
+    // The parser takes this character for the end of the text.
+    if (const std::size_t at = text.find('\0'); at != std::string_view::npos)
+        throw InputError(file, "byte " + std::to_string(at), "not JSON: a NUL character");
     Builder builder(file);
     Json::sax_parse(text, &builder);
     return builder.take();
