@@ -208,7 +208,11 @@ State read_state(const Node& root, const SceneNames& names) {
     state.memory = read_memory(root, state.balls, names);
     state.parts = read_parts(root, names);
     state.blocked = read_blocked(root, state, names);
-    for (const Node& side : root.each("raised")) state.raised[side.json() == side_names[0] ? 0 : 1] = true;
+    for (const Node& side : root.each("raised")) {
+        bool& raised = state.raised[side.json() == side_names[0] ? 0 : 1];
+        if (raised) side.fail("is here twice; allowed is once");
+        raised = true;
+    }
     state.rotating = root.toggle("rotating");
     for (const Node& launch : root.each("launches")) {
         if (!scene.launcher) launch.fail("this scene has no launcher; allowed are no launches");
@@ -221,6 +225,10 @@ State read_state(const Node& root, const SceneNames& names) {
             lost.fail("no ball has this number; allowed are balls of this state");
         state.reported_lost.push_back(number);
     }
+    std::vector<BallNumber> sorted = state.reported_lost;
+    std::ranges::sort(sorted);
+    if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end())
+        root.fail("reported_lost", "has ball " + std::to_string(*twice) + " more than once; allowed is once");
     if (!root.has("origin")) return state;
     const Node origin = root.at("origin");
     if (origin.has("origin")) origin.fail("origin", "is that of an origin; allowed is one origin of a state");

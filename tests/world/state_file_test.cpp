@@ -118,6 +118,8 @@ TEST(StateFile, BadOnesAreRefusedWithTheirPlace) {
         {"/parts/bat/angle", -0.1, "/parts/bat/angle", "beyond the flipper's stops"},
         {"/raised/0", "middle", "/raised/0", "left, right"},
         {"/launches/0/count", 0, "/launches/0/count", "from 1 to 1000"},
+        {"/raised/1", "right", "/raised/1", "is here twice"},
+        {"/reported_lost/1", 4294967294, "/reported_lost", "has ball 4294967294 more than once"},
         {"/reported_lost/0", 7, "/reported_lost/0", "no ball has this number"},
         {"/blocked/0/ball", 7, "/blocked/0/ball", "no ball has this number"},
         {"/blocked/0/gate", "wall", "/blocked/0/gate", "no gate of this scene; allowed: \"gate\""},
