@@ -24,10 +24,11 @@ void CustomWorld::reserve_for() {
 }
 
 BallNumber CustomWorld::append(const Ball& ball) {
+    const BallNumber number = table_.new_number();
     balls_.push_back(ball);
-    balls_.back().number = table_.new_number();
+    balls_.back().number = number;
     reserve_for();
-    return balls_.back().number;
+    return number;
 }
 
 /// Launches the balls that are waiting for it.

@@ -147,10 +147,11 @@ void PluginWorld::apply(const Control& control) {
 }
 
 BallNumber PluginWorld::add(const Ball& ball) {
+    const BallNumber number = table_.new_number();
     balls_.push_back(ball);
-    balls_.back().number = table_.new_number();
+    balls_.back().number = number;
     change(FLIPSIDE_ADD_BALL, balls_.back());
-    return balls_.back().number;
+    return number;
 }
 
 bool PluginWorld::remove(BallNumber number) {

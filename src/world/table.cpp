@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "world/gate.hpp"
+#include "world/refusal.hpp"
 
 namespace flipside {
 
@@ -133,6 +134,13 @@ std::optional<Table::Launched> Table::launch(std::span<const Ball> balls) {
     }
     if (--next.count <= 0) state_.launches.erase(state_.launches.begin());
     return launched;
+}
+
+BallNumber Table::new_number() {
+    if (state_.next_number == std::numeric_limits<BallNumber>::max())
+        throw Refusal("no number is left for another ball; the last is " +
+                      std::to_string(state_.next_number - 1));
+    return state_.next_number++;
 }
 
 bool Table::is_blocked(PartIndex gate, BallNumber ball) const {

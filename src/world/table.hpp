@@ -92,7 +92,8 @@ class Table {
     [[nodiscard]] const std::vector<Blocked>& blocked() const { return state_.blocked; }
     void set_down(PartIndex target, bool down) { state_.parts[target].down = down; }
 
-    BallNumber new_number() { return state_.next_number++; }
+    /// The number of a new ball. Throws Refusal where none is left.
+    BallNumber new_number();
     [[nodiscard]] std::vector<BallNumber>& reported_lost() { return state_.reported_lost; }
     /// Adds an event for each ball that has left the bounds. The engine is to remove it, or if the scene
     /// keeps it, this notes that it was reported.

@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "world/refusal.hpp"
 #include "world/support.hpp"
 
 namespace flipside {
@@ -165,6 +166,16 @@ TEST(Table, SaveAndRestoreCarryEverything) {
     EXPECT_TRUE(other.parts()[gate].open && other.parts()[drop_1].down);
     EXPECT_EQ(other.new_number(), 2U);
     EXPECT_EQ(other.save({}).parts, t.save({}).parts);
+}
+
+TEST(Table, RefusesABallForWhichNoNumberIsLeft) {
+    Table t = table();
+    State state = t.save(t.scene().balls);
+    state.next_number = 4'294'967'294;
+    t.restore(state);
+    EXPECT_EQ(t.new_number(), 4'294'967'294);
+    EXPECT_THROW(static_cast<void>(t.new_number()), Refusal);
+    EXPECT_THROW(static_cast<void>(t.new_number()), Refusal);
 }
 
 TEST(Table, KnowsWhomAGateBlocks) {

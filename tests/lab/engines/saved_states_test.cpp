@@ -87,6 +87,7 @@ RC_GTEST_PROP(SavedState, CanAlwaysBeRead, ()) {
     const auto world = engine->make(scene, settings);
     State start = world->save();
     start.clock.time = *rc::gen::element(0.0, 0.1, 16'667.0, 1e12 - 0.5);
+    start.next_number = *rc::gen::element(start.next_number, 4'294'967'293U);  // so few are left
     world->restore(start);
     const int steps = *rc::gen::inRange(0, 12);
     try {
