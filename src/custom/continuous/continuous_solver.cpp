@@ -88,18 +88,19 @@ void ContinuousSolver::advance_to(const Clock& now, std::vector<Ball>& balls) {
     for (;;) {
         if (!in_window_ && !quiet_) begin(balls);
         if (quiet_) return sim_.table.set_to(now, sim_.table.parts(), 0);
-        const double stop = watched_ ? end_on_clock_ : watch_at_;
+        const double stop = std::min(watch_at_, end_on_clock_);
         const Clock here = stop < now.time ? Clock{stop, 0} : now;
         const double ahead = here.time - sim_.start;
-        run(ahead);
+        if (sim_.record->trace && sim_.record->trace->stages.empty()) trace_paths(sim_, false);
+        handle_until(ahead);
         sim_.table.set_to(here, start().parts, ahead);
         if (here.time < stop) return read(ahead, balls);
-        if (watched_) {
+        if (stop == end_on_clock_) {
             end(balls);
         } else {
             read(ahead, balls);
             sleep_.watch(balls, end_on_clock_ - watch_at_);
-            watched_ = true;
+            watch_at_ = INFINITY;
         }
         if (stop >= now.time) return;
     }
@@ -119,7 +120,7 @@ void ContinuousSolver::begin(const std::vector<Ball>& balls) {
     choose_end();
     events_.clear();
     sim_.search_steps = 0;
-    paths_started_ = sim_.any_in_island = false;
+    sim_.any_in_island = false;
     for (const PartIndex i : sim_.table.moving_parts()) {
         const auto [pose, rate, stop] = sim_.table.turning(i, 0);
         const double last = std::isfinite(stop) ? sim_.table.pose(i, stop).angle : pose.angle;
@@ -134,7 +135,9 @@ void ContinuousSolver::begin(const std::vector<Ball>& balls) {
     quiet_ = std::ranges::all_of(sim_.balls, &Ball::asleep) &&
              std::ranges::all_of(sim_.turnings, [](const Turning& turning) { return turning.still(); });
     in_window_ = !quiet_;
-    if (quiet_) sim_.table.memory().forces.clear();
+    if (quiet_) return sim_.table.memory().forces.clear();
+    start_all_paths();
+    if (sim_.record->trace) trace_paths(sim_, true);
 }
 
 /// Ends the window at the next point of the grid, and chooses when to watch which balls are at rest.
@@ -146,21 +149,12 @@ void ContinuousSolver::choose_end() {
     sim_.end = end_on_clock_ - sim_.start;
     sim_.after_end = std::nextafter(sim_.end, INFINITY);
     watch_at_ = end_on_clock_ - rest_length;
-    watched_ = !sim_.settings.sleep || watch_at_ <= sim_.start;
+    if (!sim_.settings.sleep || watch_at_ <= sim_.start) watch_at_ = INFINITY;
     sleep_.watch({}, rest_length);
-}
-
-/// Handles all events up to `until`.
-void ContinuousSolver::run(double until) {
-    const bool starts = !paths_started_;
-    if (starts) start_all_paths();
-    if (sim_.record->trace && (starts || sim_.record->trace->stages.empty())) trace_paths(sim_, starts);
-    handle_until(until);
 }
 
 /// Starts and predicts the paths of all balls at the start of the window.
 void ContinuousSolver::start_all_paths() {
-    paths_started_ = true;
     predictions_.clear();
     sim_.cells.reset(sim_.balls);
     for (BallIndex i = 0; i < sim_.balls.size(); ++i) {
@@ -199,7 +193,6 @@ void ContinuousSolver::handle_until(double time) {
 /// Replaces `balls` by their state at `time`, without lost balls.
 void ContinuousSolver::read(double time, std::vector<Ball>& balls) {
     balls.clear();
-    read_at_ = time;
     for (BallIndex i = 0; i < sim_.particles.size(); ++i) {
         rank_[i] = static_cast<BallIndex>(balls.size());
         if (!sim_.hot[i].lost) balls.push_back(sim_.ball_at(i, time));
@@ -242,17 +235,18 @@ bool ContinuousSolver::resume(const Clock& to, std::vector<Ball>& balls, StepRec
 
 std::span<const Pair> ContinuousSolver::find_pairs(std::span<const Ball> balls) {
     pairs_.clear();
-    if (!paths_started_) return pairs_;
+    if (quiet_) return pairs_;
+    const double time = sim_.table.time() - sim_.start;
     for (BallIndex i = 0; i < sim_.particles.size(); ++i) {
-        const bool near_ball = sim_.near[i].ball_at(read_at_);
+        const bool near_ball = sim_.near[i].ball_at(time);
         if (!(near_ball || sim_.near[i].part) || sim_.hot[i].lost || sim_.balls[i].asleep) continue;
-        if (sim_.near[i].part) pair_with_parts(balls, i);
+        if (sim_.near[i].part) pair_with_parts(balls, i, time);
         if (near_ball) pair_with_balls(balls, i);
     }
     return pairs_;
 }
 
-void ContinuousSolver::pair_with_parts(std::span<const Ball> balls, BallIndex i) {
+void ContinuousSolver::pair_with_parts(std::span<const Ball> balls, BallIndex i, double time) {
     const Ball& ball = balls[rank_[i]];
     const Handle handle = sim_.layout.size() + rank_[i];
     const Box box = near_box(ball);
@@ -261,7 +255,7 @@ void ContinuousSolver::pair_with_parts(std::span<const Ball> balls, BallIndex i)
         const Feature& feature = sim_.features[f];
         if (!layers_meet(ball, feature)) continue;
         // The box of an arc is mostly empty.
-        const Pose pose = sim_.turnings[feature.part].pose(read_at_);
+        const Pose pose = sim_.turnings[feature.part].pose(time);
         if (std::holds_alternative<Arc>(feature.is) &&
             closest_point(feature, pose, ball.position, ball.radius).distance >
                 ball.radius * (1 + sleep_distance))

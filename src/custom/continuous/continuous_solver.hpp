@@ -71,12 +71,11 @@ class ContinuousSolver {
     void advance_to(const Clock& now, std::vector<Ball>& balls);
     void begin(const std::vector<Ball>& balls);
     void choose_end();
-    void run(double until);
     void start_all_paths();
     void handle_until(double time);
     void read(double time, std::vector<Ball>& balls);
     void end(std::vector<Ball>& balls);
-    void pair_with_parts(std::span<const Ball> balls, BallIndex i);
+    void pair_with_parts(std::span<const Ball> balls, BallIndex i, double time);
     void pair_with_balls(std::span<const Ball> balls, BallIndex i);
     [[nodiscard]] const State& start() const { return starts_[current_]; }
 
@@ -93,11 +92,8 @@ class ContinuousSolver {
 
     // The current window.
     bool in_window_ = false, quiet_ = false;
-    double end_on_clock_ = 0;     ///< its end on the table's clock, s
-    double watch_at_ = 0;         ///< s, on the table's clock: when to watch the balls in this window
-    bool watched_ = false;        ///< sleep_.watch() has been called in it
-    bool paths_started_ = false;  ///< start_all_paths() has run
-    double read_at_ = 0;          ///< time of the last read(), s
+    double end_on_clock_ = 0;  ///< its end on the table's clock, s
+    double watch_at_ = 0;      ///< s, on the table's clock: when to call sleep_.watch(); INFINITY if no more
 
     // Kept from window to window.
     bool contacts_known_ = false;         ///< contacts_ is up to date
