@@ -156,7 +156,8 @@ double ContactSolver::correct_position(Contact& contact, bool by_mass) {
         if (distance > 0) contact.normal = between / distance;
         contact.gap = distance - upper.radius - lower.radius;
     } else {
-        contact.gap = contact.detected_gap + dot(upper.position - contact.detected_at, contact.normal);
+        const Vec2 moved = upper.position - uncorrected_[contact.upper];
+        contact.gap = contact.detected_gap + dot(moved, contact.normal);
     }
     if (contact.gap >= 0) return 0;
     const auto mobility = [&](const Body& body) {
@@ -188,7 +189,6 @@ void ContactSolver::repeat_static(double enough, auto&& correct) {
 double ContactSolver::correct_positions(Vec2 gravity) {
     uncorrected_.clear();
     for (const Body& body : bodies_) uncorrected_.push_back(body.position);
-    for (Contact& contact : contacts_) contact.detected_at = bodies_[contact.upper].position;
     const int rounds = sweeps_over(contacts_.size(), least_corrections, most_corrections);
     double deepest = 0;
     for (int round = 0; round < rounds; ++round) {

@@ -61,7 +61,6 @@ class ContactSolver {
         double height = 0;           ///< potential by which contacts are sorted, m²/s²
         std::uint32_t a = 0, b = 0;  ///< key in the force cache
         double gap = 0;              ///< m, after the position correction; set by solve()
-        Vec2 detected_at;            ///< position of the upper body before the correction; set by solve()
     };
 
     void reserve(std::size_t balls);
@@ -94,8 +93,8 @@ class ContactSolver {
 
     std::vector<Body> bodies_;
     std::vector<Contact> contacts_;
-    std::vector<Vec2> uncorrected_;
-    std::vector<int> reached_;  ///< per body; see converge_squeezed()
+    std::vector<Vec2> uncorrected_;  ///< per body: its position before the correction
+    std::vector<int> reached_;       ///< per body; see converge_squeezed()
     std::vector<Contact> squeezed_;
     std::vector<double> residuals_;
 };

@@ -7,6 +7,7 @@
 /// move creep: they are solved at every fourth tick, and in between they are obstacles to the other members,
 /// until one of these pushes them. Statistics count members as handed_over.
 
+#include <utility>
 #include <vector>
 
 #include "custom/continuous/gates.hpp"
@@ -52,12 +53,6 @@ class Islands {
     void start_tick_path(BallIndex i, double time, const ContactSolver::Body& body);
     void start_creep_path(BallIndex i, double time, double until, const ContactSolver::Body& body);
 
-    /// A flying ball near a member.
-    struct Beside {
-        BallIndex member = 0, ball = 0;
-        Vec2 position;  ///< of the flying ball
-    };
-
     // Ticks (ticks.cpp).
     void solve(double time);
     void start_creep(double time);
@@ -84,8 +79,8 @@ class Islands {
     double deepest_ = 0;               ///< m, deepest overlap of a member with a ball or a moving part
     std::vector<BallIndex> members_;   ///< balls of the current solve, sorted
     std::vector<BallIndex> creeping_;  ///< since the current tick
-    std::vector<Beside> beside_;       ///< of the current solve
     std::vector<BallIndex> rank_;      ///< per ball: index among the bodies of a solve
+    std::vector<std::pair<BallIndex, BallIndex>> beside_;  ///< each member with each flying ball near it
 };
 
 }  // namespace flipside::custom

@@ -180,9 +180,10 @@ void Islands::collect_contacts(double time, double duration) {
 /// Adds the flying balls into which the position correction has moved members. Returns whether there are any.
 bool Islands::join_overlapped(double time) {
     const std::size_t before = members_.size();
-    for (const auto& [member, ball, position] : beside_) {
+    for (const auto& [member, ball] : beside_) {
         const ContactSolver::Body& body = contact_solver_.bodies()[rank_[member]];
         const double radius = sim_.balls[ball].radius;
+        const Vec2 position = sim_.particles[ball].motion.path.position(time);
         const double deep = body.radius + radius - corrected_overlap * std::min(body.radius, radius);
         if (length_squared(body.position - position) < deep * deep) add_member(ball, time);
     }
@@ -202,7 +203,7 @@ void Islands::add_ball_contact(BallIndex i, BallIndex j, double time, double dur
                  slack = sim_.slow * duration + resting_distance * std::min(a.radius, b.radius);
     const double square = length_squared(between);
     if (square >= (reach + slack) * (reach + slack) || !layers_meet(a, b)) return;
-    if (flies) return beside_.push_back({i, j, there});
+    if (flies) return beside_.push_back({i, j});
     const double distance = std::sqrt(square), gap = distance - reach;
     const Vec2 normal = distance > 0 ? between / distance : Vec2{0, 1};  // of balls at one point: any
     const bool deep = gap < -resting_distance * std::min(a.radius, b.radius);
