@@ -257,7 +257,7 @@ void ContinuousSolver::pair_with_parts(std::span<const Ball> balls, BallIndex i,
         // The box of an arc is mostly empty.
         const Pose pose = sim_.turnings[feature.part].pose(time);
         if (std::holds_alternative<Arc>(feature.is) &&
-            closest_point(feature, pose, ball.position, ball.radius).distance >
+            closest_point(feature, ball.position, ball.radius, pose).distance >
                 ball.radius * (1 + sleep_distance))
             continue;
         const Pair pair{feature.primitive, handle};

@@ -134,7 +134,7 @@ void Events::hit_feature(BallIndex i, double time) {
     const Turning& turning = sim_.turnings[index];
     const Pose pose = turning.pose(time);
     advance(ball, sim_.particles[i].motion, time);
-    const auto [distance, normal, facing] = closest_point(feature, pose, ball.position, ball.radius);
+    const auto [distance, normal, facing] = closest_point(feature, ball.position, ball.radius, pose);
     if (feature.gate && meet_gate(i, index, time)) return restart(i, time);
     const Vec2 point = ball.position - distance * normal;
     const Vec2 surface = cross(turning.rate_at(time), point - pose.pivot);

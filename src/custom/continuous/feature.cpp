@@ -214,12 +214,8 @@ std::vector<Feature> features_of(std::span<const Primitive> primitives, const Sc
     return FeatureBuilder(primitives, scene).build(primitives);
 }
 
-Closest closest_point(const Feature& feature, Vec2 point, double radius) {
-    return std::visit(ClosestPointTo{point, radius}, feature.is);
-}
-
-Closest closest_point(const Feature& feature, const Pose& pose, Vec2 point, double radius) {
-    Closest found = closest_point(feature, pose.undo(point), radius);
+Closest closest_point(const Feature& feature, Vec2 point, double radius, const Pose& pose) {
+    Closest found = std::visit(ClosestPointTo{pose.undo(point), radius}, feature.is);
     if (pose.angle != 0) found.normal = rotated(found.normal, pose.angle);
     return found;
 }

@@ -90,6 +90,8 @@ struct Turning {
     double end_angle = 0;  ///< from `stop` on
 
     [[nodiscard]] bool still() const { return rate == 0; }
+    /// Whether the pose is that of the scene file throughout.
+    [[nodiscard]] bool unmoved() const { return still() && begin.angle == 0; }
     [[nodiscard]] Pose pose(double time) const {
         return {begin.pivot, time < stop ? begin.angle + rate * time : end_angle};
     }
@@ -102,15 +104,13 @@ struct Turning {
 /// Features in the order of the primitives. Cost: linear, but n log n in the number of ends.
 [[nodiscard]] std::vector<Feature> features_of(std::span<const Primitive> primitives, const Scene& scene);
 
-/// Result of a closest-point query, in the pose of the scene file.
+/// Result of a closest-point query.
 struct Closest {
     double distance = 0;  ///< m, of the point from the curve without ends; negative inside a circle
     Vec2 normal;          ///< unit, from the curve to the point: the gradient of the distance
     bool facing = true;   ///< whether the closest point lies between the ends of the curve
 };
-[[nodiscard]] Closest closest_point(const Feature& feature, Vec2 point, double radius);
-/// The same for the feature in a pose.
-[[nodiscard]] Closest closest_point(const Feature& feature, const Pose& pose, Vec2 point, double radius);
+[[nodiscard]] Closest closest_point(const Feature& feature, Vec2 point, double radius, const Pose& pose = {});
 
 /// Cheap conservative test: true only if a disc whose centre stays within `sag` of the chord from a to b
 /// cannot touch the feature (in the pose of the scene file).

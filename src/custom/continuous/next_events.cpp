@@ -85,12 +85,10 @@ void Predictions::schedule(BallIndex i) {
 /// impact, but an overlap of one rounding u would look like one, at an angle of √u.
 bool Predictions::slides_to(const Particle& particle, const Ball& ball, const Feature& feature) const {
     if (particle.resting_on == nullptr) return false;
-    const auto is_posed = [&](PartIndex part) {
-        return !sim_.turnings[part].still() || sim_.turnings[part].begin.angle != 0;
-    };
-    const PartIndex own = particle.resting_on->part;
-    if (feature.part != own && (is_posed(feature.part) || is_posed(own))) return false;
-    const Pose pose = sim_.turnings[own].pose(particle.motion.path.start);
+    const PartIndex part = feature.part, own = particle.resting_on->part;
+    const Turning& turning = sim_.turnings[own];
+    if (part != own && !(turning.unmoved() && sim_.turnings[part].unmoved())) return false;
+    const Pose pose = turning.pose(particle.motion.path.start);
     const Vec2 normal = closest_point(*particle.resting_on, pose.undo(ball.position), ball.radius).normal;
     return continues_in(*particle.resting_on, normal, feature);
 }
@@ -99,22 +97,20 @@ void Predictions::predict_features(BallIndex i, double time, Vec2 from) {
     Particle& particle = sim_.particles[i];
     sim_.near[i].part = particle.resting_on != nullptr;
     const std::span<const FeatureIndex> near = sim_.features_near(particle.bounds);
-    if (near.empty() && !gates_.any_inside() && sim_.table.blocked().empty()) return;
+    bool may_sense = gates_.any_inside() || !sim_.table.blocked().empty();
+    if (near.empty() && !may_sense) return;
     const Ball& ball = sim_.balls[i];
     const Path& path = particle.motion.path;
-    bool any_sensor = false;
     // Bound on the distance of the path from its chord, with a margin greater than sleep_distance.
     const double end = std::min({sim_.end, particle.motion.until, particle.cell_exit}), duration = end - time;
     const Vec2 to = path.position(end);
     const double sag = path.max_acceleration(end) * duration * duration / 8 + clearance_margin(ball);
     for (const FeatureIndex f : near) {
         const Feature& feature = sim_.features[f];
-        any_sensor = any_sensor || feature.sensor;
+        may_sense = may_sense || feature.sensor;
         if (&feature == particle.resting_on || gates_.ignores(feature, ball)) continue;
         const Turning& turning = sim_.turnings[feature.part];
-        if (turning.still() && !ball.asleep && turning.begin.angle == 0 &&
-            clear_of(feature, from, to, ball.radius, sag))
-            continue;
+        if (turning.unmoved() && !ball.asleep && clear_of(feature, from, to, ball.radius, sag)) continue;
         sim_.near[i].part = true;
         if (slides_to(particle, ball, feature)) continue;
         if (sim_.hot[i].in_island && rests_on(i, feature, turning.pose(time), time)) continue;
@@ -125,7 +121,7 @@ void Predictions::predict_features(BallIndex i, double time, Vec2 from) {
         offer(i, time_of_impact(feature, turning, path, ball.radius, time, last, &sim_.search_steps),
               EventType::feature, f);
     }
-    if (any_sensor || gates_.any_inside() || !sim_.table.blocked().empty()) predict_sensors(i, time, near);
+    if (may_sense) predict_sensors(i, time, near);
 }
 
 /// Predicts when a ball enters or leaves a sensor, or leaves a gate, if that is before all else that is
@@ -236,7 +232,7 @@ bool Predictions::in_slow_contact(BallIndex i, BallIndex j, double time) const {
 /// which could take it into the part before the next tick: for it the limit is rest_speed.
 bool Predictions::rests_on(BallIndex i, const Feature& feature, const Pose& pose, double time) const {
     const auto here = sim_.particles[i].motion.path.at(time);
-    const auto [distance, normal, facing] = closest_point(feature, pose, here.position, sim_.balls[i].radius);
+    const auto [distance, normal, facing] = closest_point(feature, here.position, sim_.balls[i].radius, pose);
     const Vec2 point = here.position - distance * normal;
     const Vec2 surface = cross(sim_.turnings[feature.part].rate_at(time), point - pose.pivot);
     const Vec2 relative = here.velocity - surface;

@@ -195,7 +195,7 @@ void Paths::find_supports(BallIndex i, double time) {
         const Turning& turning = sim_.turnings[feature.part];
         const Pose pose = turning.pose(time);
         ++sim_.record->statistics.narrow_tests;
-        const Closest closest = closest_point(feature, pose, ball.position, ball.radius);
+        const Closest closest = closest_point(feature, ball.position, ball.radius, pose);
         const double gap = closest.distance - ball.radius;
         if (!closest.facing || gap > slack) continue;
         // To begin on the surface of a part that has moved into the ball would be a jump.

@@ -39,8 +39,7 @@ struct RestingContact {
     bool loaded = false;    ///< the force is more than rounding
 };
 
-/// The contact of a ball that touches the feature at `time`; `normal` as closest_point() and the pose give
-/// it.
+/// The contact of a ball that touches the feature at `time`, with the normal that closest_point() gives.
 [[nodiscard]] RestingContact resting_contact_at(const Feature& feature, const Turning& turning,
                                                 const Ball& ball, Vec2 normal, double time,
                                                 const ExternalForces& external);

@@ -220,8 +220,7 @@ Series<double> derivative(const Series<double>& c, int m) {
 /// Adds the zeros in (0, h) of the slope of Σ c[k]·t^k. The zeros of each derivative lie between those of the
 /// next higher one.
 void add_turns(const Series<double>& c, double h, Instants& turns) {
-    std::array<double, taylor_order + 1> zeros{}, next{};
-    std::size_t count = 0;
+    Instants zeros;
     for (int m = taylor_order; m >= 1; --m) {
         const Series<double> slope = derivative(c, m);
         const auto is_below = [&](double t) {
@@ -229,18 +228,17 @@ void add_turns(const Series<double>& c, double h, Instants& turns) {
             for (int k = taylor_order; k >= 0; --k) sum = sum * t + slope[k];
             return sum < 0;
         };
-        std::size_t found = 0;
+        const Instants bounds = std::exchange(zeros, {});
         double a = 0;
-        for (std::size_t i = 0; i <= count; ++i) {
-            const double b = i < count ? zeros[i] : h;
+        for (std::size_t i = 0; i <= bounds.count; ++i) {
+            const double b = i < bounds.count ? bounds.at[i] : h;
             const bool below = is_below(a);
             if (below != is_below(b))
-                next[found++] = turning_point([&](double t) { return is_below(t) == below; }, a, b);
+                zeros.add(turning_point([&](double t) { return is_below(t) == below; }, a, b));
             a = b;
         }
-        zeros = next, count = found;
     }
-    for (std::size_t i = 0; i < count; ++i) turns.add(zeros[i]);
+    for (const double t : zeros.all()) turns.add(t);
 }
 
 }  // namespace
@@ -308,19 +306,18 @@ double end_of_face(const Feature& feature, const Turning& turning, const Path& p
 
 double time_of_impact(const Feature& feature, const Turning& turning, const Path& path, double radius,
                       double t0, double t1, std::uint64_t* steps) {
-    if (turning.begin.angle != 0 || !turning.still()) {
-        if (turning.rate_at(t0) != 0) return search_impact(feature, turning, path, radius, t0, t1, steps);
+    if (turning.rate_at(t0) == 0 && !turning.unmoved())
         return time_of_impact(posed(feature, turning.pose(t0)), {}, path, radius, t0, t1, steps);
-    }
-    const Flight& flight = path.flight;
-    if (path.is_taylor()) return search_impact(feature, turning, path, radius, t0, t1, steps);
-    if (const auto* line = std::get_if<Line>(&feature.is)) return touch_line(*line, path, radius, t0, t1);
-    if (const auto* circle = std::get_if<Circle>(&feature.is);
-        circle && flight.acceleration == Vec2{} && flight.drag <= 0) {
-        const Vec2 p = path.position(t0);
-        const double t = t0 + straight_touch(p - circle->center, flight.velocity, radius + circle->radius,
-                                             gap_rounding(p, radius));
-        return t <= t1 ? t : never_touch;
+    if (turning.unmoved() && !path.is_taylor()) {
+        if (const auto* line = std::get_if<Line>(&feature.is)) return touch_line(*line, path, radius, t0, t1);
+        const Flight& flight = path.flight;
+        const auto* circle = std::get_if<Circle>(&feature.is);
+        if (circle != nullptr && flight.acceleration == Vec2{} && flight.drag <= 0) {
+            const Vec2 p = path.position(t0);
+            const double t = t0 + straight_touch(p - circle->center, flight.velocity, radius + circle->radius,
+                                                 gap_rounding(p, radius));
+            return t <= t1 ? t : never_touch;
+        }
     }
     return search_impact(feature, turning, path, radius, t0, t1, steps);
 }
