@@ -60,18 +60,13 @@ void Cells::reset(std::span<const Ball> balls) {
     for (double& w : widths_) w = width, width *= 2;
 }
 
-void Cells::choose_level(BallIndex i, double width) {
+std::uint32_t Cells::level_for(double width) const {
     int level = 0;
-    std::frexp(width / widths_[0], &level);
-    if (width <= widths_[0]) level = 0;
-    level = std::min<int>(level, most_levels - 1);
-    if (cells_[i].level == static_cast<std::uint32_t>(level)) return;
-    remove(i);
-    cells_[i].level = static_cast<std::uint32_t>(level);
+    if (width > widths_[0]) std::frexp(width / widths_[0], &level);
+    return std::min(static_cast<std::uint32_t>(level), most_levels - 1);
 }
 
-void Cells::insert(BallIndex i, Vec2 center) {
-    const std::uint32_t level = cells_[i].level;
+void Cells::insert(BallIndex i, std::uint32_t level, Vec2 center) {
     const Cell cell{level, index_at(center.x, widths_[level]), index_at(center.y, widths_[level])};
     Link& link = links_[i];
     if (link.key != unlisted && cell == cells_[i]) return;
@@ -176,10 +171,8 @@ bool BoxIndex::fill(Level& level, double most) const {
         const Box wide = grown(clamped(box), listed_margin * level.width);
         const Vec2 from = level.per_width * (wide.min - level.low);
         const Vec2 to = level.per_width * (wide.max - level.low);
-        const bool empty = !(box.min.x <= box.max.x && box.min.y <= box.max.y);
-        ranges.push_back(empty ? CellRange{1, 1, 0, 0}
-                               : CellRange{index_of(from.x, level.columns), index_of(from.y, level.rows),
-                                           index_of(to.x, level.columns), index_of(to.y, level.rows)});
+        ranges.push_back({index_of(from.x, level.columns), index_of(from.y, level.rows),
+                          index_of(to.x, level.columns), index_of(to.y, level.rows)});
         entries += static_cast<double>(ranges.back().count());
     }
     if (entries > most) return false;

@@ -50,11 +50,10 @@ class Cells {
     void reserve(std::size_t balls);
     /// Starts with these balls, none of them listed.
     void reset(std::span<const Ball> balls);
-    /// Sets the level of a ball, so that its cells are at least `width` wide, m. Removes the ball from its
-    /// list if the level changes.
-    void choose_level(BallIndex i, double width);
-    /// Lists a ball in the cell that contains `center`.
-    void insert(BallIndex i, Vec2 center);
+    /// The level whose cells are at least `width` wide, m.
+    [[nodiscard]] std::uint32_t level_for(double width) const;
+    /// Lists a ball in the cell of this level that contains `center`, and in no other.
+    void insert(BallIndex i, std::uint32_t level, Vec2 center);
     void remove(BallIndex i);
     [[nodiscard]] const Cell& operator[](BallIndex i) const { return cells_[i]; }
     [[nodiscard]] const Link& link(BallIndex i) const { return links_[i]; }
@@ -172,7 +171,8 @@ class Cells {
 /// left out.
 class BoxIndex {
   public:
-    /// Boxes outside `range` are found too, with more tests. `width`: of the narrowest cells, m.
+    /// No box is empty. Boxes outside `range` are found too, with more tests. `width`: of the narrowest
+    /// cells, m.
     BoxIndex(const Box& range, double width, std::vector<Box> boxes);
 
     [[nodiscard]] std::size_t size() const { return boxes_.size(); }

@@ -22,7 +22,7 @@ void Predictions::enter_cell(BallIndex i) {
     const double time = sim_.particles[i].cell_exit;
     const Cells::Cell before = sim_.cells[i];
     const Flight::Motion here = sim_.particles[i].motion.path.at(time);
-    sim_.cells.insert(i, here.position);
+    sim_.cells.insert(i, before.level, here.position);
     paths_.update_swept_bounds(i, time, here);
     if (sim_.particles[i].cell_exit <= time) sim_.particles[i].cell_exit = never_touch;
     ++batch_;

@@ -146,8 +146,8 @@ void Paths::list_in_cell(BallIndex i, double time) {
     const Ball& ball = sim_.balls[i];
     const Path& path = sim_.particles[i].motion.path;
     constexpr double soon = 1e-3;  // s
-    sim_.cells.choose_level(i, std::max(Cells::width_for(ball.radius), path.max_speed(sim_.end) * soon));
-    sim_.cells.insert(i, ball.position);
+    const double width = std::max(Cells::width_for(ball.radius), path.max_speed(sim_.end) * soon);
+    sim_.cells.insert(i, sim_.cells.level_for(width), ball.position);
     update_swept_bounds(i, time, {path.flight.position, path.flight.velocity});
 }
 

@@ -6,8 +6,6 @@
 namespace flipside::custom {
 namespace {
 
-constexpr Box nowhere{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
-
 double number() {
     return *rc::gen::inRange(-60, 61) * 0.125;
 }
@@ -32,11 +30,11 @@ std::vector<std::uint32_t> found_one_by_one(const BoxIndex& index, const Box& bo
     return found;
 }
 
-// Includes boxes outside the range, at its border, over all of it, and empty ones; cells narrower and wider
-// than the boxes, and boxes on the borders of cells.
+// Includes boxes outside the range, at its border and over all of it; cells narrower and wider than the
+// boxes, and boxes on the borders of cells.
 RC_GTEST_PROP(BoxIndex, AgreesWithBruteForceInRisingOrder, ()) {
     std::vector<Box> boxes(*rc::gen::inRange<std::size_t>(1, 150));
-    for (Box& box : boxes) box = *rc::gen::inRange(0, 9) == 0 ? nowhere : any_box();
+    for (Box& box : boxes) box = any_box();
     const double width = 0.03125 * *rc::gen::inRange(1, 300);
     const BoxIndex index({{-4, -3}, {5, 4}}, width, boxes);
     for (int round = 0; round < 8; ++round) {
@@ -68,10 +66,10 @@ TEST(BoxIndex, AnEmptyIndexFindsNothing) {
 
 TEST(BoxIndex, HandlesAnEmptyRangeAndAnInfiniteBox) {
     const Box everywhere{{-INFINITY, -INFINITY}, {INFINITY, INFINITY}};
-    const BoxIndex index({{1, 1}, {1, 1}}, 0.1, {everywhere, nowhere, {{1, 1}, {2, 2}}});
-    EXPECT_EQ(found_by(index, {{1.5, 1.5}, {1.6, 1.6}}), (std::vector<std::uint32_t>{0, 2}));
+    const BoxIndex index({{1, 1}, {1, 1}}, 0.1, {everywhere, {{1, 1}, {2, 2}}});
+    EXPECT_EQ(found_by(index, {{1.5, 1.5}, {1.6, 1.6}}), (std::vector<std::uint32_t>{0, 1}));
     EXPECT_EQ(found_by(index, {{5, 5}, {6, 6}}), std::vector<std::uint32_t>{0});
-    EXPECT_EQ(found_by(index, everywhere), (std::vector<std::uint32_t>{0, 2}));
+    EXPECT_EQ(found_by(index, everywhere), (std::vector<std::uint32_t>{0, 1}));
 }
 
 // A hundred times as many boxes in a hundred times the area: a query reads as many, in the mean over places.

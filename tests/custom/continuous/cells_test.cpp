@@ -42,8 +42,8 @@ RC_GTEST_PROP(Cells, FindTouchingBallsUntilOneLeavesItsCell, ()) {
     Cells cells;
     cells.reset(balls);
     for (BallIndex i = 0; i < balls.size(); ++i) {
-        cells.choose_level(i, Cells::width_for(balls[i].radius) * *rc::gen::element(1.0, 1.0, 5.0));
-        cells.insert(i, balls[i].position);
+        const double width = Cells::width_for(balls[i].radius) * *rc::gen::element(1.0, 1.0, 5.0);
+        cells.insert(i, cells.level_for(width), balls[i].position);
     }
     for (BallIndex i = 0; i < balls.size(); ++i) {
         const Vec2 velocity{between(-3, 3), between(-3, 3)}, top{between(0, 9), between(0, 9)};
@@ -63,13 +63,11 @@ RC_GTEST_PROP(Cells, OldAndNewNeighboursAreAllNeighbours, ()) {
     const std::vector<Ball> balls = some_balls();
     Cells cells;
     cells.reset(balls);
-    for (BallIndex i = 0; i < balls.size(); ++i) {
-        cells.choose_level(i, Cells::width_for(balls[i].radius));
-        cells.insert(i, balls[i].position);
-    }
+    for (BallIndex i = 0; i < balls.size(); ++i)
+        cells.insert(i, cells.level_for(Cells::width_for(balls[i].radius)), balls[i].position);
     std::set<BallIndex> seen = near(cells, 0);
     const Cells::Cell before = cells[0];
-    cells.insert(0, {between(-1, 1), between(-1, 1)});
+    cells.insert(0, before.level, {between(-1, 1), between(-1, 1)});
     cells.query_new_neighbours(0, before, [&](BallIndex j) { seen.insert(j); });
     RC_ASSERT(std::ranges::includes(seen, near(cells, 0)));
 }
@@ -78,15 +76,13 @@ TEST(Cells, DoNotFindARemovedBall) {
     const std::vector<Ball> balls{ball_at({0, 0}, 0.1), ball_at({0.1, 0}, 0.1), ball_at({0, 0.1}, 1)};
     Cells cells;
     cells.reset(balls);
-    for (BallIndex i = 0; i < 3; ++i) {
-        cells.choose_level(i, Cells::width_for(balls[i].radius));
-        cells.insert(i, balls[i].position);
-    }
+    for (BallIndex i = 0; i < 3; ++i)
+        cells.insert(i, cells.level_for(Cells::width_for(balls[i].radius)), balls[i].position);
     EXPECT_EQ(near(cells, 0), (std::set<BallIndex>{1, 2}));
     cells.remove(1);
     EXPECT_EQ(near(cells, 0), (std::set<BallIndex>{2}));
     cells.remove(1);
-    cells.insert(1, {0.1, 0});
+    cells.insert(1, cells[1].level, {0.1, 0});
     EXPECT_EQ(near(cells, 2), (std::set<BallIndex>{0, 1}));
 }
 
