@@ -177,7 +177,7 @@ void ContinuousSolver::handle_until(double time) {
             islands_.tick(sim_.tick_at);
             continue;
         }
-        if (event > time || event > sim_.end) return;
+        if (event > time) return;
         const BallIndex first = queue.first();
         if (sim_.record->trace)
             trace_event(sim_, first, [&] { events_.handle(first); });

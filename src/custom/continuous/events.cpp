@@ -167,16 +167,10 @@ void Events::hit_feature(BallIndex i, double time) {
 /// it, and wakes those that sleep on it. Members of islands are solved without it at the next tick.
 void Events::release(PartIndex part, BallIndex hitting, double time) {
     const Pose pose = sim_.turnings[part].pose(time);
-    const auto touches = [&](const Ball& ball, const Primitive& primitive) {
-        return primitive.part == part &&
-               touch(ball.position, ball.radius, primitive, pose).separation <= touch_distance * ball.radius;
-    };
     for (BallIndex j = 0; j < sim_.particles.size(); ++j) {
         if (j == hitting || sim_.hot[j].in_island || sim_.hot[j].lost) continue;
         const Ball now = sim_.ball_at(j, time);
-        if (std::ranges::none_of(sim_.layout.primitives(),
-                                 [&](const Primitive& p) { return touches(now, p); }))
-            continue;
+        if (gates_.distance_to(part, now.position, now.radius, pose) > touch_distance * now.radius) continue;
         sim_.balls[j] = now;
         sim_.balls[j].asleep = false;
         restart(j, time);

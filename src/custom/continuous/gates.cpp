@@ -29,18 +29,14 @@ double entered_at(Vec2 center, double radius) {
 
 }  // namespace
 
-Gates::Gates(Simulation& sim) : sim_(sim), primitives_(sim.scene.parts.size()) {
-    for (PrimitiveIndex i = 0; i < sim.layout.size(); ++i) {
-        const PartIndex part = sim.layout.primitive(i).part;
-        if (sim.scene.parts[part].sensor || gate_of(sim.scene.parts[part]) != nullptr)
-            primitives_[part].push_back(i);
-    }
+Gates::Gates(Simulation& sim) : sim_(sim), first_(sim.scene.parts.size(), sim.layout.size()) {
+    for (PrimitiveIndex i = sim.layout.size(); i-- > 0;) first_[sim.layout.primitive(i).part] = i;
     near_.reserve(sim.layout.size());
 }
 
 void Gates::find_sensed(std::span<const Ball> balls) {
     list().clear();
-    for (PartIndex part = 0; part < primitives_.size(); ++part) {
+    for (PartIndex part = 0; part < first_.size(); ++part) {
         if (!sim_.scene.parts[part].sensor) continue;
         for (const Ball& ball : balls)
             if (layers_meet(ball, sim_.scene.parts[part]) &&
@@ -63,11 +59,12 @@ std::span<const Sensed> Gates::around(BallNumber ball) const {
     return {first, std::ranges::upper_bound(first, list().end(), ball, {}, &Sensed::ball)};
 }
 
-/// Distance of a ball's surface from a sensor or gate, m; negative inside.
 double Gates::distance_to(PartIndex part, Vec2 center, double radius, const Pose& pose) const {
     double least = INFINITY;
-    for (const PrimitiveIndex primitive : primitives_[part])
-        least = std::min(least, touch(center, radius, sim_.layout.primitive(primitive), pose).separation);
+    for (const Primitive& primitive : sim_.layout.primitives().subspan(first_[part])) {
+        if (primitive.part != part) break;
+        least = std::min(least, touch(center, radius, primitive, pose).separation);
+    }
     return least;
 }
 

@@ -37,6 +37,8 @@ class Gates {
     /// The primitives that do not ignore the ball and whose features overlap the box. Valid until the next
     /// call.
     [[nodiscard]] std::span<const PrimitiveIndex> primitives_near(const Box& box, const Ball& ball);
+    /// Distance of a ball's surface from a part, m; negative inside.
+    [[nodiscard]] double distance_to(PartIndex part, Vec2 center, double radius, const Pose& pose) const;
     /// Whether the gate lets a ball through that touches it.
     [[nodiscard]] bool lets_through(PartIndex part, const Ball& ball, double time) const;
     /// Time at which a ball on this path enters a sensor, or leaves a sensor or gate; never_touch if not
@@ -48,11 +50,10 @@ class Gates {
 
   private:
     [[nodiscard]] std::vector<Sensed>& list() const { return sim_.table.memory().inside; }
-    [[nodiscard]] double distance_to(PartIndex part, Vec2 center, double radius, const Pose& pose) const;
 
     Simulation& sim_;
-    std::vector<std::vector<PrimitiveIndex>> primitives_;  ///< per part, of sensors and gates only
-    std::vector<PrimitiveIndex> near_;                     ///< buffer of primitives_near()
+    std::vector<PrimitiveIndex> first_;  ///< per part: its first primitive; the others follow it
+    std::vector<PrimitiveIndex> near_;   ///< buffer of primitives_near()
 };
 
 }  // namespace flipside::custom

@@ -47,7 +47,6 @@ void Predictions::offer(BallIndex i, double time, EventType next, std::uint32_t 
 
 std::uint64_t Predictions::order_of(BallIndex i, EventType next, std::uint32_t partner) {
     constexpr std::uint64_t meets_ball = std::uint64_t{1} << 63;
-    if (next == EventType::none) return ~std::uint64_t{0};
     if (next != EventType::ball) return std::uint64_t{i} << 32;
     return meets_ball | std::uint64_t{std::min(i, partner)} << 32 | std::max(i, partner);
 }
@@ -77,7 +76,6 @@ void Predictions::schedule(BallIndex i) {
     const Particle& particle = sim_.particles[i];
     if (particle.cell_exit <= particle.next_time)
         return queue_.set(i, particle.cell_exit, std::uint64_t{i} << 32);
-    if (particle.next == EventType::none) return forget(i);
     queue_.set(i, particle.next_time, order_of(i, particle.next, particle.partner));
 }
 

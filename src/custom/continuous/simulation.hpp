@@ -59,7 +59,7 @@ struct Particle {
     int loads = 0;              ///< contacts that carry a force; those with balls count twice
     Vec2 velocity_begin{}, velocity_end{};  ///< m/s, at the ends of a tick; the parabola between has others
     EventType next = EventType::none;
-    double next_time = 0;
+    double next_time = 0;               ///< s; after_end where nothing happens
     std::uint32_t partner = 0;          ///< FeatureIndex, BallIndex or PartIndex, according to `next`
     std::uint32_t partner_version = 0;  ///< version of the partner's path in this prediction
     double last_event = -1;             ///< s
