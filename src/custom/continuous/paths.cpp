@@ -115,7 +115,9 @@ void Paths::start_path(BallIndex i, double time) {
     Ball& ball = sim_.balls[i];
     Particle& particle = sim_.particles[i];
     particle.on_tick_path = particle.frozen = sim_.hot[i].creeps = false;
-    if (ball.asleep && beside_moving_part(i)) ball.asleep = false;
+    const Box here = bounds_of(ball.position, ball.radius * (1 + touch_distance));
+    const auto moves = [&](FeatureIndex f) { return !sim_.turnings[sim_.features[f].part].still(); };
+    if (ball.asleep && std::ranges::any_of(sim_.features_near(here), moves)) ball.asleep = false;
     const ExternalForces forces = ball.asleep ? ExternalForces{} : sim_.external;
     start_flight(i, {ball.position, ball.velocity, forces.gravity, forces.drag}, time);
     if (ball.asleep) return;
@@ -174,13 +176,6 @@ void Paths::update_swept_bounds(BallIndex i, double time, const Flight::Motion& 
     particle.bounds = {at - Vec2{velocity.x > 0 ? drift.x : far.x, velocity.y > 0 ? drift.y : far.y},
                        at + Vec2{velocity.x > 0 ? far.x : drift.x, velocity.y > 0 ? far.y : drift.y}};
     particle.bounds = grown(particle.bounds, (1 + sleep_distance) * sim_.balls[i].radius);
-}
-
-bool Paths::beside_moving_part(BallIndex i) {
-    const Ball& ball = sim_.balls[i];
-    const Box here = bounds_of(ball.position, ball.radius * (1 + touch_distance));
-    return std::ranges::any_of(sim_.features_near(here),
-                               [&](FeatureIndex f) { return !sim_.turnings[sim_.features[f].part].still(); });
 }
 
 /// Finds the features that the ball touches without moving along their normals.

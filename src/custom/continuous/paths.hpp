@@ -29,7 +29,6 @@ class Paths {
     /// more than a thousand times a second.
     void list_in_cell(BallIndex i, double time);
     [[nodiscard]] bool pushes_through(PartIndex by, const Ball& ball, const Touch& touch);
-    [[nodiscard]] bool beside_moving_part(BallIndex i);
     void find_supports(BallIndex i, double time);
     void note_tangent_faces(Particle& particle) const;
     void choose_support(BallIndex i, double time);

@@ -37,17 +37,13 @@ double Sleep::speed_limit(bool touches_ball) const {
     return touches_ball ? std::max(speed_, contact_speed * length(gravity_) * interval_) : speed_;
 }
 
-/// Quick test: false only for a ball that is not at rest.
-bool Sleep::may_rest(const Ball& ball) const {
-    const double most = speed_limit(true);
-    return !ball.asleep && length_squared(ball.velocity) <= most * most;
-}
-
 void Sleep::watch(std::span<const Ball> balls, double interval) {
     interval_ = interval;
     before_.clear();
-    std::ranges::copy_if(balls, std::back_inserter(before_),
-                         [&](const Ball& ball) { return may_rest(ball); });
+    const double most = speed_limit(true);
+    std::ranges::copy_if(balls, std::back_inserter(before_), [&](const Ball& ball) {
+        return !ball.asleep && length_squared(ball.velocity) <= most * most;
+    });
 }
 
 bool Sleep::update(std::span<Ball> balls, std::span<const Contact> contacts) {
@@ -110,7 +106,7 @@ void Sleep::find_rest(std::span<const Ball> balls, std::span<const Contact> cont
 
 /// Whether an awake ball was at rest during the interval.
 bool Sleep::rested(const Ball& ball, bool touches_ball) const {
-    const Ball* const before = may_rest(ball) ? find_ball(before_, ball.number) : nullptr;
+    const Ball* const before = find_ball(before_, ball.number);
     if (before == nullptr) return false;
     const double fall = length(gravity_) * interval_;
     if (fall == 0) return ball.velocity == Vec2{} && before->velocity == Vec2{} && ball.spin == 0;

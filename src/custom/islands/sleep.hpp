@@ -51,7 +51,6 @@ class Sleep {
         std::uint32_t lower = 0, upper = 0;
     };
     [[nodiscard]] double speed_limit(bool touches_ball) const;
-    [[nodiscard]] bool may_rest(const Ball& ball) const;
     [[nodiscard]] bool rested(const Ball& ball, bool touches_ball) const;
     void find_rest(std::span<const Ball> balls, std::span<const Contact> contacts);
     void find_sleepers(std::span<const Ball> balls, std::span<const Contact> contacts);

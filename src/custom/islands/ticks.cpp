@@ -286,7 +286,6 @@ void Islands::add_part_contacts(BallIndex i, double time, double duration) {
 
 /// Stores the forces for the next tick, and notes which members have a load: from a ball, or from two sides.
 void Islands::remember_forces(double time, double duration) {
-    const auto members = static_cast<BallIndex>(members_.size());
     // Forces on creeping members stay until these are solved again.
     ball_forces_.forget_if([&](const ContactForce& force) {
         const bool creep_a = sim_.hot[force.a].creeps, creep_b = sim_.hot[force.b].creeps;
@@ -297,14 +296,13 @@ void Islands::remember_forces(double time, double duration) {
     for (const BallIndex i : members_) sim_.particles[i].loads = 0;
     for (const ContactSolver::Contact& contact : contact_solver_.contacts()) {
         if (contact.impulse.normal <= 0) continue;
-        const auto add_load = [&](BallIndex body, int loads) {
-            if (body >= members) return;
+        const bool of_balls = contact.with == ContactSolver::With::ball;
+        for (const BallIndex body : {contact.upper, contact.lower}) {
+            if (body >= members_.size()) continue;
             Particle& particle = sim_.particles[members_[body]];
-            if ((particle.loads += loads) >= 2) particle.last_loaded = time;
-        };
-        add_load(contact.upper, contact.with == ContactSolver::With::ball ? 2 : 1);
-        add_load(contact.lower, contact.with == ContactSolver::With::ball ? 2 : 0);
-        (contact.with == ContactSolver::With::ball ? ball_forces_ : part_forces_)
+            if ((particle.loads += of_balls ? 2 : 1) >= 2) particle.last_loaded = time;
+        }
+        (of_balls ? ball_forces_ : part_forces_)
             .add({contact.a, contact.b, contact.impulse.normal / duration,
                   contact.impulse.tangent / duration});
     }
