@@ -237,20 +237,17 @@ bool Events::collide(BallIndex low, BallIndex high, double rest_speed, double ti
 /// Wakes the sleeping balls that lie on a ball that has moved, and those that lie on them.
 void Events::wake_carried(BallIndex i, double time) {
     woken_.assign(1, i);
-    for (std::size_t next = 0; next < woken_.size(); ++next) {
-        const Ball& carrier = sim_.balls[woken_[next]];
-        const Vec2 at = sim_.particles[woken_[next]].motion.path.position(time);
-        sim_.cells.query_neighbours(woken_[next], [&](BallIndex j) {
-            Ball& ball = sim_.balls[j];
-            const double reach = carrier.radius + ball.radius,
-                         near = touch_distance * std::min(carrier.radius, ball.radius);
-            if (!ball.asleep || length(ball.position - at) > reach + near ||
-                !(dot(ball.position - at, sim_.scene.gravity) < 0) || !layers_meet(carrier, ball))
-                return;
-            ball.asleep = false;
-            woken_.push_back(j);
-        });
-    }
+    sim_.cells.flood_fill(woken_, [&](BallIndex k, BallIndex j) {
+        const Ball& carrier = sim_.balls[k];
+        Ball& ball = sim_.balls[j];
+        if (!ball.asleep || !layers_meet(carrier, ball)) return;
+        const Vec2 up = ball.position - sim_.particles[k].motion.path.position(time);
+        const double reach = carrier.radius + ball.radius,
+                     near = touch_distance * std::min(carrier.radius, ball.radius);
+        if (length(up) > reach + near || !(dot(up, sim_.scene.gravity) < 0)) return;
+        ball.asleep = false;
+        woken_.push_back(j);
+    });
     for (const BallIndex j : std::span(woken_).subspan(1)) {
         paths_.start_path(j, time);
         sim_.join_island(j, time);

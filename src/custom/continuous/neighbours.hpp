@@ -77,6 +77,12 @@ class Cells {
             return std::abs(column - before.column) > 1 || std::abs(row - before.row) > 1;
         });
     }
+    /// Visits the neighbours of each ball i of a list, also of those that `visit(i, j)` adds to it (flood
+    /// fill).
+    void flood_fill(const std::vector<BallIndex>& list, auto&& visit) const {
+        for (std::size_t seen = 0; seen < list.size(); ++seen)
+            query_neighbours(list[seen], [&, i = list[seen]](BallIndex j) { visit(i, j); });
+    }
 
   private:
     static constexpr int index_bits = 28;

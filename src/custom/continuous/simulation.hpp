@@ -84,7 +84,6 @@ struct Simulation {
     Simulation& operator=(const Simulation&) = delete;
     ~Simulation() = default;
 
-    /// Reserves memory for so many balls.
     void reserve(std::size_t most);
     /// Starts a window with these balls: assigns a particle to each.
     void start_with(std::span<const Ball> at_start);

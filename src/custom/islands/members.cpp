@@ -44,12 +44,9 @@ void Islands::find_members() {
                 join_once(i), join_once(j);
         });
     }
-    for (std::size_t seen = 0; seen < members_.size();) {
-        const BallIndex i = members_[seen++];
-        sim_.cells.query_neighbours(i, [&](BallIndex j) {
-            if (!sim_.hot[j].in_island && in_resting_contact(i, j, true)) join_once(j);
-        });
-    }
+    sim_.cells.flood_fill(members_, [&](BallIndex i, BallIndex j) {
+        if (!sim_.hot[j].in_island && in_resting_contact(i, j, true)) join_once(j);
+    });
 }
 
 /// Whether two balls are in resting contact, or overlap deeply. `beside_island`: one of them is in an island.
@@ -84,16 +81,12 @@ void Islands::solve_jammed(BallIndex first, double time) {
         members_.push_back(i);
     };
     mark_jammed(first);
-    for (std::size_t seen = 0; seen < members_.size();) {
-        const BallIndex i = members_[seen++];
-        const Vec2 here = sim_.particles[i].motion.path.position(time);
-        sim_.cells.query_neighbours(i, [&](BallIndex j) {
-            const Ball &ball = sim_.balls[i], &other = sim_.balls[j];
-            const double reach = (1 + resting_distance) * (ball.radius + other.radius);
-            const double apart = length(sim_.particles[j].motion.path.position(time) - here);
-            if (apart <= reach && layers_meet(ball, other)) mark_jammed(j);
-        });
-    }
+    const auto place = [&](BallIndex i) { return sim_.particles[i].motion.path.position(time); };
+    sim_.cells.flood_fill(members_, [&](BallIndex i, BallIndex j) {
+        const Ball &ball = sim_.balls[i], &other = sim_.balls[j];
+        const double reach = (1 + resting_distance) * (ball.radius + other.radius);
+        if (length(place(j) - place(i)) <= reach && layers_meet(ball, other)) mark_jammed(j);
+    });
     tick(time);
 }
 

@@ -133,20 +133,16 @@ void Islands::add_member(BallIndex i, double time) {
 /// Adds each creeping member that a member of this solve pushes faster than it may creep.
 void Islands::stop_pushed_creep(double time) {
     if (!any_creeps_) return;
-    for (std::size_t seen = 0; seen < members_.size();) {
-        const BallIndex i = members_[seen++];
-        const Ball& ball = sim_.balls[i];
-        sim_.cells.query_neighbours(i, [&](BallIndex j) {
-            if (!sim_.hot[j].creeps || !layers_meet(ball, sim_.balls[j])) return;
-            const Ball& other = sim_.balls[j];
-            const Vec2 between = ball.position - sim_.particles[j].motion.path.position(time);
-            const double distance = length(between), gap = distance - ball.radius - other.radius;
-            const double near = resting_distance * std::min(ball.radius, other.radius);
-            const double closing = -dot(ball.velocity - other.velocity, between) / distance;
-            if (gap < -near || (gap < near + sim_.slow * sim_.tick_length && !sim_.creeps_at(closing, other)))
-                add_member(j, time);
-        });
-    }
+    sim_.cells.flood_fill(members_, [&](BallIndex i, BallIndex j) {
+        const Ball &ball = sim_.balls[i], &other = sim_.balls[j];
+        if (!sim_.hot[j].creeps || !layers_meet(ball, other)) return;
+        const Vec2 between = ball.position - sim_.particles[j].motion.path.position(time);
+        const double distance = length(between), gap = distance - ball.radius - other.radius;
+        const double near = resting_distance * std::min(ball.radius, other.radius);
+        const double closing = -dot(ball.velocity - other.velocity, between) / distance;
+        if (gap < -near || (gap < near + sim_.slow * sim_.tick_length && !sim_.creeps_at(closing, other)))
+            add_member(j, time);
+    });
 }
 
 /// Collects the bodies of all members, and the contacts that may carry a force within the tick.
