@@ -22,6 +22,11 @@ struct CellRange {
     }
 };
 
+/// Index of the cell at this distance from the border, in widths; that of the outermost cell beyond them.
+inline std::uint32_t cell_index(double at, std::uint32_t cells) {
+    return at > 0 ? static_cast<std::uint32_t>(std::min(at, cells - 1.0)) : 0;
+}
+
 class CellBroadPhase : public BroadPhase {
   protected:
     CellBroadPhase(std::vector<Proxy> still, const Box& world)
@@ -37,13 +42,9 @@ class CellBroadPhase : public BroadPhase {
     }
     /// The cells under a box. Boxes outside the world, even at infinity, are in the outermost cells.
     [[nodiscard]] CellRange cells_under(const Box& box) const {
-        const auto index = [](double offset, double width, std::uint32_t cells) {
-            const double at = std::floor(offset / width);
-            return at > 0 ? static_cast<std::uint32_t>(std::min(at, cells - 1.0)) : 0;
-        };
         const Vec2 min = box.min - world_.min, max = box.max - world_.min;
-        return {index(min.x, size_.x, columns_), index(min.y, size_.y, rows_),
-                index(max.x, size_.x, columns_), index(max.y, size_.y, rows_)};
+        return {cell_index(min.x / size_.x, columns_), cell_index(min.y / size_.y, rows_),
+                cell_index(max.x / size_.x, columns_), cell_index(max.y / size_.y, rows_)};
     }
     /// Prepares a search: removes the moving proxies from all lists.
     void remove_moving() {

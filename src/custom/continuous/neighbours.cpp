@@ -26,11 +26,6 @@ static_assert(asked_margin >= cell_slack + 0.5 / least_width * (1 + sleep_distan
 /// Limit on the cells of a level, and on their entries: the first, and so many more per box.
 constexpr double least_limit = 65536, most_per_box = 64;
 
-/// Index of the cell at this distance from the border, in widths; that of the outermost cell beyond them.
-std::uint32_t index_of(double at, std::uint32_t cells) {
-    return at > 0 ? static_cast<std::uint32_t>(std::min(at, cells - 1.0)) : 0;
-}
-
 }  // namespace
 
 double Cells::width_for(double radius) {
@@ -171,8 +166,8 @@ bool BoxIndex::fill(Level& level, double most) const {
         const Box wide = grown(clamped(box), listed_margin * level.width);
         const Vec2 from = level.per_width * (wide.min - level.low);
         const Vec2 to = level.per_width * (wide.max - level.low);
-        ranges.push_back({index_of(from.x, level.columns), index_of(from.y, level.rows),
-                          index_of(to.x, level.columns), index_of(to.y, level.rows)});
+        ranges.push_back({cell_index(from.x, level.columns), cell_index(from.y, level.rows),
+                          cell_index(to.x, level.columns), cell_index(to.y, level.rows)});
         entries += static_cast<double>(ranges.back().count());
     }
     if (entries > most) return false;
@@ -194,7 +189,7 @@ std::span<const std::uint32_t> BoxIndex::near(const Box& box) const {
     const Vec2 center = 0.5 * (inside.min + inside.max), half = 0.5 * (inside.max - inside.min);
     for (auto level = levels_.begin();; ++level) {
         const Vec2 at = level->per_width * (center - level->low), reach = level->per_width * half;
-        const std::uint32_t column = index_of(at.x, level->columns), row = index_of(at.y, level->rows);
+        const std::uint32_t column = cell_index(at.x, level->columns), row = cell_index(at.y, level->rows);
         const double beyond =
             std::max(std::abs(at.x - column - 0.5) + reach.x, std::abs(at.y - row - 0.5) + reach.y) - 0.5;
         if (beyond > asked_margin && level + 1 != levels_.end()) continue;
