@@ -2,7 +2,7 @@
 /// Lists of proxies per cell, for the leaves of the quadtree and for the grid. A proxy is listed in every
 /// cell that its box overlaps; a pair that shares several cells is tested only in the first of them.
 
-#include <cmath>
+#include <algorithm>
 
 #include "custom/broad_phase/broad_phase.hpp"
 

@@ -93,7 +93,7 @@ void ContinuousSolver::advance_to(const Clock& now, std::vector<Ball>& balls) {
         const double ahead = here.time - sim_.start;
         if (sim_.record->trace && sim_.record->trace->stages.empty()) trace_paths(sim_, false);
         handle_until(ahead);
-        sim_.table.set_to(here, start().parts, ahead);
+        sim_.table.set_to(here, starts_[current_].parts, ahead);
         if (here.time < stop) return read(ahead, balls);
         if (stop == end_on_clock_) {
             end(balls);
@@ -209,7 +209,7 @@ void ContinuousSolver::end(std::vector<Ball>& balls) {
 }
 
 std::shared_ptr<const State> ContinuousSolver::origin() const {
-    return in_window_ ? without_gone(start()) : nullptr;
+    return in_window_ ? without_gone(starts_[current_]) : nullptr;
 }
 
 void ContinuousSolver::keep() {

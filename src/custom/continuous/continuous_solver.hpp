@@ -77,7 +77,6 @@ class ContinuousSolver {
     void end(std::vector<Ball>& balls);
     void pair_with_parts(std::span<const Ball> balls, BallIndex i, double time);
     void pair_with_balls(std::span<const Ball> balls, BallIndex i);
-    [[nodiscard]] const State& start() const { return starts_[current_]; }
 
     // Each knows only those before it.
     Simulation sim_;

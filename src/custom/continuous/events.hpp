@@ -15,7 +15,6 @@ namespace flipside::custom {
 
 class Events {
   public:
-    /// Keeps references to all arguments.
     Events(Simulation& sim, Gates& gates, Paths& paths, Predictions& predictions, Islands& islands)
         : sim_(sim), gates_(gates), paths_(paths), predictions_(predictions), islands_(islands) {}
 

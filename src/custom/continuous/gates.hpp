@@ -12,7 +12,6 @@ namespace flipside::custom {
 
 class Gates {
   public:
-    /// Keeps a reference to `sim`.
     explicit Gates(Simulation& sim);
 
     /// Finds which of these balls are inside sensors from their positions, where the table's memory does not

@@ -73,7 +73,6 @@ class EventQueue {
 
 class Predictions {
   public:
-    /// Keeps references to all arguments.
     Predictions(Simulation& sim, Gates& gates, Paths& paths) : sim_(sim), gates_(gates), paths_(paths) {}
 
     void reserve(std::size_t balls) { queue_.reserve(balls); }

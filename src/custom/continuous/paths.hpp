@@ -10,7 +10,6 @@ namespace flipside::custom {
 
 class Paths {
   public:
-    /// Keeps references to both arguments.
     Paths(Simulation& sim, Gates& gates);
 
     /// Moves a ball that deeply overlaps a part at the start of the window out of it, by position only. Gates

@@ -1,7 +1,7 @@
 #pragma once
 /// What the parts of the continuous solver share: the table, the clock of the current window, and each ball
 /// with its path and its next event. Gates, Paths, Predictions, Islands and Events each work on it, and each
-/// knows only those named before it.
+/// knows only those named before it; they keep references to what they are made with.
 
 #include <cstdint>
 #include <span>

@@ -20,7 +20,6 @@ namespace flipside::custom {
 
 class Islands {
   public:
-    /// Keeps references to all arguments.
     Islands(Simulation& sim, Gates& gates, Paths& paths, Predictions& predictions)
         : sim_(sim), gates_(gates), paths_(paths), predictions_(predictions) {}
 

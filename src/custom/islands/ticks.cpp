@@ -30,7 +30,6 @@ void Islands::reserve(std::size_t balls) {
 
 void Islands::start_window() {
     part_forces_.clear(), ball_forces_.clear();
-    creeping_.clear();
     find_members();
     solve(0);
 }
@@ -207,7 +206,6 @@ void Islands::add_ball_contact(BallIndex i, BallIndex j, double time, double dur
     deepest_ = std::max(deepest_, -gap);
     const bool jammed = sim_.particles[i].jammed || sim_.particles[j].jammed;
     ++sim_.record->statistics.narrow_tests;
-    ++sim_.record->statistics.contacts;
     const bool i_above = dot(normal, sim_.scene.gravity) <= 0;
     ContactSolver::Contact contact;
     const auto other =
@@ -229,6 +227,7 @@ void Islands::add_contact(ContactSolver::Contact& contact, const ForceCache& kno
         contact.impulse.normal = force->normal * duration;
         contact.impulse.tangent = force->tangent * duration;
     }
+    ++sim_.record->statistics.contacts;
     contact_solver_.add(contact);
 }
 
@@ -249,7 +248,6 @@ double Islands::overlap_with_moving_parts(BallIndex i, double time) {
 
 void Islands::add_part_contacts(BallIndex i, double time, double duration) {
     const Ball& ball = sim_.balls[i];
-    Particle& particle = sim_.particles[i];
     // Includes the parts into which the position correction of overlaps could push this ball.
     const double slack = sim_.slow * duration + resting_distance * ball.radius + 2 * deepest_;
     const Box box = bounds_of(ball.position, ball.radius + slack);
@@ -263,10 +261,9 @@ void Islands::add_part_contacts(BallIndex i, double time, double duration) {
         if (found.past_end || found.separation > slack) continue;
         const Vec2 surface = cross(turning.rate_at(time), found.point - pose.pivot);
         const double closing = -dot(ball.velocity - surface, found.normal);
-        ++sim_.record->statistics.contacts;
         ContactSolver::Contact contact;
-        contact.bounces =
-            !particle.jammed && found.separation > -resting_distance * ball.radius && closing > sim_.slow;
+        contact.bounces = !sim_.particles[i].jammed && found.separation > -resting_distance * ball.radius &&
+                          closing > sim_.slow;
         contact.upper = rank_[i];
         contact.lower = contact_solver_.add({found.point, surface, {}, 0, 0, 0, 0});
         contact.normal = found.normal;
