@@ -99,10 +99,12 @@ void Predictions::predict_features(BallIndex i, double time, Vec2 from) {
     if (near.empty() && !may_sense) return;
     const Ball& ball = sim_.balls[i];
     const Path& path = particle.motion.path;
-    // Bound on the distance of the path from its chord, with a margin greater than sleep_distance.
     const double end = std::min({sim_.end, particle.motion.until, particle.cell_exit}), duration = end - time;
     const Vec2 to = path.position(end);
-    const double sag = path.max_acceleration(end) * duration * duration / 8 + clearance_margin(ball);
+    // Bound on the distance of the path from its chord. Features beyond the margin have no contact.
+    const double margin = near_margin * ball.radius + joint_distance +
+                          1e-12 * (std::abs(ball.position.x) + std::abs(ball.position.y));
+    const double sag = path.max_acceleration(end) * duration * duration / 8 + margin;
     for (const FeatureIndex f : near) {
         const Feature& feature = sim_.features[f];
         may_sense = may_sense || feature.sensor;

@@ -296,12 +296,6 @@ void ConstrainedPath::fly(const Flight& flight, double time) {
     separates = false;
 }
 
-double ConstrainedPath::spin_at(double spin, double time) const {
-    const double t = time - path.start;
-    if (roll != Vec2{}) return dot(roll, path.velocity(time));
-    return spin + (path.is_taylor() ? path.taylor[0].spin.change(t) : spin_rate * t);
-}
-
 double friction_of(const RestingContact& contact, const Ball& ball) {
     const Friction friction = friction_state(contact, ball);
     return friction.rolls ? -contact.tangential / 3 : -friction.slide * contact.force;

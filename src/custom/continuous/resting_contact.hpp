@@ -56,8 +56,6 @@ struct ConstrainedPath {
 
     /// Resets all to a flight from `time` on.
     void fly(const Flight& flight, double time);
-    /// The spin at `time` of a ball that began the path with `spin`.
-    [[nodiscard]] double spin_at(double spin, double time) const;
 };
 
 /// Finds the path of a resting ball from `time`, without its normal speed relative to the surface. Returns

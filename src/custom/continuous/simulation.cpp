@@ -75,13 +75,14 @@ void Simulation::choose_tick() {
 }
 
 void advance(Ball& ball, const ConstrainedPath& motion, double time) {
-    const auto [position, velocity] = motion.path.at(time);
+    const Path& path = motion.path;
+    const double t = time - path.start, before = ball.spin;
+    const auto [position, velocity] = path.at(time);
     ball.position = position;
     ball.velocity = velocity;
-    const double spin = motion.spin_at(ball.spin, time);
-    ball.angle +=
-        (ball.spin + spin) / 2 * (time - motion.path.start);  // exact for a constant angular acceleration
-    ball.spin = spin;
+    ball.spin += path.is_taylor() ? path.taylor[0].spin.change(t) : motion.spin_rate * t;
+    if (motion.roll != Vec2{}) ball.spin = dot(motion.roll, velocity);
+    ball.angle += (before + ball.spin) / 2 * t;  // exact for a constant angular acceleration
 }
 
 Vec2 Simulation::true_velocity(BallIndex i, double time) const {

@@ -37,12 +37,6 @@ inline double gap_rounding(Vec2 p, Vec2 q, double radii) {
     return std::max(gap_rounding(p, radii), gap_rounding(q, radii));
 }
 
-/// near_margin of a ball and rounding, m: features farther away have no contact.
-[[nodiscard]] inline double clearance_margin(const Ball& ball) {
-    return near_margin * ball.radius + joint_distance +
-           1e-12 * (std::abs(ball.position.x) + std::abs(ball.position.y));
-}
-
 /// Time at which a point at d with constant velocity v touches a disc of radius `reach` about the origin;
 /// never_touch if it slides or moves away. A gap up to `rounding` is contact.
 [[nodiscard]] double straight_touch(Vec2 d, Vec2 v, double reach, double rounding);
