@@ -80,8 +80,7 @@ void Sleep::find_sleepers(std::span<const Ball> balls, std::span<const Contact> 
         const double lift = -dot(contact.normal, gravity_);
         if (lift == 0) continue;
         const std::size_t lower = lift > 0 ? b : a, upper = lift > 0 ? a : b;
-        carried_.push_back({-dot(balls[lower].position, gravity_), static_cast<std::uint32_t>(lower),
-                            static_cast<std::uint32_t>(upper)});
+        carried_.push_back({-dot(balls[lower].position, gravity_), lower, upper});
     }
     std::ranges::sort(carried_, {}, &Carried::height);
     for (const Carried& pair : carried_) findings_[pair.upper].may_sleep &= findings_[pair.lower].may_sleep;

@@ -15,7 +15,7 @@
 /// Approximation, *sleepers carry any load*: a sleeping ball stands like a part. Slow balls that come to rest
 /// on it later do not move it, though they might if it were awake.
 
-#include <cstdint>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -47,8 +47,8 @@ class Sleep {
     };
     /// A ball that lies on another.
     struct Carried {
-        double height = 0;  ///< of the lower one, m² /s²
-        std::uint32_t lower = 0, upper = 0;
+        double height = 0;                 ///< of the lower one, m² /s²
+        std::size_t lower = 0, upper = 0;  ///< indices of balls
     };
     [[nodiscard]] double speed_limit(bool touches_ball) const;
     [[nodiscard]] bool rested(const Ball& ball, bool touches_ball) const;
