@@ -53,42 +53,15 @@ struct TimeInterval {
         shrunk = t * part;
         fallen = t * t * phi;
     }
-};
-
-/// A flight. Positions are displacements from the start, so that differences to a nearby point keep their
-/// digits far from the origin.
-struct Flight {
-    Vec2 position;      ///< m, at t = 0
-    Vec2 velocity;      ///< m/s, at t = 0
-    Vec2 acceleration;  ///< m/s², constant
-    double drag = 0;    ///< c ≥ 0, 1/s
-
-    [[nodiscard]] Vec2 displacement(const TimeInterval& s) const {
-        return s.shrunk * velocity + s.fallen * acceleration;
-    }
-    [[nodiscard]] Vec2 velocity_after(const TimeInterval& s) const {
-        return s.kept * velocity + s.shrunk * acceleration;
-    }
-    [[nodiscard]] Vec2 velocity_at(double t) const { return velocity_after(TimeInterval(drag, t)); }
-    struct Motion {
-        Vec2 position, velocity;
-    };
-    [[nodiscard]] Motion at(double t) const {
-        const TimeInterval s(drag, t);
-        return {position + displacement(s), velocity_after(s)};
-    }
-    /// Bounds on speed and on the size of dv/dt over [0, t].
-    [[nodiscard]] double max_speed(double t) const { return length(velocity) + length(acceleration) * t; }
-    [[nodiscard]] double max_acceleration(double t) const {
-        return length(acceleration) + (drag > 0 ? drag * max_speed(t) : 0);
-    }
+    /// p(t) − p₀, which keeps its digits far from the origin, and v(t), for v₀ = v.
+    [[nodiscard]] Vec2 displacement(Vec2 v, Vec2 a) const { return shrunk * v + fallen * a; }
+    [[nodiscard]] Vec2 velocity(Vec2 v, Vec2 a) const { return kept * v + shrunk * a; }
 };
 
 /// Moves a ball in free flight under `gravity`; the interval is one with the damping of the table.
 inline void fly_freely(Ball& ball, Vec2 gravity, const TimeInterval& s) {
-    const Flight flight{ball.position, ball.velocity, gravity};
-    ball.position += flight.displacement(s);
-    ball.velocity = flight.velocity_after(s);
+    ball.position += s.displacement(ball.velocity, gravity);
+    ball.velocity = s.velocity(ball.velocity, gravity);
     ball.angle += ball.spin * s.time;
 }
 

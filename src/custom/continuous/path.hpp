@@ -9,6 +9,30 @@
 
 namespace flipside::custom {
 
+/// A flight (flight.hpp).
+struct Flight {
+    Vec2 position;      ///< m, at t = 0
+    Vec2 velocity;      ///< m/s, at t = 0
+    Vec2 acceleration;  ///< m/s², constant
+    double drag = 0;    ///< c ≥ 0, 1/s
+
+    struct Motion {
+        Vec2 position, velocity;
+    };
+    [[nodiscard]] Motion at(double t) const {
+        const TimeInterval s(drag, t);
+        return {position + s.displacement(velocity, acceleration), s.velocity(velocity, acceleration)};
+    }
+    [[nodiscard]] Vec2 velocity_at(double t) const {
+        return TimeInterval(drag, t).velocity(velocity, acceleration);
+    }
+    /// Bounds on speed and on the size of dv/dt over [0, t].
+    [[nodiscard]] double max_speed(double t) const { return length(velocity) + length(acceleration) * t; }
+    [[nodiscard]] double max_acceleration(double t) const {
+        return length(acceleration) + (drag > 0 ? drag * max_speed(t) : 0);
+    }
+};
+
 /// Highest power of a Taylor polynomial.
 inline constexpr int taylor_order = 22;
 

@@ -151,8 +151,7 @@ void Islands::collect_contacts(double time, double duration) {
     const TimeInterval interval(sim_.external.drag, duration);
     for (const BallIndex i : members_) {
         const Ball& ball = sim_.balls[i];
-        const Vec2 external =
-            Flight{{}, ball.velocity, sim_.external.gravity}.velocity_after(interval) - ball.velocity;
+        const Vec2 external = interval.velocity(ball.velocity, sim_.external.gravity) - ball.velocity;
         rank_[i] =
             contact_solver_.add({ball.position, ball.velocity, external, ball.spin * ball.radius, ball.radius,
                                  1 / ball.mass, ball.radius * ball.radius / inertia(ball)});
