@@ -81,15 +81,13 @@ Impact respond(Ball& a, Ball& b, const Mixed& material, const Surroundings& arou
 }
 
 void push_out(Ball& ball, const Touch& touch) {
-    if (touch.separation < 0) ball.position -= touch.separation * touch.normal;
+    ball.position -= touch.separation * touch.normal;
 }
 
-void push_out(Ball& a, Ball& b) {
-    const Touch apart = touch(a.position, a.radius, b.position, b.radius);
-    if (apart.separation >= 0) return;
+void push_out(Ball& a, Ball& b, const Touch& touch) {
     const double share_a = b.mass / (a.mass + b.mass);
-    a.position -= share_a * apart.separation * apart.normal;
-    b.position += (1 - share_a) * apart.separation * apart.normal;
+    a.position -= share_a * touch.separation * touch.normal;
+    b.position += (1 - share_a) * touch.separation * touch.normal;
 }
 
 }  // namespace flipside::custom

@@ -35,7 +35,7 @@ struct Impact {
 
 /// Position correction: moves an overlapping ball out of a part.
 void push_out(Ball& ball, const Touch& touch);
-/// The same for two balls, weighted by inverse mass.
-void push_out(Ball& a, Ball& b);
+/// The same for two overlapping balls, weighted by inverse mass; the normal points from b to a.
+void push_out(Ball& a, Ball& b, const Touch& touch);
 
 }  // namespace flipside::custom

@@ -136,7 +136,7 @@ TEST(Response, UnequalMassesHeadOn) {
 TEST(Response, PushOutIsSharedByInverseMass) {
     Ball a = ball_with({}, 0, 3), b = ball_with({}, 0, 1);
     b.position = {0.6, 0};
-    push_out(a, b);
+    push_out(a, b, touch(a.position, a.radius, b.position, b.radius));
     EXPECT_NEAR(a.position.x, -0.1, 1e-15);
     EXPECT_NEAR(b.position.x, 0.9, 1e-15);
     EXPECT_EQ(a.velocity, Vec2{});

@@ -148,7 +148,7 @@ bool SimpleSolver::respond_to_ball(Ball& lower, Ball& upper, const Surroundings&
     if (found.separation >= -overlap_slop * std::min(lower.radius, upper.radius)) return false;
     ++record_.statistics.contacts;
     const Impact impact = respond(lower, upper, layout_.mixed(lower, upper), around);
-    push_out(lower, upper);
+    push_out(lower, upper, found);
     if (trace_) trace_->responded(lower, upper, impact, layout_.mixed(lower, upper));
     if (impact.happened) report(lower, Other::ball(upper.number), impact, found.point);
     return true;

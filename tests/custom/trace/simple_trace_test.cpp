@@ -143,7 +143,7 @@ class Recomputed {
         if (const TraceValue* number = seen.find("other_ball")) {
             Ball& other = balls_.at(static_cast<BallNumber>(std::get<std::int64_t>(*number)));
             impact = respond(ball, other, layout_.mixed(ball, other), around_);
-            push_out(ball, other);
+            push_out(ball, other, found);
             EXPECT_EQ(item.get<Vec2>("other_velocity"), other.velocity);
             EXPECT_EQ(item.get<Vec2>("other_position"), other.position);
         } else {
