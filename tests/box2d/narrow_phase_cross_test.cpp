@@ -162,8 +162,8 @@ TEST(NarrowPhaseCross, discAndDisc) {
             },
             circle(center, disc_radius));
         comparison.add(custom::touch(center, disc_radius, at, other), theirs, center, length(center - at));
-        comparison.add(custom::touch(center, disc_radius, primitive::Circle{at, other}), theirs, center,
-                       length(center - at));
+        comparison.add(custom::touch(center, disc_radius, Primitive{primitive::Circle{at, other}}), theirs,
+                       center, length(center - at));
     }
     comparison.finish();
 }
@@ -180,7 +180,7 @@ TEST(NarrowPhaseCross, discAndPoint) {
                 b2CollideCircles(manifold, &shape, nowhere(), &disc, nowhere());
             },
             circle(center, disc_radius));
-        comparison.add(custom::touch(center, disc_radius, primitive::Point{at}), theirs, center,
+        comparison.add(custom::touch(center, disc_radius, Primitive{primitive::Point{at}}), theirs, center,
                        length(center - at));
     }
     comparison.finish();
@@ -204,7 +204,7 @@ TEST(NarrowPhaseCross, discAndSegmentWithItsEnds) {
                 at_end = manifold->type == b2Manifold::e_circles;
             },
             circle(center, disc_radius));
-        const custom::Touch ours = custom::touch(center, disc_radius, primitive::Segment{a, b});
+        const custom::Touch ours = custom::touch(center, disc_radius, Primitive{primitive::Segment{a, b}});
         comparison.add(ours, theirs, center, length(center - ours.point));
         if (!theirs) continue;
         // They agree on what is an end, but for centres within rounding of its normal line.
@@ -240,7 +240,7 @@ TEST(NarrowPhaseCross, discAndPolygon) {
         std::ranges::sort(heights);
         const bool inside = heights.back() < 0;
         const bool tie = inside && heights.back() - heights[heights.size() - 2] < 1e-5;
-        const custom::Touch ours = custom::touch(center, disc_radius, primitive::Polygon{points});
+        const custom::Touch ours = custom::touch(center, disc_radius, Primitive{primitive::Polygon{points}});
         comparison.add(ours, theirs, center, length(center - ours.point), tie);
     }
     comparison.finish(1e-3);
@@ -274,7 +274,7 @@ TEST(NarrowPhaseCross, discAndArc) {
         double angle = angle_of(center - arc.center);
         while (angle < arc.from) angle += 2 * pi;
         const int middle = static_cast<int>((angle - arc.from) / sweep * chords);
-        const custom::Touch ours = custom::touch(center, disc_radius, arc);
+        const custom::Touch ours = custom::touch(center, disc_radius, Primitive{arc});
         // Of chords that are as near to rounding, the one that turns its face most towards our normal.
         std::optional<Answer> theirs;
         for (const int k : {0, middle - 1, middle, middle + 1, chords - 1}) {

@@ -30,8 +30,6 @@ double angle_from(double from, Vec2 direction) {
     return angle < full ? angle : 0;
 }
 
-}  // namespace
-
 Touch touch(Vec2 center, double radius, const primitive::Point& primitive) {
     return touch_circle(center, radius, primitive.at, 0);
 }
@@ -109,6 +107,8 @@ Touch touch(Vec2 center, double radius, const primitive::Taper& primitive) {
     const Vec2 normal = sine * forward + (side * cosine) * left;
     return {center - above * normal, normal, above - radius, false};
 }
+
+}  // namespace
 
 Touch touch(Vec2 center, double radius, const Primitive& primitive, const Pose& pose) {
     const Vec2 local = pose.undo(center);

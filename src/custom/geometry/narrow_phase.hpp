@@ -16,18 +16,10 @@ struct Touch {
     bool past_end = false;
 };
 
-/// Closest point of the disc (center, radius) and each kind of primitive, in the pose of the scene file.
-/// Exact up to rounding for every position, also with the disc's centre inside a solid primitive (the normal
-/// then points to the nearest surface). If there are several closest points, a fixed rule chooses one.
-/// Constant cost, or linear in the corners of a polygon.
-[[nodiscard]] Touch touch(Vec2 center, double radius, const primitive::Point& primitive);
-[[nodiscard]] Touch touch(Vec2 center, double radius, const primitive::Segment& primitive);
-[[nodiscard]] Touch touch(Vec2 center, double radius, const primitive::Arc& primitive);
-[[nodiscard]] Touch touch(Vec2 center, double radius, const primitive::Circle& primitive);
-[[nodiscard]] Touch touch(Vec2 center, double radius, const primitive::Polygon& primitive);
-[[nodiscard]] Touch touch(Vec2 center, double radius, const primitive::Taper& primitive);
-
-/// The same for a primitive of any kind in a given pose.
+/// Closest point of the disc (center, radius) and a primitive in a pose. Exact up to rounding for every
+/// position, also with the disc's centre inside a solid primitive (the normal then points to the nearest
+/// surface). If there are several closest points, a fixed rule chooses one. Constant cost, or linear in the
+/// corners of a polygon.
 [[nodiscard]] Touch touch(Vec2 center, double radius, const Primitive& primitive, const Pose& pose = {});
 
 /// The same for two discs; point and normal belong to disc b.

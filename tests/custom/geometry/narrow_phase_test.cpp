@@ -12,6 +12,12 @@ namespace {
 
 using std::numbers::pi;
 
+using custom::touch;
+template <class Kind>
+Touch touch(Vec2 center, double radius, const Kind& kind) {
+    return touch(center, radius, Primitive{kind});
+}
+
 void expect_touch(const Touch& found, Vec2 point, Vec2 normal, double separation) {
     EXPECT_NEAR(found.point.x, point.x, 1e-14);
     EXPECT_NEAR(found.point.y, point.y, 1e-14);
