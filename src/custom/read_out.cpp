@@ -19,15 +19,13 @@ std::span<const Contact> CustomWorld::contacts() const {
 
 /// Finds the contacts after a step of the continuous solver.
 void CustomWorld::find_contacts() const {
-    if (contacts_found_) return;
-    contacts_found_ = true;
-    contacts_last_ = continuous_->quiet();
+    if (steps_since_contacts_ == 0) return;
     // Balls that slept since then have the same contacts.
-    if (contacts_skipped_ || continuous_->fell_asleep())
+    if (steps_since_contacts_ > 1 || continuous_->fell_asleep())
         contacts_.search(layout_, table_, balls_, *broad_);
     else
         contacts_.refresh(layout_, table_, balls_, continuous_->find_pairs(balls_));
-    contacts_skipped_ = false;
+    steps_since_contacts_ = 0;
     record_.statistics.narrow_tests += contacts_.pairs().size();
     contacts_.report_touches(time(), record_.events);
     sort_events();
@@ -35,8 +33,7 @@ void CustomWorld::find_contacts() const {
 
 /// Finds the contacts after balls have changed in any way but by a step of the continuous solver.
 void CustomWorld::search_contacts() {
-    contacts_found_ = true;
-    contacts_last_ = contacts_skipped_ = false;
+    steps_since_contacts_ = 0;
     contacts_.search(layout_, table_, balls_, *broad_);
     record_.statistics.narrow_tests += contacts_.pairs().size();
 }

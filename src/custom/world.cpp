@@ -60,12 +60,9 @@ void CustomWorld::step_simple(double dt) {
 }
 
 void CustomWorld::step_continuous(double dt) {
-    contacts_skipped_ |= !contacts_found_;
+    const bool was_quiet = continuous_->quiet();
     continuous_->step(dt, balls_, record_);
-    contacts_found_ = contacts_last_ && continuous_->quiet();
-    if (record_.trace && continuous_->quiet())
-        record_.trace->stage("asleep", "src/custom/continuous/continuous_solver.cpp: ContinuousSolver::step")
-            .says = "All balls sleep and no part moves: nothing is done.";
+    if (!was_quiet || steps_since_contacts_ > 0) ++steps_since_contacts_;
 }
 
 }  // namespace flipside::custom

@@ -64,9 +64,7 @@ class CustomWorld final : public World {
     std::vector<Ball> balls_;                       ///< sorted by number
     StepGuard guard_{engine_name};
     // Contacts, and their begin and end events, are found on request.
-    mutable bool contacts_found_ = false;
-    mutable bool contacts_skipped_ = false;  ///< a step has passed since they were found last
-    mutable bool contacts_last_ = false;     ///< they do not change, since the world is quiet
+    mutable std::uint64_t steps_since_contacts_ = 0;  ///< steps that may have changed them
     mutable TouchList contacts_{touch_distance};
     mutable StepRecord record_;
 };

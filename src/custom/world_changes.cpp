@@ -48,7 +48,6 @@ void CustomWorld::wake_all() {
 
 /// Prepares for a change of the world from outside.
 void CustomWorld::interrupt() {
-    contacts_last_ = false;
     if (continuous_) continuous_->interrupt();
 }
 
