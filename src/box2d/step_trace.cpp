@@ -47,8 +47,8 @@ void StepTrace::fell(std::span<b2Body* const> bodies, std::span<const Ball> ball
     }
     const auto flying =
         static_cast<std::size_t>(std::ranges::count_if(ahead, [h](double s) { return s < h; }));
-    stage.says = "Balls that are awake get " + brief(1e3 * h) +
-                 " ms of gravity and drag ahead of the solver: " + std::to_string(awake) + " of " +
+    stage.says = "Balls that are awake get " + milliseconds(h) +
+                 " of gravity and drag ahead of the solver: " + std::to_string(awake) + " of " +
                  std::to_string(bodies.size()) + "." +
                  (flying ? " Of them " + std::to_string(flying) + " in flight get half of it now." : "");
     ahead_.assign(ahead.begin(), ahead.end());

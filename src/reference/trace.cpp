@@ -79,10 +79,7 @@ void Simulation<R>::trace_paths() {
 /// Handles an event, and writes it with its result.
 template <class R>
 void Simulation<R>::trace_event(BallIndex i) {
-    constexpr std::string_view events = "events";
-    if (trace_->stages.empty() || trace_->stages.back().name != events)
-        trace_->stage(events, "src/reference/events.cpp: handle");
-    TraceStage& stage = trace_->stages.back();
+    TraceStage& stage = trace_->same_stage("events", "src/reference/events.cpp: handle");
     const Particle particle = particles_[i];
     const bool hits_part = particle.next == Next::feature, hits_ball = particle.next == Next::ball;
     TraceItem& item = stage.add("event").with("time", clock(now_)).with("ball", particle.ball.number);
@@ -110,12 +107,7 @@ void Simulation<R>::trace_event(BallIndex i) {
     handle(i);
     item.with("velocity", narrow(particles_[i].path.at(now_).velocity));
     for (std::size_t k = reported; k < events_.size(); ++k)
-        if (events_[k].kind == EventKind::impact)
-            item.with("answer", "impact")
-                .with("point", events_[k].point)
-                .with("normal", events_[k].normal)
-                .with("speed", events_[k].speed)
-                .with("impulse", events_[k].impulse);
+        if (events_[k].kind == EventKind::impact) item.with("answer", "impact").with_impact(events_[k]);
     trace_next(item, particles_[i]);
     stage.says = counted(stage.items.size(), "event") +
                  " in order of time; a root is isolated within the "

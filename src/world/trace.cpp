@@ -36,6 +36,13 @@ TraceItem& TraceItem::with_other(Other other, const Scene& scene) {
     return with("part", scene.parts[other.index].name);
 }
 
+TraceItem& TraceItem::with_impact(const Event& impact) {
+    return with("point", impact.point)
+        .with("normal", impact.normal)
+        .with("speed", impact.speed)
+        .with("impulse", impact.impulse);
+}
+
 const TraceValue* TraceItem::find(std::string_view name) const {
     const auto at = std::ranges::find(fields, name, &std::pair<std::string, TraceValue>::first);
     return at == fields.end() ? nullptr : &at->second;
@@ -57,9 +64,10 @@ void trace_read_out(Trace& trace, std::string_view where, const World& world, co
         TraceItem& item = stage.add("event");
         item.with("time", event.time).with("event", name_of(event.kind)).with("ball", event.ball);
         if (event.kind != EventKind::lost) item.with_other(event.other, scene);
-        item.with("point", event.point);
         if (event.kind == EventKind::impact)
-            item.with("normal", event.normal).with("speed", event.speed).with("impulse", event.impulse);
+            item.with_impact(event);
+        else
+            item.with("point", event.point);
     }
     stage.says = "The step is over: " + counted(balls.size(), "ball") + ", " +
                  counted(events.size(), "event") + ", " + counted(world.contacts().size(), "contact") + ".";
@@ -80,6 +88,10 @@ std::string brief(double number) {
     char text[32];
     std::snprintf(text, sizeof text, "%.4g", number + 0.0);  // no sign of a zero
     return text;
+}
+
+std::string milliseconds(double seconds) {
+    return brief(1e3 * seconds) + " ms";
 }
 
 std::string counted(std::uint64_t n, std::string_view thing) {

@@ -46,6 +46,8 @@ struct TraceItem {
     }
     /// Adds the other body: `other_ball`, or `part`.
     TraceItem& with_other(Other other, const Scene& scene);
+    /// Adds point, normal, speed and impulse.
+    TraceItem& with_impact(const Event& impact);
 
     /// Null where there is no such field.
     [[nodiscard]] const TraceValue* find(std::string_view name) const;
@@ -74,6 +76,10 @@ struct Trace {
     TraceStage& stage(std::string_view name, std::string_view where) {
         return stages.emplace_back(TraceStage{std::string(name), std::string(where), {}, {}});
     }
+    /// The last stage if it has this name; else begins it.
+    TraceStage& same_stage(std::string_view name, std::string_view where) {
+        return !stages.empty() && stages.back().name == name ? stages.back() : stage(name, where);
+    }
 };
 
 /// Adds the last stage of every step: the balls and events that the world reports.
@@ -86,6 +92,8 @@ void trace_read_out(Trace& trace, std::string_view where, const World& world, co
 [[nodiscard]] std::string brief(double number);
 /// A value in a line of text, numbers to four digits; text is printable().
 [[nodiscard]] std::string in_brief(const TraceValue& value);
+/// "4.167 ms".
+[[nodiscard]] std::string milliseconds(double seconds);
 /// "1 ball", "3 balls".
 [[nodiscard]] std::string counted(std::uint64_t n, std::string_view thing);
 

@@ -1,50 +1,50 @@
 #include "custom/trace/continuous_trace.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace flipside::custom {
 
 namespace {
 
-constexpr std::string_view events_stage = "events";
+struct NextEvent {
+    std::string_view name;
+    double time = 0;           ///< s, in the window
+    std::optional<Other> met;  ///< part or ball
+};
 
-std::string milliseconds(double seconds) {
-    return brief(1e3 * seconds) + " ms";
-}
-
-double time_of_next(const Particle& particle) {
-    return std::min(particle.cell_exit, particle.next_time);
-}
-
-std::string_view name_of_next(const Particle& particle) {
-    if (particle.cell_exit <= particle.next_time && particle.cell_exit < never_touch)
-        return "leaves its cell";
+NextEvent next_of(const Simulation& sim, BallIndex i) {
+    const Particle& particle = sim.particles[i];
+    const double time = particle.next_time;
+    if (particle.cell_exit <= time && particle.cell_exit < never_touch)
+        return {"leaves its cell", particle.cell_exit, {}};
     switch (particle.next) {
         case EventType::feature:
-            return "meets a part";
+            return {"meets a part", time, Other::part(sim.features[particle.partner].part)};
         case EventType::ball:
-            return "meets a ball";
+            return {"meets a ball", time, Other::ball(sim.balls[particle.partner].number)};
         case EventType::path_end:
-            return "its path ends";
+            return {"its path ends", time, {}};
         case EventType::sensor:
-            return "enters or leaves a sensor or gate";
+            return {"enters or leaves a sensor or gate", time, {}};
         case EventType::leave_bounds:
-            return "leaves the bounds";
+            return {"leaves the bounds", time, {}};
         case EventType::none:
             break;
     }
-    return "nothing in this window";
+    return {"nothing in this window", time, {}};
 }
 
 /// Adds the kind and time of a ball's next event.
 void trace_next(const Simulation& sim, TraceItem& item, BallIndex i) {
-    const Particle& particle = sim.particles[i];
-    const std::string_view name = name_of_next(particle);
-    item.with("next", name);
-    if (const double time = time_of_next(particle); time <= sim.end) item.with("next_time", sim.start + time);
-    if (name == "meets a part")
-        item.with("next_part", sim.scene.parts[sim.features[particle.partner].part].name);
-    if (name == "meets a ball") item.with("next_ball", sim.balls[particle.partner].number);
+    const NextEvent next = next_of(sim, i);
+    item.with("next", next.name);
+    if (next.time <= sim.end) item.with("next_time", sim.start + next.time);
+    if (!next.met) return;
+    if (next.met->is_ball)
+        item.with("next_ball", next.met->index);
+    else
+        item.with("next_part", sim.scene.parts[next.met->index].name);
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ void trace_paths(const Simulation& sim, bool all_start) {
                  (particle.next == EventType::feature || particle.next == EventType::ball);
         trace_next(sim, item, i);
         const double now = std::max(0.0, particle.motion.path.start);
-        const double end = std::min(time_of_next(particle), sim.end);
+        const double end = std::min(next_of(sim, i).time, sim.end);
         if (end > now)
             item.with("swept", swept(now, end, [&](double t) { return sim.ball_at(i, t).position; }));
     }
@@ -97,59 +97,46 @@ void trace_paths(const Simulation& sim, bool all_start) {
 }
 
 void trace_event(const Simulation& sim, BallIndex i, const std::function<void()>& handle) {
-    Trace& trace = *sim.record->trace;
-    const EventType type = sim.particles[i].next;
-    const std::uint32_t partner = sim.particles[i].partner;
-    const double time = time_of_next(sim.particles[i]);
-    const std::string_view name = name_of_next(sim.particles[i]);
-    const bool meets = name.starts_with("meets"), meets_ball = meets && type == EventType::ball;
-    const BallIndex other = meets_ball ? partner : i;
-    const Part* part = meets && !meets_ball ? &sim.scene.parts[sim.features[partner].part] : nullptr;
-    const auto velocity = [&](BallIndex k) { return sim.ball_at(k, time).velocity; };
+    const NextEvent event = next_of(sim, i);
+    const bool meets_ball = event.met && event.met->is_ball;
+    const BallIndex other = meets_ball ? sim.particles[i].partner : i;
+    const auto velocity = [&](BallIndex k) { return sim.ball_at(k, event.time).velocity; };
     const auto way_here = [&](BallIndex k) {
-        return swept(sim.particles[k].motion.path.start, time,
+        return swept(sim.particles[k].motion.path.start, event.time,
                      [&](double t) { return sim.ball_at(k, t).position; });
     };
     TraceItem item{"event", {}};
-    item.with("time", sim.start + time).with("ball", sim.balls[i].number).with("event", name);
-    if (meets_ball) item.with("other_ball", sim.balls[other].number);
-    if (part != nullptr) item.with("part", part->name);
+    item.with("time", sim.start + event.time).with("ball", sim.balls[i].number).with("event", event.name);
+    if (event.met) item.with_other(*event.met, sim.scene);
     item.with("velocity_before", velocity(i)).with("swept", way_here(i));
     if (meets_ball) item.with("other_velocity_before", velocity(other)).with("other_swept", way_here(other));
     const bool stale = meets_ball && sim.hot[other].version != sim.particles[i].partner_version;
     const std::vector<Event>& recorded = sim.record->events;
     const std::size_t before_it = recorded.size();
     handle();
-    item.with("position", sim.ball_at(i, time).position).with("velocity", velocity(i));
+    item.with("position", sim.ball_at(i, event.time).position).with("velocity", velocity(i));
     if (meets_ball) item.with("other_velocity", velocity(other));
     if (stale) item.with("answer", "the other has changed its path meanwhile: predicted again");
     if (recorded.size() > before_it && recorded[before_it].kind == EventKind::impact) {
-        const Event& event = recorded[before_it];
-        const Mixed& material = meets_ball ? sim.layout.mixed(sim.balls[i], sim.balls[other])
-                                           : sim.layout.mixed(sim.balls[i], *part);
+        const Mixed& material = meets_ball
+                                    ? sim.layout.mixed(sim.balls[i], sim.balls[other])
+                                    : sim.layout.mixed(sim.balls[i], sim.scene.parts[event.met->index]);
         item.with("answer", "impact")
-            .with("point", event.point)
-            .with("normal", event.normal)
-            .with("speed", event.speed)
-            .with("impulse", event.impulse)
+            .with_impact(recorded[before_it])
             .with("restitution", material.restitution);
-    } else if (!stale && meets) {
+    } else if (!stale && event.met) {
         item.with("answer", sim.particles[i].resting_on ? "comes to rest on it"
                             : sim.hot[i].in_island      ? "joins an island"
                                                         : "slow touch");
     }
     trace_next(sim, item, i);
-    if (trace.stages.empty() || trace.stages.back().name != events_stage)
-        trace.stage(events_stage, "src/custom/continuous/events.cpp: handle");
-    TraceStage& events = trace.stages.back();
-    events.items.push_back(std::move(item));
-    const auto impacts = std::ranges::count_if(events.items, [](const TraceItem& one) {
-        const TraceValue* answer = one.find("answer");
-        return answer != nullptr && *answer == TraceValue(std::string("impact"));
-    });
-    events.says = counted(events.items.size(), "event") + " in order of time, " +
-                  counted(static_cast<std::uint64_t>(impacts), "impact") +
-                  " among them; only the balls involved are predicted again.";
+    TraceStage& stage = sim.record->trace->same_stage("events", "src/custom/continuous/events.cpp: handle");
+    stage.items.push_back(std::move(item));
+    const auto impacts = std::ranges::count_if(
+        stage.items, [](const TraceItem& one) { return one.find("impulse") != nullptr; });
+    stage.says = counted(stage.items.size(), "event") + " in order of time, " +
+                 counted(static_cast<std::uint64_t>(impacts), "impact") +
+                 " among them; only the balls involved are predicted again.";
 }
 
 void trace_tick(const Simulation& sim, const ContactSolver& solver, std::span<const BallIndex> members,
@@ -158,13 +145,13 @@ void trace_tick(const Simulation& sim, const ContactSolver& solver, std::span<co
         "island solve", "src/custom/islands/contact_solver.cpp: ContactSolver::solve");
     for (const ContactSolver::Contact& contact : solver.contacts()) {
         const bool balls = contact.with == ContactSolver::With::ball;
-        TraceItem& item = stage.add("contact").with("ball", sim.balls[balls ? contact.a : contact.b].number);
-        if (balls)
-            item.with("other_ball", sim.balls[contact.b].number);
-        else
-            item.with("part", sim.scene.parts[sim.layout.primitive(contact.a).part].name);
+        const Other other = balls ? Other::ball(sim.balls[contact.b].number)
+                                  : Other::part(sim.layout.primitive(contact.a).part);
         const ContactSolver::Body& upper = solver.bodies()[contact.upper];
-        item.with("point", upper.position - upper.radius * contact.normal)
+        stage.add("contact")
+            .with("ball", sim.balls[balls ? contact.a : contact.b].number)
+            .with_other(other, sim.scene)
+            .with("point", upper.position - upper.radius * contact.normal)
             .with("normal", contact.normal)
             .with("gap", contact.detected_gap)
             .with("friction", contact.friction)
