@@ -21,19 +21,6 @@ CustomWorld::CustomWorld(std::shared_ptr<const Scene> scene, const Settings& set
     fill_statistics(0);
 }
 
-void CustomWorld::step(double dt) {
-    if (record_.trace) record_.trace->stages.clear();
-    if (continuous_) continuous_->keep();
-    if (continuous_ && continuous_->can_undo() && !table_.launch_waiting()) return step_with_undo(dt);
-    guard_.run(
-        table_, balls_, [&] { make_step(dt); },
-        [&](State before) {
-            Table::forget_gone(before);
-            if (continuous_) before.origin = continuous_->kept_origin();
-            restore(before);
-        });
-}
-
 void CustomWorld::make_step(double dt) {
     const std::uint64_t tests_before = broad_->tests();
     record_.events.clear();

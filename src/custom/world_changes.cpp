@@ -1,4 +1,5 @@
-// Changes of the world from outside: controls, balls that are launched, added and removed, saved states.
+// Changes of the world from outside: controls, balls that are launched, added and removed, saved states, and
+// steps that are undone.
 
 #include <algorithm>
 #include <utility>
@@ -140,6 +141,19 @@ bool CustomWorld::resume(const State& state) {
     State reached = save();
     reached.origin = state.origin;
     return reached == state;
+}
+
+void CustomWorld::step(double dt) {
+    if (record_.trace) record_.trace->stages.clear();
+    if (continuous_) continuous_->keep();
+    if (continuous_ && continuous_->can_undo() && !table_.launch_waiting()) return step_with_undo(dt);
+    guard_.run(
+        table_, balls_, [&] { make_step(dt); },
+        [&](State before) {
+            Table::forget_gone(before);
+            if (continuous_) before.origin = continuous_->kept_origin();
+            restore(before);
+        });
 }
 
 /// Makes a step that starts in a window or in a quiet world. If it is refused, goes back to the start of the
