@@ -7,21 +7,16 @@ namespace flipside::custom {
 
 namespace {
 
-/// Coulomb's friction impulse along perp(normal), for a slip of `slip` m/s there; an impulse of
-/// sticking_mass·slip would stop it.
-double friction_impulse(double friction, double normal_impulse, double slip, double sticking_mass) {
+/// Coulomb's friction impulse along perp(normal), for a slip of `slip` m/s there. It stops the slip if it
+/// can: for a tangential impulse the effective mass of a disc is 1/(1/m + r²/I) = m/3, with I = ½mr².
+double friction_impulse(double friction, double normal_impulse, double slip, double mass) {
     const double limit = friction * normal_impulse;
-    return std::clamp(-sticking_mass * slip, -limit, limit);
+    return std::clamp(-(mass / 3) * slip, -limit, limit);
 }
 
 /// Normal speed after an impact at `speed`.
 double bounce(const Mixed& material, double speed) {
     return std::max(material.restitution * speed, material.kick);
-}
-
-/// Effective mass for a tangential impulse on a disc: 1/(1/m + r²/I) with I = ½mr².
-double tangent_mass(double mass) {
-    return mass / 3;
 }
 
 }  // namespace
@@ -44,8 +39,7 @@ Impact respond(Ball& ball, const Touch& touch, Vec2 surface_velocity, const Mixe
     ball.velocity += (closing + out) * normal;
     if (material.friction > 0) {
         const double slip = dot(relative, tangent) - ball.radius * ball.spin;
-        const double friction =
-            friction_impulse(material.friction, impact.impulse, slip, tangent_mass(ball.mass));
+        const double friction = friction_impulse(material.friction, impact.impulse, slip, ball.mass);
         ball.velocity += friction / ball.mass * tangent;
         ball.spin -= ball.radius * friction / inertia(ball);
     }
@@ -69,8 +63,7 @@ Impact respond(Ball& a, Ball& b, const Mixed& material, const Surroundings& arou
     Vec2 impulse = impact.impulse * normal;
     if (material.friction > 0) {
         const double slip = dot(relative, tangent) - a.radius * a.spin - b.radius * b.spin;
-        const double friction =
-            friction_impulse(material.friction, impact.impulse, slip, tangent_mass(1 / inverse_mass));
+        const double friction = friction_impulse(material.friction, impact.impulse, slip, 1 / inverse_mass);
         impulse += friction * tangent;
         a.spin -= a.radius * friction / inertia(a);
         b.spin -= b.radius * friction / inertia(b);
