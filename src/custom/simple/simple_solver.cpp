@@ -27,12 +27,13 @@ void SimpleSolver::reserve(std::size_t balls) {
 void SimpleSolver::step(double dt) {
     const double duration = dt / settings_.motion_iterations;
     const TimeInterval interval(scene_.damping, duration);
-    trace_ = record_.trace ? std::make_unique<SimpleTrace>(*record_.trace, scene_, layout_, broad_) : nullptr;
+    trace_ = record_.trace ? std::make_unique<SimpleTrace>(*record_.trace, table_, balls_, layout_, broad_)
+                           : nullptr;
     auto& stages = record_.statistics.stages;
     Stopwatch watch;
     for (int motion = 1; motion <= settings_.motion_iterations; ++motion) {
         ahead_ = motion * duration;
-        if (trace_) trace_->motion(motion, settings_.motion_iterations);
+        if (trace_) trace_->begin_motion(motion, settings_.motion_iterations);
         move_balls(interval);
         watch.lap(stages[1]);
         find_pairs();
@@ -52,26 +53,24 @@ void SimpleSolver::step(double dt) {
 
 void SimpleSolver::move_balls(const TimeInterval& interval) {
     started_.clear();
-    if (trace_) trace_->will_move(balls_);
     for (Ball& ball : balls_) {
         started_.push_back(ball.position);
         ball.asleep = false;  // the other solver may have put it to sleep
         fly_freely(ball, scene_.gravity, interval);
     }
-    if (trace_) trace_->moved(balls_, interval);
+    if (trace_) trace_->moved(interval.time);
 }
 
 void SimpleSolver::find_pairs() {
     layout_.fill_proxies(table_, balls_, ahead_, 0, moving_);
-    const std::uint64_t tests_before = broad_.tests();
     broad_.find_pairs(moving_, pairs_);
-    if (trace_) trace_->found_pairs(moving_, balls_, broad_.tests() - tests_before);
+    if (trace_) trace_->found_pairs(moving_);
 }
 
 /// Gates decide by the positions of the balls before they moved.
 void SimpleSolver::decide_gates(double duration) {
     for (const PartIndex part : layout_.gates()) decide_gate(part, ahead_ - duration);
-    if (trace_) trace_->decided_gates(table_);
+    if (trace_) trace_->decided_gates();
 }
 
 /// Decides for each ball that overlaps a gate whether the gate lets it through, and keeps the gate open as

@@ -137,11 +137,17 @@ void explain_touch(TraceItem& item, Vec2 center, double radius, const Primitive&
     std::visit(Explainer{item, local, radius, pose, touch(local, radius, primitive, Pose{})}, primitive.is);
 }
 
-std::vector<TriedAxis> axes_tried(Vec2 center, double radius, const primitive::Polygon& polygon,
-                                  const Pose& pose) {
+void explain_axes(TraceStage& stage, TraceItem about, Vec2 center, double radius,
+                  const primitive::Polygon& polygon, const Pose& pose) {
     std::vector<Vec2> points;
     for (const Vec2 point : polygon.points) points.push_back(pose.apply(point));
-    std::vector<TriedAxis> axes;
+    struct Axis {
+        std::string of;
+        Vec2 direction;
+        std::vector<double> polygon, disc;  // projections
+        [[nodiscard]] double overlap() const { return polygon[1] - disc[0]; }
+    };
+    std::vector<Axis> axes;
     const auto test_axis = [&](Vec2 axis, const std::string& of) {
         const auto along = [&](Vec2 p) { return dot(p, axis); };
         const auto [low, high] = std::ranges::minmax(points, {}, along);
@@ -162,8 +168,17 @@ std::vector<TriedAxis> axes_tried(Vec2 center, double radius, const primitive::P
         test_axis(unit(center - points[corner]), "corner " + std::to_string(corner));
         least = points.size();
     }
-    axes[least].decides = true;
-    return axes;
+    about.kind = "axis";
+    for (const Axis& axis : axes)
+        stage.items.emplace_back(about)
+            .with("of", axis.of)
+            .with("axis", axis.direction)
+            .with("shadow_of_part", axis.polygon)
+            .with("shadow_of_ball", axis.disc)
+            .with("depth", axis.overlap())
+            .with("decides", &axis == &axes[least])
+            .with("formula", "overlap = end of the part's shadow - start of the ball's; below 0 a gap")
+            .with("filled", filled(axis.polygon[1], 0, axis.disc[0]));
 }
 
 void explain_touch(TraceItem& item, Vec2 center_a, double radius_a, Vec2 center_b, double radius_b) {

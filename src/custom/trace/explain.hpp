@@ -19,21 +19,12 @@ void explain_touch(TraceItem& item, Vec2 center, double radius, const Primitive&
 /// The same for two discs.
 void explain_touch(TraceItem& item, Vec2 center_a, double radius_a, Vec2 center_b, double radius_b);
 
-/// A separating axis on which a disc and a polygon were tested.
-struct TriedAxis {
-    std::string of;        ///< "edge 2", "corner 0"
-    Vec2 axis;             ///< unit, outward
-    double polygon[2]{};   ///< m, its projection, from the world's origin
-    double disc[2]{};      ///< m
-    bool decides = false;  ///< it has the smallest overlap, or shows the gap
-
-    /// m, overlap of the projections; negative for a gap.
-    [[nodiscard]] double overlap() const { return polygon[1] - disc[0]; }
-};
-
-/// The axes in the order of the narrow phase: the normal of every edge, then the axis through a corner if
-/// that is the closest point.
-[[nodiscard]] std::vector<TriedAxis> axes_tried(Vec2 center, double radius, const primitive::Polygon& polygon,
-                                                const Pose& pose);
+/// Adds to the stage a copy of `about` for each separating axis on which a disc and a polygon were tested, in
+/// the order of the narrow phase: the normal of every edge, then the axis through a corner if that is the
+/// closest point. It gets what the axis is `of` ("edge 2", "corner 0"), the outward unit vector `axis`, the
+/// projections `shadow_of_part` and `shadow_of_ball` from the world's origin, their overlap `depth`, negative
+/// for a gap, and whether it `decides`: it has the smallest overlap, or shows the gap. Lengths are in metres.
+void explain_axes(TraceStage& stage, TraceItem about, Vec2 center, double radius,
+                  const primitive::Polygon& polygon, const Pose& pose);
 
 }  // namespace flipside::custom

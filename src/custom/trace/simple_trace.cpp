@@ -8,8 +8,9 @@
 
 namespace flipside::custom {
 
-SimpleTrace::SimpleTrace(Trace& trace, const Scene& scene, const Layout& layout, BroadPhase& broad)
-    : trace_(trace), scene_(scene), layout_(layout), broad_(broad) {
+SimpleTrace::SimpleTrace(Trace& trace, const Table& table, const std::vector<Ball>& balls,
+                         const Layout& layout, BroadPhase& broad)
+    : trace_(trace), table_(table), scene_(table.scene()), balls_(balls), layout_(layout), broad_(broad) {
     broad_.log_searches(&log_);
 }
 
@@ -17,69 +18,69 @@ void SimpleTrace::begin(std::string_view name, std::string_view function) {
     trace_.stage(name, "src/custom/simple/simple_solver.cpp: SimpleSolver::" + std::string(function));
 }
 
-void SimpleTrace::motion(int k, int n) {
-    if (n > 1) of_motion_ = "Motion iteration " + std::to_string(k) + " of " + std::to_string(n) + ". ";
+void SimpleTrace::begin_motion(int k, int n) {
+    of_motion_ = n > 1 ? "Motion iteration " + std::to_string(k) + " of " + std::to_string(n) + ". " : "";
+    before_ = balls_;
+    tests_before_ = broad_.tests();
 }
 
-void SimpleTrace::moved(std::span<const Ball> balls, const TimeInterval& interval) {
+void SimpleTrace::moved(double seconds) {
     begin("move", "move_balls");
-    for (std::size_t i = 0; i < balls.size(); ++i)
+    for (std::size_t i = 0; i < balls_.size(); ++i)
         stage()
             .add("move")
-            .with("ball", balls[i].number)
+            .with("ball", balls_[i].number)
             .with("position_before", before_[i].position)
             .with("velocity_before", before_[i].velocity)
             .with("angle_before", before_[i].angle)
-            .with("spin", balls[i].spin)
+            .with("spin", balls_[i].spin)
             .with("gravity", scene_.gravity)
             .with("damping", scene_.damping)
-            .with("seconds", interval.time)
-            .with("position", balls[i].position)
-            .with("velocity", balls[i].velocity)
-            .with("angle", balls[i].angle)
+            .with("seconds", seconds)
+            .with("position", balls_[i].position)
+            .with("velocity", balls_[i].velocity)
+            .with("angle", balls_[i].angle)
             .with("formula", scene_.damping > 0 ? "p' = p + E v + F g, v' = e^(-ct) v + E g"
                                                 : "p' = p + v t + g t^2 / 2, v' = v + g t");
-    stage().says = of_motion_ + counted(balls.size(), "ball") + (balls.size() == 1 ? " flies" : " fly") +
-                   " freely for " + brief(1e3 * interval.time) + " ms, through whatever is in the way.";
+    stage().says = of_motion_ + counted(balls_.size(), "ball") + (balls_.size() == 1 ? " flies" : " fly") +
+                   " freely for " + milliseconds(seconds) + ", through whatever is in the way.";
 }
 
-TraceItem& SimpleTrace::name_proxy(TraceItem& item, const std::string& prefix, Handle handle,
-                                   std::span<const Ball> balls) const {
-    if (handle >= layout_.size()) return item.with(prefix + "ball", balls[handle - layout_.size()].number);
+TraceItem& SimpleTrace::name_proxy(TraceItem& item, const std::string& prefix, Handle handle) const {
+    if (handle >= layout_.size()) return item.with(prefix + "ball", balls_[handle - layout_.size()].number);
     return item.with(prefix + "part", scene_.parts[layout_.primitive(handle).part].name)
         .with(prefix + "primitive", handle);
 }
 
-void SimpleTrace::found_pairs(std::span<const Proxy> moving, std::span<const Ball> balls,
-                              std::uint64_t tests) {
+void SimpleTrace::found_pairs(std::span<const Proxy> moving) {
     begin("broad phase", "find_pairs");
     std::size_t overlapping = 0;
-    const Handle first = layout_.size() - static_cast<Handle>(moving.size() - balls.size());
+    const Handle first = layout_.size() - static_cast<Handle>(moving.size() - balls_.size());
     const std::vector<Cell> cells = broad_.cells();
     const bool two_trees = std::ranges::any_of(cells, &Cell::still);
     for (const auto& [pair, overlap, query, cell] : log_.tests) {
-        TraceItem& item = name_proxy(stage().add("test"), "", pair.b, balls);
-        name_proxy(item, pair.a >= layout_.size() ? "other_" : "", pair.a, balls);
+        TraceItem& item = name_proxy(stage().add("test"), "", pair.b);
+        name_proxy(item, pair.a >= layout_.size() ? "other_" : "", pair.a);
         item.with("overlap", overlap);
         if (cell != no_cell) {
             item.with("cell", cell).with("of_still", two_trees && pair.a < first);
-            name_proxy(item, "search_of_", query, balls);
+            name_proxy(item, "search_of_", query);
         }
         overlapping += overlap;
     }
     for (Handle i = 0; i < first + moving.size(); ++i)
-        name_proxy(stage().add("box"), "", i, balls)
+        name_proxy(stage().add("box"), "", i)
             .with("box", i < first ? layout_.still_proxies()[i].box : moving[i - first].box);
-    add_cells(cells, balls);
-    const std::uint64_t n = balls.size(), all = n * (n - 1) / 2 + n * layout_.size();
+    add_cells(cells);
+    const std::uint64_t n = balls_.size(), all = n * (n - 1) / 2 + n * layout_.size();
     stage().says = std::to_string(overlapping) + " of " + counted(all, "pair") +
                    " survive the box test, of which the broad phase (" + std::string(broad_.facts().name) +
-                   ") made " + std::to_string(tests) + ".";
+                   ") made " + std::to_string(broad_.tests() - tests_before_) + ".";
     log_ = {};
 }
 
 /// Adds the cells in which something is listed and, of trees, the nodes that each query visited.
-void SimpleTrace::add_cells(std::span<const Cell> cells, std::span<const Ball> balls) {
+void SimpleTrace::add_cells(std::span<const Cell> cells) {
     for (const Cell& cell : cells) {
         if (cell.within == 0) continue;
         TraceItem& item = stage().add("cell");
@@ -92,24 +93,22 @@ void SimpleTrace::add_cells(std::span<const Cell> cells, std::span<const Ball> b
     std::map<Handle, std::vector<double>[2]> visited;
     for (const auto& [query, cell, still] : log_.visits) visited[query][still].push_back(cell);
     for (const auto& [query, visits] : visited)
-        name_proxy(stage().add("search"), "", query, balls)
-            .with("cells", visits[0])
-            .with("still_cells", visits[1]);
+        name_proxy(stage().add("search"), "", query).with("cells", visits[0]).with("still_cells", visits[1]);
 }
 
-void SimpleTrace::decided_gates(const Table& table) {
+void SimpleTrace::decided_gates() {
     if (layout_.gates().empty()) return;
     begin("gates", "decide_gates");
     std::size_t open = 0;
     for (const PartIndex gate : layout_.gates()) {
-        const bool is_open = table.parts()[gate].open;
+        const bool is_open = table_.parts()[gate].open;
         stage().add("gate").with("part", scene_.parts[gate].name).with("open", is_open);
         open += is_open;
     }
-    for (const Blocked& blocked : table.blocked())
+    for (const Blocked& blocked : table_.blocked())
         stage().add("blocked").with("ball", blocked.ball).with("part", scene_.parts[blocked.gate].name);
     stage().says = counted(layout_.gates().size(), "gate") + ", " + std::to_string(open) + " open; " +
-                   counted(table.blocked().size(), "ball") + " held back.";
+                   counted(table_.blocked().size(), "ball") + " held back.";
 }
 
 void SimpleTrace::begin_round(int k, int n) {
@@ -121,37 +120,21 @@ void SimpleTrace::begin_round(int k, int n) {
 }
 
 void SimpleTrace::passed_over(const Ball& ball, PrimitiveIndex primitive) {
-    name_proxy(narrow().add("passed over").with("ball", ball.number), "", primitive, {})
+    name_proxy(narrow().add("passed over").with("ball", ball.number), "", primitive)
         .with("reason", "a sensor, a target that is down, or a gate that lets this ball through");
-}
-
-/// Adds an item for each separating axis that is tested for a polygon.
-void SimpleTrace::add_axes(const Ball& ball, PrimitiveIndex primitive, const Pose& pose) {
-    const auto* polygon = std::get_if<primitive::Polygon>(&layout_.primitive(primitive).is);
-    if (polygon == nullptr) return;
-    for (const TriedAxis& tried : axes_tried(ball.position, ball.radius, *polygon, pose)) {
-        TraceItem& item = narrow().add("axis").with("turn", turn_).with("ball", ball.number);
-        name_proxy(item, "", primitive, {})
-            .with("of", tried.of)
-            .with("axis", tried.axis)
-            .with("shadow_of_part", std::vector<double>{tried.polygon[0], tried.polygon[1]})
-            .with("shadow_of_ball", std::vector<double>{tried.disc[0], tried.disc[1]})
-            .with("depth", tried.overlap())
-            .with("decides", tried.decides)
-            .with("formula", "overlap = end of the part's shadow - start of the ball's; below 0 a gap")
-            .with("filled",
-                  brief(tried.overlap()) + " = " + brief(tried.polygon[1]) + " - " + brief(tried.disc[0]));
-    }
 }
 
 void SimpleTrace::tested(const Ball& ball, PrimitiveIndex primitive, const Pose& pose, const Touch& found) {
     lower_ = ball;
-    ++turn_;
-    add_axes(ball, primitive, pose);
-    TraceItem& item = narrow().add("closest").with("turn", turn_).with("ball", ball.number);
-    name_proxy(item, "", primitive, {}).with("pivot", pose.pivot).with("pose_angle", pose.angle);
+    TraceItem item;
+    name_proxy(item.with("turn", ++turn_).with("ball", ball.number), "", primitive);
+    if (const auto* polygon = std::get_if<primitive::Polygon>(&layout_.primitive(primitive).is))
+        explain_axes(narrow(), item, ball.position, ball.radius, *polygon, pose);
+    item.kind = "closest";
+    item.with("pivot", pose.pivot).with("pose_angle", pose.angle);
     explain_touch(item, ball.position, ball.radius, layout_.primitive(primitive), pose);
     finish_test(item, found, found.separation < -overlap_slop * ball.radius && !found.past_end);
+    narrow().items.push_back(std::move(item));
 }
 
 void SimpleTrace::tested(const Ball& lower, const Ball& upper, const Touch& found) {
@@ -208,7 +191,7 @@ void SimpleTrace::responded(const Ball& ball, PrimitiveIndex primitive, Vec2 sur
     const TraceItem& seen = narrow().items.back();
     const double closing = -dot(lower_.velocity - surface_velocity, seen.get<Vec2>("normal"));
     TraceItem& item = add_response(ball, impact, material, closing);
-    name_proxy(item, "", primitive, {})
+    name_proxy(item, "", primitive)
         .with("surface_velocity", surface_velocity)
         .with("formula", "v' = v + (closing + max(e s, k)) n");
     const double out = impact.happened ? std::max(material.restitution * impact.speed, material.kick) : 0;
@@ -242,7 +225,7 @@ void SimpleTrace::begin_sensors() {
 }
 
 void SimpleTrace::sensed(const Ball& ball, PrimitiveIndex primitive, double separation) {
-    name_proxy(stage().add("sensor").with("ball", ball.number), "", primitive, {})
+    name_proxy(stage().add("sensor").with("ball", ball.number), "", primitive)
         .with("separation", separation)
         .with("inside", separation <= 0);
     stage().says =

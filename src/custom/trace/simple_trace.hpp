@@ -13,18 +13,18 @@ namespace flipside::custom {
 class SimpleTrace {
   public:
     /// Keeps references to all arguments.
-    SimpleTrace(Trace& trace, const Scene& scene, const Layout& layout, BroadPhase& broad);
+    SimpleTrace(Trace& trace, const Table& table, const std::vector<Ball>& balls, const Layout& layout,
+                BroadPhase& broad);
     SimpleTrace(const SimpleTrace&) = delete;
     SimpleTrace& operator=(const SimpleTrace&) = delete;
     ~SimpleTrace() { broad_.log_searches(nullptr); }
 
-    /// The next stages belong to motion iteration `k` of `n`.
-    void motion(int k, int n);
-    void will_move(std::span<const Ball> balls) { before_.assign(balls.begin(), balls.end()); }
-    void moved(std::span<const Ball> balls, const TimeInterval& interval);
-    /// `moving` and `balls`: the input of the broad phase; `tests`: its number of box tests.
-    void found_pairs(std::span<const Proxy> moving, std::span<const Ball> balls, std::uint64_t tests);
-    void decided_gates(const Table& table);
+    /// The next stages belong to motion iteration `k` of `n`, before which no ball has moved.
+    void begin_motion(int k, int n);
+    void moved(double seconds);
+    /// `moving`: the input of the broad phase.
+    void found_pairs(std::span<const Proxy> moving);
+    void decided_gates();
 
     /// Collision iteration `k` of `n` at most.
     void begin_round(int k, int n);
@@ -44,22 +44,23 @@ class SimpleTrace {
     void begin(std::string_view name, std::string_view function);
     [[nodiscard]] TraceStage& stage() { return trace_.stages.back(); }
     [[nodiscard]] TraceStage& narrow() { return trace_.stages[trace_.stages.size() - 2]; }
-    void add_cells(std::span<const Cell> cells, std::span<const Ball> balls);
-    void add_axes(const Ball& ball, PrimitiveIndex primitive, const Pose& pose);
+    void add_cells(std::span<const Cell> cells);
     void finish_test(TraceItem& item, const Touch& found, bool overlaps);
     TraceItem& add_response(const Ball& ball, const Impact& impact, const Mixed& material, double closing);
     static TraceItem& add_change(TraceItem& item, const std::string& prefix, const Ball& before,
                                  const Ball& after);
     /// Adds the ball, or the part and primitive, under names that begin with `prefix`.
-    TraceItem& name_proxy(TraceItem& item, const std::string& prefix, Handle handle,
-                          std::span<const Ball> balls) const;
+    TraceItem& name_proxy(TraceItem& item, const std::string& prefix, Handle handle) const;
 
     Trace& trace_;
+    const Table& table_;
     const Scene& scene_;
+    const std::vector<Ball>& balls_;
     const Layout& layout_;
     BroadPhase& broad_;
     std::string of_motion_, of_round_;  ///< "Motion iteration k of n. ", or empty if n is 1
-    std::vector<Ball> before_;
+    std::vector<Ball> before_;          ///< before they moved
+    std::uint64_t tests_before_ = 0;    ///< of the broad phase
     SearchLog log_;
     Ball lower_, upper_;  ///< of the last test, before the response
     std::int64_t turn_ = 0;

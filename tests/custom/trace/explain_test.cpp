@@ -16,7 +16,7 @@ struct ExplainDice {
 
 const primitive::Polygon triangle{{{-0.6, -0.3}, {0.7, -0.4}, {0.1, 0.5}}};
 
-TEST(AxesTried, DecideAsTheNarrowPhaseDoes) {
+TEST(ExplainAxes, DecideAsTheNarrowPhaseDoes) {
     ExplainDice dice;
     int corners = 0, edges = 0;
     for (int k = 0; k < 10'000; ++k) {
@@ -24,23 +24,30 @@ TEST(AxesTried, DecideAsTheNarrowPhaseDoes) {
         const Vec2 center = pose.apply(dice.place(1.5));
         const double radius = dice.number(0.01, 0.8);
         const Touch found = touch(center, radius, Primitive{triangle, 0}, pose);
-        const auto axes = axes_tried(center, radius, triangle, pose);
-        const auto decides = std::ranges::find(axes, true, &TriedAxis::decides);
+        TraceStage stage;
+        explain_axes(stage, {}, center, radius, triangle, pose);
+        const auto& axes = stage.items;
+        const auto is_true = [](const TraceItem& axis) { return axis.get<bool>("decides"); };
+        const auto decides = std::ranges::find_if(axes, is_true);
         ASSERT_NE(decides, axes.end());
-        EXPECT_EQ(std::ranges::count(axes, true, &TriedAxis::decides), 1);
-        EXPECT_NEAR(decides->overlap(), -found.separation, 1e-12);
-        EXPECT_LT(length(decides->axis - found.normal), 1e-9);
-        for (const TriedAxis& axis : axes) {
-            EXPECT_GE(axis.overlap(), decides->overlap() - 1e-12);
-            EXPECT_NEAR(axis.disc[1] - axis.disc[0], 2 * radius, 1e-12);
+        EXPECT_EQ(std::ranges::count_if(axes, is_true), 1);
+        const double least = decides->get<double>("depth");
+        EXPECT_NEAR(least, -found.separation, 1e-12);
+        EXPECT_LT(length(decides->get<Vec2>("axis") - found.normal), 1e-9);
+        for (const TraceItem& item : axes) {
+            const Vec2 axis = item.get<Vec2>("axis");
+            const auto& polygon = item.get<std::vector<double>>("shadow_of_part");
+            const auto& disc = item.get<std::vector<double>>("shadow_of_ball");
+            EXPECT_GE(item.get<double>("depth"), least - 1e-12);
+            EXPECT_NEAR(disc[1] - disc[0], 2 * radius, 1e-12);
             double low = INFINITY, high = -INFINITY;
             for (const Vec2 corner : triangle.points) {
-                low = std::min(low, dot(pose.apply(corner), axis.axis));
-                high = std::max(high, dot(pose.apply(corner), axis.axis));
+                low = std::min(low, dot(pose.apply(corner), axis));
+                high = std::max(high, dot(pose.apply(corner), axis));
             }
-            EXPECT_NEAR(axis.polygon[0], low, 1e-12);
-            EXPECT_NEAR(axis.polygon[1], high, 1e-12);
-            EXPECT_NEAR(axis.disc[0], dot(center, axis.axis) - radius, 1e-12);
+            EXPECT_NEAR(polygon[0], low, 1e-12);
+            EXPECT_NEAR(polygon[1], high, 1e-12);
+            EXPECT_NEAR(disc[0], dot(center, axis) - radius, 1e-12);
         }
         ++(axes.size() == 4 ? corners : edges);
     }
