@@ -22,19 +22,19 @@ void CustomWorld::find_contacts() const {
     if (steps_since_contacts_ == 0) return;
     // Balls that slept since then have the same contacts.
     if (steps_since_contacts_ > 1 || continuous_->fell_asleep())
-        contacts_.search(layout_, table_, balls_, *broad_);
+        contacts_.search(balls_);
     else
-        contacts_.refresh(layout_, table_, balls_, continuous_->find_pairs(balls_));
+        contacts_.refresh(balls_, continuous_->find_pairs(balls_));
     steps_since_contacts_ = 0;
     record_.statistics.narrow_tests += contacts_.pairs().size();
-    contacts_.report_touches(time(), record_.events);
+    contacts_.report_touches(record_.events);
     sort_events();
 }
 
 /// Finds the contacts after balls have changed in any way but by a step of the continuous solver.
 void CustomWorld::search_contacts() {
     steps_since_contacts_ = 0;
-    contacts_.search(layout_, table_, balls_, *broad_);
+    contacts_.search(balls_);
     record_.statistics.narrow_tests += contacts_.pairs().size();
 }
 

@@ -24,10 +24,6 @@ bool sleeps(std::span<const Ball> balls, BallNumber number) {
     return ball != nullptr && ball->asleep;
 }
 
-Event event(double time, EventKind kind, const Contact& contact) {
-    return {time, kind, contact.ball, contact.other, contact.point, contact.normal, 0, 0};
-}
-
 /// Visits the elements of `these` that are not in `those`; both are sorted by key.
 template <class T>
 void each_missing(const std::vector<T>& these, const std::vector<T>& those, auto&& key_of, auto&& visit) {
@@ -40,8 +36,8 @@ void each_missing(const std::vector<T>& these, const std::vector<T>& those, auto
 
 }  // namespace
 
-void TouchList::reserve(std::size_t primitives, std::size_t balls) {
-    reserve_for(moving_, primitives + balls);
+void TouchList::reserve(std::size_t balls) {
+    reserve_for(moving_, layout_.size() + balls);
     for (auto* list : {&before_, &now_}) reserve_for(*list, balls, touches_per_ball);
     reserve_for(pairs_, balls, pairs_per_ball);
     reserve_for(woken_, balls);
@@ -56,11 +52,11 @@ void TouchList::keep_sleeping(std::span<const Ball> balls) {
         if (sleeps(balls, s.ball)) sensed_.push_back(s);
 }
 
-void TouchList::test(const Layout& layout, const Table& table, const Ball& ball, PrimitiveIndex index) {
-    const Primitive& primitive = layout.primitive(index);
-    const Pose pose = layout.pose(table, index, 0);
-    const bool sensor = table.scene().parts[primitive.part].sensor;
-    if (!sensor && !layout.should_collide(table, index, pose, ball)) return;
+void TouchList::test(const Ball& ball, PrimitiveIndex index) {
+    const Primitive& primitive = layout_.primitive(index);
+    const Pose pose = layout_.pose(table_, index, 0);
+    const bool sensor = table_.scene().parts[primitive.part].sensor;
+    if (!sensor && !layout_.should_collide(table_, index, pose, ball)) return;
     const Touch found = touch(ball.position, ball.radius, primitive, pose);
     if (found.past_end) return;
     if (sensor && found.separation <= 0) sensed_.push_back({ball.number, primitive.part});
@@ -82,29 +78,27 @@ void TouchList::begin() {
     sensed_.clear();
 }
 
-void TouchList::search(const Layout& layout, const Table& table, std::span<const Ball> balls,
-                       BroadPhase& broad) {
+void TouchList::search(std::span<const Ball> balls) {
     begin();
-    layout.fill_proxies(table, balls, 0, distance_, moving_);
-    broad.find_pairs(moving_, pairs_);
-    test_pairs(layout, table, balls);
+    layout_.fill_proxies(table_, balls, 0, distance_, moving_);
+    broad_.find_pairs(moving_, pairs_);
+    test_pairs(balls);
 }
 
-void TouchList::refresh(const Layout& layout, const Table& table, std::span<const Ball> balls,
-                        std::span<const Pair> pairs) {
+void TouchList::refresh(std::span<const Ball> balls, std::span<const Pair> pairs) {
     begin();
     keep_sleeping(balls);
     pairs_.assign(pairs.begin(), pairs.end());
-    test_pairs(layout, table, balls);
+    test_pairs(balls);
 }
 
-void TouchList::test_pairs(const Layout& layout, const Table& table, std::span<const Ball> balls) {
+void TouchList::test_pairs(std::span<const Ball> balls) {
     if (pairs_.empty()) return;  // the kept contacts are sorted
-    const Handle first_ball = layout.size();
+    const Handle first_ball = layout_.size();
     for (const Pair pair : pairs_) {
         const Ball& ball = balls[pair.b - first_ball];
         if (pair.a < first_ball)
-            test(layout, table, ball, pair.a);
+            test(ball, pair.a);
         else
             test(balls[pair.a - first_ball], ball);
     }
@@ -115,18 +109,22 @@ void TouchList::test_pairs(const Layout& layout, const Table& table, std::span<c
     sensed_before_.reserve(sensed_.capacity());
 }
 
-void TouchList::report_touches(double time, std::vector<Event>& events) const {
-    const auto began = [&](const Contact& c) { events.push_back(event(time, EventKind::begin, c)); };
-    const auto ended = [&](const Contact& c) { events.push_back(event(time, EventKind::end, c)); };
-    each_missing(now_, before_, key, began);
-    each_missing(before_, now_, key, ended);
+void TouchList::report_touches(std::vector<Event>& events) const {
+    const auto touch_event = [&](EventKind kind) {
+        return [this, kind, &events](const Contact& c) {
+            events.push_back({table_.time(), kind, c.ball, c.other, c.point, c.normal, 0, 0});
+        };
+    };
+    each_missing(now_, before_, key, touch_event(EventKind::begin));
+    each_missing(before_, now_, key, touch_event(EventKind::end));
 }
 
 void TouchList::leave_sensors(BallNumber ball) {
     std::erase_if(sensed_, [&](const Sensed& sensed) { return sensed.ball == ball; });
 }
 
-void TouchList::wake_unsupported(std::span<Ball> balls, Vec2 gravity) {
+void TouchList::wake_unsupported(std::span<Ball> balls) {
+    const Vec2 gravity = table_.scene().gravity;
     woken_.assign(balls.size(), 0);
     bool any = false;
     const auto wake = [&](BallNumber number) {
@@ -155,7 +153,8 @@ void TouchList::wake_unsupported(std::span<Ball> balls, Vec2 gravity) {
         }
 }
 
-void TouchList::wake_unheld(std::span<Ball> balls, Vec2 gravity) const {
+void TouchList::wake_unheld(std::span<Ball> balls) const {
+    const Vec2 gravity = table_.scene().gravity;
     std::vector<char> held(balls.size());
     for (std::size_t i = 0; i < balls.size(); ++i) held[i] = !balls[i].asleep;
     const auto is_held = [&](BallNumber number) -> char& {
@@ -175,11 +174,11 @@ void TouchList::wake_unheld(std::span<Ball> balls, Vec2 gravity) const {
         if (!held[i]) balls[i].asleep = false;
 }
 
-void TouchList::report_sensors(double time, std::vector<Sensed>& crossed, std::vector<Event>& events) const {
+void TouchList::report_sensors(std::vector<Sensed>& crossed, std::vector<Event>& events) const {
     // A sensor crossed within the step has a begin event, and an end event unless the ball is still inside.
     const auto sensor_event = [&](EventKind kind) {
-        return [=, &events](const Sensed& s) {
-            events.push_back({time, kind, s.ball, Other::part(s.part), {}, {}, 0, 0});
+        return [this, kind, &events](const Sensed& s) {
+            events.push_back({table_.time(), kind, s.ball, Other::part(s.part), {}, {}, 0, 0});
         };
     };
     crossed.insert(crossed.end(), sensed_.begin(), sensed_.end());

@@ -40,8 +40,8 @@ void CustomWorld::step_simple(double dt) {
     simple_->step(dt);
     Stopwatch watch;
     search_contacts();
-    contacts_.report_touches(time(), record_.events);
-    contacts_.report_sensors(time(), record_.crossed, record_.events);
+    contacts_.report_touches(record_.events);
+    contacts_.report_sensors(record_.crossed, record_.events);
     sort_events();
     watch.lap(record_.statistics.stages[3]);
 }

@@ -65,7 +65,7 @@ class CustomWorld final : public World {
     StepGuard guard_{engine_name};
     // Contacts, and their begin and end events, are found on request.
     mutable std::uint64_t steps_since_contacts_ = 0;  ///< steps that may have changed them
-    mutable TouchList contacts_{touch_distance};
+    mutable TouchList contacts_{layout_, table_, *broad_, touch_distance};
     mutable StepRecord record_;
 };
 

@@ -15,7 +15,7 @@ void CustomWorld::reserve_for() {
     if (simple_) simple_->reserve(balls_.size());
     if (continuous_) continuous_->reserve(balls_.size());
     guard_.reserve(balls_.capacity(), std::max(least_capacity, balls_.capacity() * contacts_per_ball));
-    contacts_.reserve(layout_.size(), balls_.size());
+    contacts_.reserve(balls_.size());
     custom::reserve_for(table_.memory().forces, balls_.size(), contacts_per_ball);
     custom::reserve_for(table_.memory().inside, balls_.size(), touches_per_ball);
     custom::reserve_for(table_.reported_lost(), balls_.size());
@@ -108,9 +108,9 @@ void CustomWorld::restore(const State& state) {
 void CustomWorld::wake_restless() {
     for (Ball& ball : balls_) ball.asleep = ball.asleep && ball.velocity == Vec2{} && ball.spin == 0;
     if (scene_->gravity == Vec2{} || std::ranges::none_of(balls_, &Ball::asleep)) return;
-    TouchList supports(sleep_distance);
-    supports.search(layout_, table_, balls_, *broad_);
-    supports.wake_unheld(balls_, scene_->gravity);
+    TouchList supports(layout_, table_, *broad_, sleep_distance);
+    supports.search(balls_);
+    supports.wake_unheld(balls_);
 }
 
 /// Replaces balls and table.

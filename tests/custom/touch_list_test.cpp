@@ -8,13 +8,11 @@
 namespace flipside::custom::test {
 namespace {
 
-constexpr Vec2 gravity{0, -9.81};
-
 /// Sleeping balls of 0.1 m on a floor: three in a row, one on the first two.
 class TouchListTest : public ::testing::Test {
   protected:
     TouchListTest() {
-        Scene scene = empty_scene(gravity);
+        Scene scene = empty_scene({0, -9.81});
         for (const double x : {0.0, 0.2, 0.4}) add_ball(scene, {x, 0.1});
         add_ball(scene, {0.1, 0.1 + 0.2 * std::sqrt(0.75)});
         add_part(scene, segment({-1, 0}, {1, 0}));
@@ -28,13 +26,13 @@ class TouchListTest : public ::testing::Test {
         const Table table(scene_);
         const Layout layout(*scene_);
         const auto broad = make_broad_phase(*scene_, layout.still_proxies(), Settings(engine().settings));
-        TouchList touches(sleep_distance);
-        touches.reserve(layout.size(), balls_.size());
-        touches.search(layout, table, balls_, *broad);
+        TouchList touches(layout, table, *broad, sleep_distance);
+        touches.reserve(balls_.size());
+        touches.search(balls_);
         balls_[index].position += by;
         balls_[index].asleep = false;
-        touches.search(layout, table, balls_, *broad);
-        touches.wake_unsupported(balls_, gravity);
+        touches.search(balls_);
+        touches.wake_unsupported(balls_);
         std::vector<bool> awake;
         for (const Ball& ball : balls_) awake.push_back(!ball.asleep);
         return awake;
@@ -46,9 +44,9 @@ class TouchListTest : public ::testing::Test {
         const Layout layout(*scene_);
         const auto broad = make_broad_phase(*scene_, layout.still_proxies(), Settings(engine().settings));
         for (std::size_t i = 0; i < shifts.size(); ++i) balls_[i].position += shifts[i];
-        TouchList touches(sleep_distance);
-        touches.search(layout, table, balls_, *broad);
-        touches.wake_unheld(balls_, gravity);
+        TouchList touches(layout, table, *broad, sleep_distance);
+        touches.search(balls_);
+        touches.wake_unheld(balls_);
         std::vector<bool> awake;
         for (const Ball& ball : balls_) awake.push_back(!ball.asleep);
         return awake;

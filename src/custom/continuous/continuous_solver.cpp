@@ -48,8 +48,8 @@ ContinuousSolver::ContinuousSolver(Table& table, const Layout& layout, BroadPhas
       predictions_(sim_, gates_, paths_),
       islands_(sim_, gates_, paths_, predictions_),
       events_(sim_, gates_, paths_, predictions_, islands_),
-      broad_(broad),
-      sleep_(settings.sleep_speed, sim_.scene.gravity) {
+      sleep_(settings.sleep_speed, sim_.scene.gravity),
+      contacts_(layout, table, broad, sleep_distance) {
     for (State& start : starts_) table.copy(start);
 }
 
@@ -70,7 +70,7 @@ void ContinuousSolver::reserve(std::size_t balls) {
     custom::reserve_for(pairs_, most, pairs_per_ball);
     if (rank_.size() < most) rank_.resize(most);
     sleep_.reserve(balls);
-    contacts_.reserve(sim_.layout.size(), balls);
+    contacts_.reserve(balls);
 }
 
 void ContinuousSolver::step(double dt, std::vector<Ball>& balls, StepRecord& record) {
@@ -118,7 +118,7 @@ void ContinuousSolver::load(std::span<const Ball> balls) {
 
 /// Begins a window at the table's time.
 void ContinuousSolver::begin(const std::vector<Ball>& balls) {
-    if (!contacts_known_) contacts_.search(sim_.layout, sim_.table, balls, broad_);
+    if (!contacts_known_) contacts_.search(balls);
     contacts_known_ = true;
     choose_end();
     events_.clear();
@@ -206,8 +206,8 @@ void ContinuousSolver::read(double time, std::vector<Ball>& balls) {
 void ContinuousSolver::end(std::vector<Ball>& balls) {
     read(sim_.end, balls);
     in_window_ = false;
-    contacts_.refresh(sim_.layout, sim_.table, balls, find_pairs(balls));
-    contacts_.wake_unsupported(balls, sim_.scene.gravity);
+    contacts_.refresh(balls, find_pairs(balls));
+    contacts_.wake_unsupported(balls);
     if (sim_.settings.sleep) fell_asleep_ |= sleep_.update(balls, contacts_.contacts());
 }
 

@@ -86,7 +86,6 @@ class ContinuousSolver {
     Islands islands_;
     Events events_;
 
-    BroadPhase& broad_;
     Sleep sleep_;
 
     // The current window.
@@ -95,8 +94,8 @@ class ContinuousSolver {
     double watch_at_ = 0;      ///< s, on the table's clock: when to call sleep_.watch(); INFINITY if no more
 
     // Kept from window to window.
-    bool contacts_known_ = false;         ///< contacts_ is up to date
-    TouchList contacts_{sleep_distance};  ///< at the start of the window
+    bool contacts_known_ = false;  ///< contacts_ is up to date
+    TouchList contacts_;           ///< at the start of the window
     bool fell_asleep_ = false;
     std::array<State, 2> starts_;  ///< of the current window, and of the one that is kept
     std::size_t current_ = 0, kept_ = 0;
