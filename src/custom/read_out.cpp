@@ -17,31 +17,28 @@ std::span<const Contact> CustomWorld::contacts() const {
     return contacts_.contacts();
 }
 
-/// Finds the contacts after a step of the continuous solver.
+/// Finds the contacts after a step, and reports those that began or ended.
 void CustomWorld::find_contacts() const {
     if (steps_since_contacts_ == 0) return;
     // Balls that slept since then have the same contacts.
-    if (steps_since_contacts_ > 1 || continuous_->fell_asleep())
+    if (simple_ || steps_since_contacts_ > 1 || continuous_->fell_asleep())
         contacts_.search(balls_);
     else
         contacts_.refresh(balls_, continuous_->find_pairs(balls_));
     steps_since_contacts_ = 0;
     record_.statistics.narrow_tests += contacts_.pairs().size();
     contacts_.report_touches(record_.events);
-    sort_events();
+    if (simple_) contacts_.report_sensors(record_.crossed, record_.events);
+    std::ranges::sort(record_.events, {}, [](const Event& event) {
+        return std::tie(event.time, event.kind, event.ball, event.other, event.speed, event.impulse);
+    });
 }
 
-/// Finds the contacts after balls have changed in any way but by a step of the continuous solver.
+/// Finds the contacts after balls have changed in any way but by a step.
 void CustomWorld::search_contacts() {
     steps_since_contacts_ = 0;
     contacts_.search(balls_);
     record_.statistics.narrow_tests += contacts_.pairs().size();
-}
-
-void CustomWorld::sort_events() const {
-    std::ranges::sort(record_.events, {}, [](const Event& event) {
-        return std::tie(event.time, event.kind, event.ball, event.other, event.speed, event.impulse);
-    });
 }
 
 void CustomWorld::fill_statistics(std::uint64_t pair_tests) {

@@ -27,29 +27,20 @@ void CustomWorld::make_step(double dt) {
     record_.crossed.clear();
     record_.statistics = {};
     launch();
+    const bool was_quiet = continuous_ && continuous_->quiet();
     if (simple_)
-        step_simple(dt);
+        simple_->step(dt);
     else
-        step_continuous(dt);
+        continuous_->step(dt, balls_, record_);
+    if (!was_quiet || steps_since_contacts_ > 0) ++steps_since_contacts_;
+    if (simple_) {
+        Stopwatch watch;
+        find_contacts();
+        watch.lap(record_.statistics.stages[3]);
+    }
     fill_statistics(broad_->tests() - tests_before);
     if (record_.trace)
         trace_read_out(*record_.trace, "src/custom/world.cpp: CustomWorld::make_step", *this, *scene_);
-}
-
-void CustomWorld::step_simple(double dt) {
-    simple_->step(dt);
-    Stopwatch watch;
-    search_contacts();
-    contacts_.report_touches(record_.events);
-    contacts_.report_sensors(record_.crossed, record_.events);
-    sort_events();
-    watch.lap(record_.statistics.stages[3]);
-}
-
-void CustomWorld::step_continuous(double dt) {
-    const bool was_quiet = continuous_->quiet();
-    continuous_->step(dt, balls_, record_);
-    if (!was_quiet || steps_since_contacts_ > 0) ++steps_since_contacts_;
 }
 
 }  // namespace flipside::custom

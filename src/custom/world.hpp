@@ -35,12 +35,9 @@ class CustomWorld final : public World {
   private:
     // world.cpp
     void make_step(double dt);
-    void step_simple(double dt);
-    void step_continuous(double dt);
     // read_out.cpp
     void find_contacts() const;
     void search_contacts();
-    void sort_events() const;
     void fill_statistics(std::uint64_t pair_tests);
     // world_changes.cpp
     void reserve_for();
@@ -63,7 +60,7 @@ class CustomWorld final : public World {
     std::unique_ptr<ContinuousSolver> continuous_;  ///< if it is this one
     std::vector<Ball> balls_;                       ///< sorted by number
     StepGuard guard_{engine_name};
-    // Contacts, and their begin and end events, are found on request.
+    // After a step of the continuous solver, contacts and their begin and end events are found on request.
     mutable std::uint64_t steps_since_contacts_ = 0;  ///< steps that may have changed them
     mutable TouchList contacts_{layout_, table_, *broad_, touch_distance};
     mutable StepRecord record_;

@@ -3,7 +3,6 @@
 /// collision iteration, narrow phase and response alternate pair by pair; the trace writes them as two
 /// stages, and `turn` gives the number of the narrow-phase test to which a response belongs.
 
-#include "custom/flight.hpp"
 #include "custom/layout.hpp"
 #include "custom/response.hpp"
 #include "world/trace.hpp"
