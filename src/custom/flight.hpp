@@ -5,15 +5,14 @@
 /// Without drag E = t and F = ½t². Written with φ(x) = (x − 1 + e^(−x))/x² all of it stays accurate to
 /// rounding for any c ≥ 0. Error: rounding only, whatever the length of the flight.
 
-#include <cmath>
 #include <iterator>
 
 #include "world/ball.hpp"
 
 namespace flipside::custom {
 
-/// The first terms of φ(x) = Σ (−x)^k/(k + 2)!; their number is a constant, so that the compiler unrolls the
-/// loop.
+/// The first terms of φ(x) = Σ (−x)^k/(k + 2)!, which differ from it by less than rounding: 6 for x < 0.004,
+/// 14 for x ≤ ½. Their number is a constant, so that the compiler unrolls the loop.
 template <std::size_t terms>
 double drag_series(double x) {
     constexpr double one_over[] = {
@@ -24,10 +23,6 @@ double drag_series(double x) {
     static_assert(terms <= std::size(one_over));
     for (std::size_t k = terms; k-- > 0;) sum = one_over[k] - x * sum;
     return sum;
-}
-/// φ(x) = (x − 1 + e^(−x))/x² for 0 ≤ x ≤ ½; ½ at 0. The remainder is below rounding.
-inline double drag_phi(double x) {
-    return x < 0.004 ? drag_series<6>(x) : drag_series<14>(x);
 }
 
 /// The factors of a flight over a time interval. They depend only on the drag, so one object serves many
@@ -48,7 +43,7 @@ struct TimeInterval {
             fallen = (t - shrunk) / drag;
             return;
         }
-        const double phi = drag_phi(x), part = 1 - x * phi;
+        const double phi = x < 0.004 ? drag_series<6>(x) : drag_series<14>(x), part = 1 - x * phi;
         kept = 1 - x * part;
         shrunk = t * part;
         fallen = t * t * phi;

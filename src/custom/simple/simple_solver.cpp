@@ -38,7 +38,8 @@ void SimpleSolver::step(double dt) {
         watch.lap(stages[1]);
         find_pairs();
         watch.lap(stages[0]);
-        decide_gates(duration);
+        for (const PartIndex gate : layout_.gates()) decide_gate(gate, ahead_ - duration);
+        if (trace_) trace_->decided_gates();
         for (int round = 1; round <= settings_.collision_iterations; ++round)
             if (!respond_to_pairs(duration, round)) break;
         watch_sensors();
@@ -67,14 +68,9 @@ void SimpleSolver::find_pairs() {
     if (trace_) trace_->found_pairs(moving_);
 }
 
-/// Gates decide by the positions of the balls before they moved.
-void SimpleSolver::decide_gates(double duration) {
-    for (const PartIndex part : layout_.gates()) decide_gate(part, ahead_ - duration);
-    if (trace_) trace_->decided_gates();
-}
-
-/// Decides for each ball that overlaps a gate whether the gate lets it through, and keeps the gate open as
-/// long as such a ball overlaps it. The rule is in world/gate.hpp. `before`: when the balls started to move.
+/// Decides for each ball that overlaps a gate whether the gate lets it through, by its position before it
+/// moved, and keeps the gate open as long as such a ball overlaps it. The rule is in world/gate.hpp.
+/// `before`: when the balls started to move.
 void SimpleSolver::decide_gate(PartIndex part, double before) {
     const shape::Gate& gate = *gate_of(scene_.parts[part]);
     const Primitive line{primitive::Segment{gate.a, gate.b}, part};
@@ -119,10 +115,9 @@ bool SimpleSolver::respond_to_pairs(double duration, int round) {
 bool SimpleSolver::respond_to_primitive(Ball& ball, PrimitiveIndex index, const Surroundings& around) {
     const Primitive& primitive = layout_.primitive(index);
     const Pose pose = layout_.pose(table_, index, ahead_);
-    if (!layout_.should_collide(table_, index, pose, ball)) {
-        if (trace_) trace_->passed_over(ball, index);
-        return false;
-    }
+    const bool collides = layout_.should_collide(table_, index, pose, ball);
+    if (trace_ && !collides) trace_->passed_over(ball, index);
+    if (!collides) return false;
     ++record_.statistics.narrow_tests;
     const Touch found = touch(ball.position, ball.radius, primitive, pose);
     if (trace_) trace_->tested(ball, index, pose, found);

@@ -39,7 +39,6 @@ class SimpleSolver {
   private:
     void move_balls(const TimeInterval& interval);
     void find_pairs();
-    void decide_gates(double duration);
     void decide_gate(PartIndex part, double before);
     bool respond_to_pairs(double duration, int round);
     bool respond_to_primitive(Ball& ball, PrimitiveIndex index, const Surroundings& around);

@@ -98,7 +98,7 @@ void SimpleTrace::add_cells(std::span<const Cell> cells) {
 
 void SimpleTrace::decided_gates() {
     if (layout_.gates().empty()) return;
-    begin("gates", "decide_gates");
+    begin("gates", "decide_gate");
     std::size_t open = 0;
     for (const PartIndex gate : layout_.gates()) {
         const bool is_open = table_.parts()[gate].open;
