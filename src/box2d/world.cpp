@@ -5,7 +5,6 @@
 #include <box2d/b2_circle_shape.h>
 
 #include "box2d/shapes.hpp"
-#include "world/gate.hpp"
 #include "world/input_error.hpp"
 #include "world/surface.hpp"
 
@@ -112,9 +111,7 @@ void Box2dWorld::add_body(const Ball& ball) {
 
 /// Whether the ball, which joins, is on its way through the gate.
 bool Box2dWorld::begins_in_gate(PartIndex gate, const Ball& ball) const {
-    const Part& part = table_.scene().parts[gate];
-    return layers_meet(ball, part) && !table_.is_blocked(gate, ball.number) &&
-           begins_deep(*gate_of(part), table_.pose(gate).undo(ball.position), ball.radius);
+    return layers_meet(ball, table_.scene().parts[gate]) && table_.is_deep_in(gate, table_.pose(gate), ball);
 }
 
 void Box2dWorld::find_pairs() {

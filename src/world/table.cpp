@@ -159,6 +159,11 @@ bool Table::lets_through(PartIndex gate, const Pose& pose, double rate, const Ba
                                   pose.undo(ball.position), rotated(relative, -pose.angle), ball.radius);
 }
 
+bool Table::is_deep_in(PartIndex gate, const Pose& pose, const Ball& ball) const {
+    return !is_blocked(gate, ball.number) &&
+           begins_deep(*gate_of(scene_->parts[gate]), pose.undo(ball.position), ball.radius);
+}
+
 void Table::report_lost(std::span<const Ball> balls, std::vector<Event>& events) {
     std::vector<BallNumber>& reported = state_.reported_lost;
     for (const Ball& ball : balls) {

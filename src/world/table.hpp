@@ -87,6 +87,8 @@ class Table {
     /// Whether a gate lets a ball through that touches it, by the rule of gate.hpp, in this pose and at this
     /// rate (rad/s).
     [[nodiscard]] bool lets_through(PartIndex gate, const Pose& pose, double rate, const Ball& ball) const;
+    /// Whether a ball that the gate does not block is deep in it: it is on its way through (gate.hpp).
+    [[nodiscard]] bool is_deep_in(PartIndex gate, const Pose& pose, const Ball& ball) const;
     /// By gate, then ball.
     [[nodiscard]] std::vector<Blocked>& blocked() { return state_.blocked; }
     [[nodiscard]] const std::vector<Blocked>& blocked() const { return state_.blocked; }

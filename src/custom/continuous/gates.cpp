@@ -79,8 +79,7 @@ void Gates::settle() {
         };
         const auto passes = [&](const Ball& ball) {
             return inside(ball.number, part) || lets_through(part, ball, 0) ||
-                   (!sim_.table.is_blocked(part, ball.number) &&
-                    begins_deep(*gate_of(sim_.scene.parts[part]), pose.undo(ball.position), ball.radius));
+                   sim_.table.is_deep_in(part, pose, ball);
         };
         const bool open =
             std::ranges::any_of(sim_.balls, [&](const Ball& ball) { return is_near(ball) && passes(ball); });

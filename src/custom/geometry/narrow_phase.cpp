@@ -39,8 +39,7 @@ Touch touch(Vec2 center, double radius, const primitive::Circle& primitive) {
 }
 
 Touch touch(Vec2 center, double radius, const primitive::Segment& primitive) {
-    const Vec2 along = primitive.b - primitive.a;
-    const Vec2 from_a = center - primitive.a;
+    const Vec2 along = primitive.b - primitive.a, from_a = center - primitive.a;
     const double position = dot(from_a, along) / length_squared(along);
     if (position < 0) return touch_end(center, radius, primitive.a);
     if (position > 1) return touch_end(center, radius, primitive.b);
@@ -96,8 +95,7 @@ Touch touch(Vec2 center, double radius, const primitive::Taper& primitive) {
     const Vec2 forward = axis / span, left = perp(forward);
     const Vec2 from_a = center - primitive.a;
     const double x = dot(from_a, forward), height = dot(from_a, left);
-    const double side = height < 0 ? -1 : 1;
-    const double y = std::abs(height);
+    const double side = height < 0 ? -1 : 1, y = std::abs(height);
     const double sine = (primitive.radius_a - primitive.radius_b) / span;
     const double cosine = std::sqrt((1 - sine) * (1 + sine));
     const double along = cosine * x - sine * y;

@@ -82,7 +82,7 @@ void SimpleSolver::decide_gate(PartIndex part, double before) {
     std::erase_if(table_.blocked(), [&](const Blocked& blocked) {
         if (blocked.gate != part) return false;
         const Ball* ball = find_ball(balls_, blocked.ball);
-        return ball != nullptr && separation(*ball) > touch_distance * ball->radius;
+        return ball == nullptr || separation(*ball) > touch_distance * ball->radius;
     });
     bool occupied = false;
     for (const Pair pair : pairs_) {
@@ -90,7 +90,8 @@ void SimpleSolver::decide_gate(PartIndex part, double before) {
         Ball ball = balls_[index_of(pair.b)];
         if (separation(ball) >= 0) continue;
         ball.position = started_[index_of(pair.b)];
-        if (table_.lets_through(part, started, table_.rate(part, before), ball))
+        if (table_.lets_through(part, started, table_.rate(part, before), ball) ||
+            table_.is_deep_in(part, started, ball))
             occupied = true;
         else
             table_.set_blocked(part, ball.number, true);

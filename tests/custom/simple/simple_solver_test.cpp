@@ -147,6 +147,19 @@ TEST(SimpleSolver, GateLetsThroughFromBehindOnly) {
     }
 }
 
+TEST(SimpleSolver, GateLetsThroughWhatBeginsDeepInIt) {
+    for (const double share : {-0.9, -0.4, 0.0, 0.4, 0.9}) {
+        Scene scene = empty_scene();
+        Ball& ball = add_ball(scene, {0, 0}, {0, -1});
+        ball.position.y = share * ball.radius;
+        add_part(scene, {shape::Gate{{-0.3, 0}, {0.3, 0}, {0, 1}}});
+        const auto world = simple_world(scene);
+        run(*world, 0.5);
+        EXPECT_EQ(world->balls()[0].velocity.y < 0, share < 0.5) << share;
+        EXPECT_FALSE(world->parts()[0].open) << share;
+    }
+}
+
 TEST(SimpleSolver, SensorTellsWhoEntersAndLeaves) {
     Scene scene = empty_scene();
     add_ball(scene, {-1, 0}, {1, 0});
