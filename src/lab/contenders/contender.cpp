@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 #include "lab/contenders/engines.hpp"
@@ -37,8 +38,10 @@ ContenderRequest parse_contender(const std::string& text) {
     ContenderRequest request{name, &engine_named(engine), {}, {}};
     try {
         Settings settings(request.engine->settings);
+        std::set<std::string> given;
         for (std::size_t i = 1; i < parts.size(); ++i) {
             const auto [key, value] = at_equals(parts[i], text);
+            if (!given.insert(key).second) throw InputError("'" + key + "' is given twice; allowed is once");
             if (key == "dt") {
                 request.dt = parse_step(value);
                 continue;

@@ -106,7 +106,16 @@ std::string libraries() {
 std::vector<SettingChange> parse_changes(std::span<const std::string> texts,
                                          std::span<const Engine* const> used) {
     std::vector<SettingChange> changes;
-    for (const std::string& text : texts) changes.push_back(parse_change(text, used));
+    for (const std::string& text : texts) {
+        SettingChange change = parse_change(text, used);
+        const auto same = [&](const SettingChange& other) {
+            return other.engine == change.engine && other.name == change.name;
+        };
+        if (std::ranges::any_of(changes, same))
+            throw InputError("setting '" + change.name + "' of " + std::string(change.engine->name) +
+                             " is given twice; allowed is once");
+        changes.push_back(std::move(change));
+    }
     return changes;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "lab/files/path_error.hpp"
@@ -46,6 +47,17 @@ int open_to_write(const fs::path& path) {
     return open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, as_umask_allows);
 }
 
+/// Gives the new file the permissions of the one that it will replace. Returns an error of the system, 0 for
+/// none; a file that may not be written may not be replaced either.
+int keep_permissions(const fs::path& place, int descriptor) {
+    struct stat replaced {};
+    if (stat(place.c_str(), &replaced) != 0) return errno == ENOENT ? 0 : errno;
+    constexpr mode_t permissions = 07777;
+    const bool kept =
+        access(place.c_str(), W_OK) == 0 && fchmod(descriptor, replaced.st_mode & permissions) == 0;
+    return kept ? 0 : errno;
+}
+
 /// Without this a crash of the system may undo the renaming.
 void sync_folder(const fs::path& target, const fs::path& place) {
     const fs::path parent = place.parent_path();
@@ -81,6 +93,8 @@ WholeFile::WholeFile(fs::path target)
     if (descriptor_ < 0) fail_to_write(target_, errno);
     // The temporary file's name is shorter, so this would come out at the end only.
     if (place_.filename().native().size() > NAME_MAX) fail_to_write(target_, ENAMETOOLONG);
+    if (const int error = is_direct_ ? 0 : keep_permissions(place_, descriptor_); error != 0)
+        fail_to_write(target_, error);
     out_.exceptions(std::ios::badbit);
 }
 

@@ -31,9 +31,10 @@ class TemporaryFile {
 /// Without finish() nothing is left behind.
 class WholeFile {
   public:
-    /// A link stays a link: what it leads to is replaced. What is no plain file (a pipe, a device, what a
-    /// link in /dev or /proc leads to, as /dev/stdout does) is written directly. Throws InputError
-    /// where the path is wrong (path_error.hpp), Failure where it cannot be opened for another reason.
+    /// A link stays a link: what it leads to is replaced, and keeps its permissions. What is no plain file (a
+    /// pipe, a device, what a link in /dev or /proc leads to, as /dev/stdout does) is written directly.
+    /// Throws InputError where the path is wrong (path_error.hpp), Failure where it cannot be opened for
+    /// another reason.
     explicit WholeFile(std::filesystem::path target);
     ~WholeFile();
     WholeFile(const WholeFile&) = delete;

@@ -62,6 +62,8 @@ TEST(Contender, RefusesWhatIsNone) {
     expect_contenders_refused({"a\x1b[2J=custom"}, "no name");
     expect_contenders_refused({"a=custom,dt=2"}, "contender 'a': step '2' is not allowed");
     expect_contenders_refused({"a=custom,dt=0"}, "is not allowed");
+    expect_contenders_refused({"a=custom,dt=1/60,dt=1/240"}, "contender 'a': 'dt' is given twice");
+    expect_contenders_refused({"a=custom,sleep=on,sleep=on"}, "contender 'a': 'sleep' is given twice");
     expect_contenders_refused({"a=custom,substeps=2"}, "contender 'a': ");
     expect_contenders_refused({"a=custom", "a=box2d"}, "'a' is there twice");
 }

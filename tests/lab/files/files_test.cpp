@@ -121,6 +121,36 @@ TEST_F(WholeFiles, LeaveALinkALink) {
     EXPECT_EQ(text_of(folder / "unmade"), "made");
 }
 
+TEST_F(WholeFiles, KeepThePermissionsOfWhatTheyReplace) {
+    const fs::path target = folder / "private";
+    write_whole_file(target, "old");
+    constexpr auto own = fs::perms::owner_read | fs::perms::owner_write;
+    fs::permissions(target, own);
+    write_whole_file(target, "new");
+    EXPECT_EQ(text_of(target), "new");
+    EXPECT_EQ(fs::status(target).permissions(), own);
+}
+
+TEST_F(WholeFiles, DoNotReplaceWhatMayNotBeWritten) {
+    const fs::path target = folder / "protected";
+    write_whole_file(target, "old");
+    fs::permissions(target, fs::perms::owner_read | fs::perms::group_read | fs::perms::others_read);
+    fs::permissions(folder, fs::perms::all);
+    const auto try_to_replace = [&] {
+        constexpr uid_t nobody = 65534;
+        if (geteuid() == 0 && setuid(nobody) != 0) std::exit(2);  // root may write everything
+        try {
+            write_whole_file(target, "new");
+            std::exit(1);
+        } catch (const InputError&) {
+            std::exit(0);
+        }
+    };
+    EXPECT_EXIT(try_to_replace(), testing::ExitedWithCode(0), "");
+    EXPECT_EQ(text_of(target), "old");
+    EXPECT_EQ(files(), 1);
+}
+
 TEST_F(WholeFiles, SayAtOnceWhyTheyCannotBeWritten) {
     WholeFile full("/dev/full");
     try {
@@ -168,6 +198,10 @@ TEST(SettingChanges, AreCheckedAgainstTheirEngine) {
          {"motion_iterations", "motion_iterations=0.5", "=1", "zig.a=1", "box2d.substeps=2"})
         EXPECT_THROW(parse(bad, one), InputError) << bad;
     EXPECT_THROW(parse("motion_iterations=7", both), InputError);
+    const std::vector<std::string> twice{"sleep=on", "custom.sleep=off"};
+    EXPECT_THROW(static_cast<void>(parse_changes(twice, one)), InputError);
+    const std::vector<std::string> of_each{"custom.sleep=on", "box2d.sleep=off"};
+    EXPECT_EQ(parse_changes(of_each, both).size(), 2U);
 }
 
 TEST(SettingsFor, TakeTheScenesAdviceThenTheChanges) {
