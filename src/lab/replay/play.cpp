@@ -62,7 +62,7 @@ bool ReplaySteps::step(Session& session) {
         }
     }
     if (made >= run_->steps) {
-        if (!std::exchange(ended_, true)) compare(session, run_->end.checksum);
+        if (!std::exchange(ended_, true)) compare_end(session);
         return false;
     }
     session.step(dt_, run_->script, next_control_);
@@ -79,6 +79,14 @@ void ReplaySteps::compare(const Session& session, std::uint64_t checksum) {
         agreed_ = time;
     else
         parting_ = ReplayParting{agreed_, time};
+}
+
+/// The file says time and score at the end once more, for people.
+void ReplaySteps::compare_end(const Session& session) {
+    compare(session, run_->end.checksum);
+    const double time = session.world().time();
+    const bool as_told = time == run_->end.time && session.game().score() == run_->end.score;
+    if (other_ == nullptr && !parting_ && !as_told) parting_ = ReplayParting{agreed_, time};
 }
 
 double duration_of(const ReplayRun& run) {

@@ -60,6 +60,7 @@ class ReplaySteps {
     struct Hands;
 
     void compare(const Session& session, std::uint64_t checksum);
+    void compare_end(const Session& session);
 
     const Replay* replay_;
     const ReplayRun* run_;

@@ -198,6 +198,12 @@ TEST(Replay, SaysBetweenWhichTimesItParted) {
     ASSERT_TRUE(at_end);
     EXPECT_NEAR(at_end->after, 20, 1e-9);
     EXPECT_NEAR(at_end->before, 25, 1e-9);
+    Replay wrong_score = saved(game);
+    ++wrong_score.runs[0].end.score;
+    EXPECT_TRUE(parting_of(wrong_score));
+    Replay wrong_time = saved(game);
+    wrong_time.runs[0].end.time += 1;
+    EXPECT_TRUE(parting_of(wrong_time));
 }
 
 TEST(Replay, SaysWhyAGameCannotBeSaved) {
