@@ -6,8 +6,10 @@
 #include "app/cli/progress.hpp"
 #include "app/cli/run_options.hpp"
 #include "lab/files/csv.hpp"
+#include "lab/process/failure.hpp"
 #include "lab/replay/replay.hpp"
 #include "lab/session/run_figures.hpp"
+#include "world/input_error.hpp"
 #include "world/state_file.hpp"
 
 namespace flipside::app {
@@ -40,6 +42,20 @@ lab::Session make_session(const SingleRunOptions& options, const std::shared_ptr
     return session;
 }
 
+lab::Replay replay_of(const lab::Session& session, double dt) {
+    const lab::RecordedRun recorded{std::string(session.engine().name), &session, dt};
+    return lab::replay_of({&recorded, 1});
+}
+
+/// What keeps a run from becoming a replay (a state that it starts from, a library) is known before it.
+void require_replay(const lab::Session& session, double dt) {
+    try {
+        static_cast<void>(replay_of(session, dt));
+    } catch (const lab::Failure& failure) {
+        throw InputError(std::string("--replay: ") + failure.what());
+    }
+}
+
 int run_scene(const SingleRunOptions& options) {
     static_cast<void>(lab::engine_named(options.engine));
     require_distinct(options.files());
@@ -47,6 +63,7 @@ int run_scene(const SingleRunOptions& options) {
     lab::Session session = make_session(options, scene);
     const lab::Timeline timeline(session.world().time(), options.seconds, options.step(*scene));
     const Script script = options.load_script(*scene);
+    if (!options.replay.empty()) require_replay(session, timeline.dt());
 
     OutputFile trajectory(options.out), events(options.events), stats(options.stats), save(options.save),
         replay(options.replay);
@@ -70,10 +87,7 @@ int run_scene(const SingleRunOptions& options) {
     const std::string figures = to_json(lab::figures_of(session, options.seconds, energy_first));
     if (auto* out = stats.out()) *out << figures;
     if (auto* out = save.out()) *out << to_json(session.world().save(), *scene);
-    if (auto* out = replay.out()) {
-        const lab::RecordedRun recorded{std::string(session.engine().name), &session, timeline.dt()};
-        *out << to_json(lab::replay_of({&recorded, 1}));
-    }
+    if (auto* out = replay.out()) *out << to_json(replay_of(session, timeline.dt()));
     bool silent = true;
     for (OutputFile* file : {&trajectory, &events, &stats, &save, &replay}) {
         silent &= file->out() == nullptr;
