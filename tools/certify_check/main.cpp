@@ -1,5 +1,6 @@
 /// flipside_check_certificate FILE [BOUND]: checks what `flipside certify` wrote.
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 
@@ -31,10 +32,13 @@ int main(int argc, char** argv) try {
         ->check(CLI::Range(1e-12, 1e-4));
     try {
         app.parse(argc, argv);
+        if (std::isnan(bound))  // neither below nor above the range
+            throw CLI::ValidationError("BOUND", "nan is no number; allowed is 1e-12 to 1e-4");
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     }
     std::ifstream text(file);
+    if (!text) throw std::runtime_error("cannot be read");
     const certificate::Run run = certificate::read(text);
     const certificate::Verdict v = certificate::Checker(run, bound).check();
     std::printf(
