@@ -83,6 +83,22 @@ TEST(Plot, OfNothingTheRangeIsAUnit) {
     EXPECT_LE(plot.top, 2);
 }
 
+/// A step that is twice as long may cost twice as much.
+TEST(Plots, CompareTheCostOfUnequalStepsPerSimulatedSecond) {
+    Stage stage("rain", "custom", View::split, {"custom.solver=simple"}, {});
+    stage.step();
+    const auto last = [&](std::size_t run) { return stage.runs()[run].numbers().back().cost; };
+    const auto plotted = [&](std::size_t run) { return cost_plot(stage).curves[run].samples.back().value; };
+    const double dt = stage.dt();
+    EXPECT_EQ(plotted(1), last(1));
+    stage.change_step(0, dt / 2);
+    stage.step();
+    EXPECT_EQ(stage.runs()[0].numbers().size(), 3U);
+    EXPECT_NEAR(plotted(0) / (last(0) / (dt / 2)), 1, 1e-12);
+    EXPECT_NEAR(plotted(1) / (last(1) / dt), 1, 1e-12);
+    EXPECT_NEAR(stage.runs()[0].cost_per_second() * (dt / 2), stage.runs()[0].step_cost(), 1e-12);
+}
+
 TEST(Plots, ShowWhatEachStepCostAndFound) {
     Stage stage("rain", "custom", View::split, {"custom.solver=simple"}, {});
     for (int i = 0; i < 30; ++i) stage.step();
@@ -95,6 +111,7 @@ TEST(Plots, ShowWhatEachStepCostAndFound) {
     EXPECT_GT(cost_plot(stage).curves[1].samples.back().value, 0);
     EXPECT_EQ(distance_plot(stage).curves.size(), 1U);
     EXPECT_EQ(plots_of(PlotChoice::all, stage).size(), 4U);
+    EXPECT_EQ(plots_of(PlotChoice::tests_and_cost, stage).size(), 2U);
     stage.set_view(View::single);
     EXPECT_EQ(plots_of(PlotChoice::all, stage).size(), 3U);
     EXPECT_GT(cost_plot(stage).curves.size(), 3U) << "alone also its stages";

@@ -16,8 +16,8 @@ TEST_F(PlotsWindow, AKeyGoesThroughThemAndAnotherSavesThem) {
     window->wait("some time", [](const Json& s) { return s["time"] > 0.3; });
     const Json paused = pause();
     EXPECT_EQ(paused["plots"], "Distance and energy");
-    for (const char* name :
-         {"Distance and cost", "All four", "Distance", "Energy", "Cost per step", "Tests per step"}) {
+    for (const char* name : {"Distance and cost", "Tests and cost", "All four", "Distance", "Energy",
+                             "Cost per step", "Tests per step"}) {
         window->key("g");
         window->wait(name, [&](const Json& s) { return s["plots"] == name; });
     }

@@ -38,16 +38,21 @@ std::string method(const Run& run) {
     return run.name() == run.engine().name ? how : std::string(run.engine().name) + " " + how;
 }
 
+std::string cost_in_words(const Run& run, bool per_second) {
+    return per_second ? engineering(run.cost_per_second(), "s") + " per simulated second"
+                      : engineering(run.step_cost(), "s") + " per step";
+}
+
 /// In one line for each of `rooms`, px. What does not fit is left out from the end.
-std::vector<std::string> facts(const Canvas& canvas, const Run& run, std::optional<double> pace,
-                               std::span<const double> rooms) {
+std::vector<std::string> facts(const Canvas& canvas, const Run& run, bool per_second,
+                               std::optional<double> pace, std::span<const double> rooms) {
     const World& world = run.session().world();
     const auto asleep = static_cast<std::size_t>(
         std::ranges::count_if(world.balls(), [](const Ball& ball) { return ball.asleep; }));
     std::vector<std::string> parts{balls_in_words(world.balls().size(), asleep)};
     if (pace) parts.push_back("slow: " + with_unit(*pace, 2, "×"));
     if (!run.uncertainty_history().empty()) parts.push_back(claim_in_words(run));
-    if (run.step_cost() > 0) parts.push_back(engineering(run.step_cost(), "s") + " per step");
+    if (run.step_cost() > 0) parts.push_back(cost_in_words(run, per_second));
     if (!world.balls().empty()) parts.push_back(energy_in_words(run.energy_drift()));
     std::vector<std::string> lines(1);
     const auto fits = [&](const std::string& words) {
@@ -105,7 +110,7 @@ std::optional<Rect> draw_step(Canvas& canvas, const Run& run, double left, doubl
 }  // namespace
 
 std::optional<Rect> draw_header(Canvas& canvas, const Rect& place, const Run& run, long score,
-                                std::optional<double> pace) {
+                                bool per_second, std::optional<double> pace) {
     const lab::Session& session = run.session();
     const sf::Color color = colour_of(run);
     const double margin = canvas.scaled(12), left = place.x + margin;
@@ -137,7 +142,7 @@ std::optional<Rect> draw_header(Canvas& canvas, const Rect& place, const Run& ru
     std::vector<double> rooms(static_cast<std::size_t>(lines_of_facts(place.width / canvas.scaled(1))),
                               right - left);
     rooms.front() = free_below - left;
-    for (const std::string& line : facts(canvas, run, pace, rooms)) {
+    for (const std::string& line : facts(canvas, run, per_second, pace, rooms)) {
         canvas.text({left, y}, line, Type::small, colour::text);
         y += canvas.scaled(20);
     }

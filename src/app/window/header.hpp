@@ -9,10 +9,11 @@
 
 namespace flipside::app {
 
-/// `score` is the one to show, which may still be counting up. `pace` is there where this run keeps the table
-/// slower than it should be: simulated seconds per second. Returns where its step stands, which is to be
-/// clicked; nothing where there is no room for it.
+/// `score` is the one to show, which may still be counting up; the cost is that of a step or, so that
+/// it can be compared with that of other steps, of a simulated second. `pace` is there where this run keeps
+/// the table slower than it should be: simulated seconds per second. Returns where its step stands, which is
+/// to be clicked; nothing where there is no room for it.
 [[nodiscard]] std::optional<Rect> draw_header(Canvas& canvas, const Rect& place, const Run& run, long score,
-                                              std::optional<double> pace);
+                                              bool per_second, std::optional<double> pace);
 
 }  // namespace flipside::app

@@ -91,10 +91,12 @@ Plot energy_plot(const Stage& stage) {
 }
 
 Plot cost_plot(const Stage& stage) {
-    Plot plot{"CPU time per step", "Cost"};
+    const bool per_second = stage.steps_differ();
+    Plot plot{per_second ? "CPU time per simulated second" : "CPU time per step", "Cost"};
     for (const Run& run : stage.runs())
-        plot.curves.push_back(
-            curve_of(run, "s", in_seconds, [](const StepNumbers& numbers) { return numbers.cost; }));
+        plot.curves.push_back(curve_of(run, "s", in_seconds, [per_second](const StepNumbers& numbers) {
+            return per_second ? numbers.cost / numbers.dt : numbers.cost;
+        }));
     if (stage.runs().size() == 1) {
         const Run& run = stage.runs().front();
         const auto& stages = run.session().world().statistics().stages;
@@ -134,6 +136,8 @@ std::vector<Plot> plots_of(PlotChoice choice, const Stage& stage) {
             return with_distance({energy_plot(stage)});
         case PlotChoice::distance_and_cost:
             return with_distance({cost_plot(stage)});
+        case PlotChoice::tests_and_cost:
+            return {tests_plot(stage), cost_plot(stage)};
         case PlotChoice::all:
             return with_distance({energy_plot(stage), cost_plot(stage), tests_plot(stage)});
         case PlotChoice::distance:

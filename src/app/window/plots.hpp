@@ -12,7 +12,16 @@
 namespace flipside::app {
 
 /// Which plots stand in the strip. The key for the next one goes through them in this order.
-enum class PlotChoice { distance_and_energy, distance_and_cost, all, distance, energy, cost, tests };
+enum class PlotChoice {
+    distance_and_energy,
+    distance_and_cost,
+    tests_and_cost,
+    all,
+    distance,
+    energy,
+    cost,
+    tests
+};
 struct PlotSpec {
     PlotChoice choice;
     std::string_view name;   ///< in files
@@ -21,6 +30,7 @@ struct PlotSpec {
 inline constexpr PlotSpec plot_specs[] = {
     {PlotChoice::distance_and_energy, "distance-and-energy", "Distance and energy"},
     {PlotChoice::distance_and_cost, "distance-and-cost", "Distance and cost"},
+    {PlotChoice::tests_and_cost, "tests-and-cost", "Tests and cost"},
     {PlotChoice::all, "all", "All four"},
     {PlotChoice::distance, "distance", "Distance"},
     {PlotChoice::energy, "energy", "Energy"},
@@ -38,7 +48,8 @@ inline constexpr PlotSpec plot_specs[] = {
 /// From the reference, where it takes part; else of the others from the first.
 [[nodiscard]] Plot distance_plot(const Stage& stage);
 [[nodiscard]] Plot energy_plot(const Stage& stage);
-/// CPU time per step; of a contender that is alone, also of each of its stages.
+/// CPU time per step or, where their steps differ in length, per simulated second; of a contender that is
+/// alone, also of each of its stages.
 [[nodiscard]] Plot cost_plot(const Stage& stage);
 /// Tests of boxes per step; none of a contender that does not count them.
 [[nodiscard]] Plot tests_plot(const Stage& stage);

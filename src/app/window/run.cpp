@@ -133,7 +133,7 @@ void Run::observe_step() {
     measure_uncertainty();
     const World& world = session_.world();
     numbers_.push_back({world.time(), energy_, cost, world.statistics(), world.balls().size(),
-                        deepest_overlap(world.contacts())});
+                        deepest_overlap(world.contacts()), dt_});
     while (numbers_.front().time < world.time() - lab::Recorder::longest) numbers_.pop_front();
 }
 

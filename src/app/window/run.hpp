@@ -91,6 +91,8 @@ class Run {
     [[nodiscard]] const std::deque<StepNumbers>& numbers() const { return numbers_; }
     /// CPU time per step, smoothed, s.
     [[nodiscard]] double step_cost() const { return step_cost_; }
+    /// CPU time per simulated second, smoothed, s: of runs whose steps differ in length.
+    [[nodiscard]] double cost_per_second() const { return step_cost_ / dt_; }
     [[nodiscard]] const std::optional<Halt>& halt() const { return halt_; }
     /// The worst of what the engine claims about its balls over time, in radii; empty for engines that claim
     /// nothing.

@@ -37,12 +37,12 @@ void Screen::draw(sf::RenderTarget& target, const Stage& stage, const Layout& la
     const sf::Vector2f all(target.getSize());
     target.setView(sf::View({0, 0, all.x, all.y}));
     draw_pace(layout.panes.front(), readings);
-    const Run& costliest = *std::ranges::max_element(runs, {}, &Run::step_cost);
+    const Run& costliest = *std::ranges::max_element(runs, {}, &Run::cost_per_second);
     const bool slow = readings.reached < 0.95 * readings.asked;
     steps_.clear();
     for (std::size_t i = 0; i < layout.headers.size(); ++i)
         steps_.push_back(
-            draw_header(canvas_, layout.headers[i], runs[i], readings.scores[i],
+            draw_header(canvas_, layout.headers[i], runs[i], readings.scores[i], stage.steps_differ(),
                         slow && &runs[i] == &costliest ? std::optional(readings.reached) : std::nullopt));
     draw_strip(canvas_, layout.strip, stage, readings.plots, readings.mouse);
     canvas_.flush(target);

@@ -82,7 +82,7 @@ class Stage {
     void add_contender();
     /// The last one stays.
     void remove_contender(std::size_t run);
-    /// The run that all wait for, or whose steps cost most.
+    /// The run that all wait for, or that costs most per simulated second.
     [[nodiscard]] std::size_t slowest() const;
 
     /// The times that can be gone back to, of all runs on show, s.
@@ -112,6 +112,8 @@ class Stage {
     [[nodiscard]] bool is_lesson() const { return before_lesson_.has_value(); }
     /// The longest of the contenders' steps, after which all of them meet, s.
     [[nodiscard]] double dt() const { return dt_; }
+    /// Whether the runs on show make steps of different lengths: what a step costs cannot be compared then.
+    [[nodiscard]] bool steps_differ() const;
     [[nodiscard]] double time() const { return lead().session().world().time(); }
     /// The first run that has not halted, or the first of all.
     [[nodiscard]] const Run& lead() const;

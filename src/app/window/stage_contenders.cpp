@@ -76,10 +76,14 @@ void Stage::remove_contender(std::size_t run) {
     set_step(lab::common_step(contenders_));
 }
 
+bool Stage::steps_differ() const {
+    return std::ranges::any_of(runs_, [&](const Run& run) { return run.dt() != runs_.front().dt(); });
+}
+
 std::size_t Stage::slowest() const {
     const auto waited_for = std::ranges::find_if(runs_, &Run::under_way);
     const auto at =
-        waited_for != runs_.end() ? waited_for : std::ranges::max_element(runs_, {}, &Run::step_cost);
+        waited_for != runs_.end() ? waited_for : std::ranges::max_element(runs_, {}, &Run::cost_per_second);
     return static_cast<std::size_t>(at - runs_.begin());
 }
 

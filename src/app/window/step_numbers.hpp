@@ -15,6 +15,7 @@ struct StepNumbers {
     Statistics statistics;
     std::size_t balls = 0;
     double deepest = 0;  ///< deepest overlap at the end of the step, m
+    double dt = 0;       ///< of the run, s
 };
 
 /// The last one at or before `time`; null where there is none.
