@@ -70,9 +70,10 @@ void Screen::draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect&
                                  return &run == &stage.runs()[inside->run()];
                              });
     if (looked_into) canvas_.rectangle({}, {place.width, place.height}, with_alpha(colour::around, 0.45));
-    // A stage shows what it looked at itself; overlays are of the end of the step.
+    // A stage shows what it looked at itself; overlays are of the end of the step, which is its last stage.
+    const bool over = inside == nullptr || inside->at() + 1 == inside->stages().size();
     for (const Run& run : runs)
-        if (seen(run) && !(looked_into && &run == &stage.runs()[inside->run()]))
+        if (seen(run) && !(looked_into && !over && &run == &stage.runs()[inside->run()]))
             draw_overlays(canvas_, camera, run, look);
     for (const Run& run : runs)
         if (look.artwork && !inside && seen(run)) draw_trails(canvas_, camera, run, balls_of(run));
@@ -89,7 +90,7 @@ void Screen::draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect&
         if (seen(run)) draw_picked(canvas_, camera, balls_of(run), look);
     if (!inside) draw_links_of(runs, camera);
     for (const Run& run : runs)
-        if (seen(run) && !inside) draw_marks(canvas_, camera, run, look);
+        if (seen(run) && over) draw_marks(canvas_, camera, run, look);
     if (looked_into)
         draw_stage_items(canvas_, camera, inside->stage(), inside->item(), inside->balls(inside->run()),
                          colour_of(stage.runs()[inside->run()]));
