@@ -1,5 +1,6 @@
 // Separating axes: each is drawn beside the two shapes, on the left of its direction, as a line with the
-// shadow of the part and, next to it, that of the ball.
+// shadow of the part and, next to it, that of the ball. The picked one is bold and has words; of the others
+// only the shadows are seen, faintly: which axis decides is for the reader to find.
 
 #include <algorithm>
 
@@ -41,26 +42,23 @@ void draw_axis(const Construction& drawn, const TraceItem& axis, const TestedPai
                &ball = axis.get<std::vector<double>>("shadow_of_ball");
     const double depth = axis.get<double>("depth");
     const bool decides = axis.get<bool>("decides"), gap = depth < 0;
-    const double base = pair.reach(across) + drawn.metres(22), next = drawn.metres(5);
+    const double base = pair.reach(across) + drawn.metres(22), next = drawn.metres(8);
     const auto place = [&](double s, double height) { return s * along + (base + height) * across; };
-    const double weight = decides ? 1 : picked ? 0.9 : 0.55;
+    const double weight = picked ? 1 : 0.25;
     drawn.line(place(std::min(part[0], ball[0]) - drawn.metres(14), 0),
                place(std::max(part[1], ball[1]) + drawn.metres(14), 0), 1,
                with_alpha(colour::quiet, 0.5 * weight));
-    drawn.line(place(part[0], 0), place(part[1], 0), decides ? 4 : 2.5, with_alpha(colour::part, weight));
-    drawn.line(place(ball[0], next), place(ball[1], next), decides ? 4 : 2.5,
-               with_alpha(drawn.color, weight));
-    const sf::Color verdict = gap ? colour::warning : decides ? colour::lit : colour::quiet;
-    drawn.line(place(ball[0], 2.2 * next), place(part[1], 2.2 * next), decides ? 5 : 1.5,
-               with_alpha(verdict, weight));
-    if (decides || picked)
-        for (const double s : {ball[0], part[1]})
-            drawn.line(place(s, 0), s * along - pair.reach(-across) * across, 1, with_alpha(verdict, 0.5));
+    drawn.line(place(part[0], 0), place(part[1], 0), picked ? 6 : 2, with_alpha(colour::part, weight));
+    drawn.line(place(ball[0], next), place(ball[1], next), picked ? 6 : 2, with_alpha(drawn.color, weight));
+    if (!picked) return;
+    const sf::Color verdict = gap ? colour::warning : colour::lit;
+    drawn.line(place(ball[0], 2 * next), place(part[1], 2 * next), 4, verdict);
+    for (const double s : {ball[0], part[1]})
+        drawn.line(place(s, 0), s * along - pair.reach(-across) * across, 1, with_alpha(verdict, 0.5));
     const std::string words = axis.get<std::string>("of") + (gap ? ": gap " : ": overlap ") +
                               short_length(std::abs(depth)) +
                               (decides ? gap ? ", they are apart" : ", the smallest" : "");
-    drawn.word(place(0.5 * (ball[0] + part[1]), 2.2 * next), across, 6, words,
-               decides || picked ? verdict : colour::quiet, decides ? Type::large : Type::small);
+    drawn.word(place(0.5 * (ball[0] + part[1]), 2 * next), across, 6, words, verdict, Type::large);
 }
 
 }  // namespace
@@ -68,12 +66,12 @@ void draw_axis(const Construction& drawn, const TraceItem& axis, const TestedPai
 void draw_axes(const Construction& drawn) {
     const auto turn = drawn.item.get<std::int64_t>("turn");
     const TestedPair pair = pair_of(drawn.stage, turn);
-    // What decided first: its words have the first choice of a place.
-    for (const bool deciding : {true, false})
+    // The picked one last, above the others.
+    for (const bool picked : {false, true})
         for (const TraceItem& item : drawn.stage.items)
             if (item.kind == "axis" && item.get<std::int64_t>("turn") == turn &&
-                item.get<bool>("decides") == deciding)
-                draw_axis(drawn, item, pair, &item == &drawn.item);
+                (&item == &drawn.item) == picked)
+                draw_axis(drawn, item, pair, picked);
 }
 
 }  // namespace flipside::app
