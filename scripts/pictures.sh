@@ -62,10 +62,10 @@ lesson_keys() {
         11) from_start 57 ;;
         12) from_start 720 ;;
         13) from_start 60 ;;
-        14) from_start 14 ;;
+        14) from_start 120 ;;
         15) from_start 300 ;;
         16) from_start 16 ;;
-        17) echo "$(whole_steps 23) $(steps 2)" ;;
+        17) steps 3 ;;
         18) echo "$(whole_steps 13) $(steps 2)" ;;
         19) from_start 240 ;;
         20) from_start 24 ;;

@@ -47,12 +47,25 @@ void draw_band(const Construction& drawn, const std::vector<double>& flat, doubl
     drawn.canvas.ring(middle.back(), drawn.camera.scale * radius, drawn.canvas.scaled(2), color);
 }
 
+/// The gap to what will be met, as a line across it.
+void draw_gap(const Construction& drawn) {
+    const auto* gap = drawn.value<double>("gap");
+    const auto* flat = drawn.value<std::vector<double>>("gap_line");
+    if (gap == nullptr || flat == nullptr || flat->size() < 4) return;
+    const Vec2 rim{(*flat)[0], (*flat)[1]}, met{(*flat)[2], (*flat)[3]};
+    drawn.line(rim, met, 3, colour::warning);
+    drawn.canvas.disc(drawn.at(met), drawn.canvas.scaled(3), colour::warning);
+    const Vec2 away = rim == met ? Vec2{0, 1} : unit(met - rim);
+    drawn.word(met, away, 8, "gap " + short_length(*gap), colour::warning, Type::large);
+}
+
 }  // namespace
 
 void draw_sweep(const Construction& drawn, double radius, double other_radius) {
     const auto* path = drawn.value<std::vector<double>>("swept");
     if (path == nullptr || path->size() < 4) return;
     draw_band(drawn, *path, radius, drawn.color);
+    draw_gap(drawn);
     if (const auto* other = drawn.value<std::vector<double>>("other_swept"))
         draw_band(drawn, *other, other_radius, colour::quiet);
     const Vec2 end{(*path)[path->size() - 2], path->back()};

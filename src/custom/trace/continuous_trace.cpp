@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "custom/geometry/narrow_phase.hpp"
+
 namespace flipside::custom {
 
 namespace {
@@ -47,6 +49,28 @@ void trace_next(const Simulation& sim, TraceItem& item, BallIndex i) {
         item.with("next_part", sim.scene.parts[next.met->index].name);
 }
 
+/// Adds the gap between a ball and what it will meet, now, with the line that measures it. A part is posed
+/// relative to the table's clock.
+void trace_gap(const Simulation& sim, TraceItem& item, BallIndex i) {
+    const Particle& particle = sim.particles[i];
+    const std::string_view name = name_of_next(particle);
+    const double now = std::max(sim.table.time() - sim.start, particle.motion.path.start);
+    if (!name.starts_with("meets") || particle.next_time > sim.end || particle.next_time < now) return;
+    const Ball ball = sim.ball_at(i, now);
+    Touch found;
+    if (name == "meets a ball") {
+        const Ball other = sim.ball_at(particle.partner, now);
+        found = touch(ball.position, ball.radius, other.position, other.radius);
+    } else {
+        const PrimitiveIndex primitive = sim.features[particle.partner].primitive;
+        const Pose pose = sim.layout.pose(sim.table, primitive, now + sim.start - sim.table.time());
+        found = touch(ball.position, ball.radius, sim.layout.primitive(primitive), pose);
+    }
+    const Vec2 rim = found.point + found.separation * found.normal;
+    item.with("gap", found.separation)
+        .with("gap_line", std::vector<double>{rim.x, rim.y, found.point.x, found.point.y});
+}
+
 }  // namespace
 
 void trace_paths(const Simulation& sim, bool all_start) {
@@ -83,6 +107,7 @@ void trace_paths(const Simulation& sim, bool all_start) {
         meets += particle.next_time <= sim.end &&
                  (particle.next == EventType::feature || particle.next == EventType::ball);
         trace_next(sim, item, i);
+        trace_gap(sim, item, i);
         const double now = std::max(0.0, particle.motion.path.start);
         const double end = std::min(next_of(sim, i).time, sim.end);
         if (end > now)

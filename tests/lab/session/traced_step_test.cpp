@@ -193,6 +193,11 @@ TEST(TracedStep, PathsThatAreSweptEndWhereTheEventIs) {
         const TraceItem* path = find(step.trace.stages[0], "path");
         ASSERT_NE(path, nullptr);
         EXPECT_NEAR(path->get<std::vector<double>>("swept").back(), 0.1, 1e-12);
+        if (engine == std::string("reference")) continue;
+        EXPECT_NEAR(path->get<double>("gap"), 0.005, 1e-12);
+        const auto& line = path->get<std::vector<double>>("gap_line");
+        EXPECT_NEAR(line[1], 0.005, 1e-12) << "the lowest point of the ball";
+        EXPECT_NEAR(line[3], 0, 1e-12) << "the floor";
     }
 }
 
