@@ -39,7 +39,7 @@ std::string method(const Run& run) {
 }
 
 std::string cost_in_words(const Run& run, bool per_second) {
-    return per_second ? engineering(run.cost_per_second(), "s") + " per simulated second"
+    return per_second ? engineering(run.cost_per_second(), "s") + " per simulated s"
                       : engineering(run.step_cost(), "s") + " per step";
 }
 
