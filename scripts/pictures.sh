@@ -52,7 +52,7 @@ launches() { for ((i = 0; i < $1; ++i)); do echo "space $(steps 8)"; done; }
 lesson_keys() {
     case $1 in
         01) steps 3 ;;
-        02) echo "$(from_start 20) $(launches 20)" ;;
+        02) echo "$(from_start 20) $(launches 20) $(steps 400)" ;;
         03 | 04) from_start 60 ;;
         05) from_start 240 ;;
         06) echo "$(whole_steps 5) $(steps 3)" ;;
@@ -65,7 +65,7 @@ lesson_keys() {
         14) from_start 120 ;;
         15) from_start 300 ;;
         16) from_start 16 ;;
-        17) steps 3 ;;
+        17) steps 1 ;;
         18) echo "$(whole_steps 13) $(steps 2)" ;;
         19) from_start 240 ;;
         20) from_start 24 ;;
