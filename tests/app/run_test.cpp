@@ -26,6 +26,7 @@ class Doubter final : public test::FakeWorld {
         if (time_ + dt > 1 + 1e-9) throw Refusal("doubter: it is not sure any more");
         FakeWorld::step(dt);
         uncertainty_[0] *= 10;
+        statistics_.pair_tests = 7;
     }
     [[nodiscard]] std::span<const double> uncertainty() const override { return uncertainty_; }
 
@@ -80,6 +81,18 @@ TEST(Run, PassesTheHorizonWhereTheClaimEnds) {
     EXPECT_EQ(*run.passed_horizon(), 13.0 / 16);
     run.change(run.session().shared_scene(), {&doubter, Settings(doubter.settings), "doubter", 1});
     EXPECT_FALSE(run.passed_horizon());
+}
+
+TEST(Run, KeepsTheNumbersOfItsLastStepWhileTheTableStandsStill) {
+    auto run = run_of_doubter();
+    for (int i = 0; i < 4; ++i) EXPECT_TRUE(run.step_within(0.125, {}, 1));
+    run.refresh(0.5);
+    EXPECT_EQ(run.rates().pair_tests, 56);
+    EXPECT_EQ(run.rates().pair_tests_per_step, 7);
+    for (int i = 0; i < 2; ++i) run.refresh(0);
+    EXPECT_EQ(run.rates().pair_tests, 56);
+    EXPECT_EQ(run.rates().pair_tests_per_step, 7);
+    EXPECT_EQ(run.rates().step_seconds, run.numbers().back().cost);
 }
 
 TEST(Claim, FadesWithTheDigitsFromSureToTheHorizon) {

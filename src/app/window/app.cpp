@@ -377,13 +377,14 @@ void App::save_game() {
 
 void App::measure(double frame, double busy) {
     measured_.seconds += frame;
+    if (!controls_.paused) measured_.running += frame;
     measured_.busy += busy;
     ++measured_.frames;
     if (measured_.seconds < 1) return;
     load_ = {measured_.frames / measured_.seconds, std::min(1.0, measured_.busy / measured_.seconds),
              measured_.physics / measured_.seconds, measured_.asked / measured_.seconds,
              measured_.simulated / measured_.seconds};
-    for (Run& run : stage_.runs()) run.refresh(measured_.seconds);
+    for (Run& run : stage_.runs()) run.refresh(measured_.running);
     if (controls_.look.artwork) budget_.observe(measured_.seconds, load_.frames_per_second, load_.physics);
     controls_.artwork_left_out = !budget_.affords_artwork();
     measured_ = {};

@@ -131,7 +131,7 @@ class App {
     Load load_;
     FrameBudget budget_;
     struct {
-        double seconds = 0, busy = 0, physics = 0, simulated = 0, asked = 0;
+        double seconds = 0, running = 0, busy = 0, physics = 0, simulated = 0, asked = 0;
         int frames = 0;
     } measured_;  ///< since the last whole second
 };

@@ -61,6 +61,10 @@ std::string whole(double number) {
     return grouped(static_cast<std::uint64_t>(std::llround(number)));
 }
 
+std::string box_tests(const Run& run, double number) {
+    return run.session().world().statistics().counts_pair_tests ? whole(number) : "not counted";
+}
+
 void balls_in_play(const Stage& stage) {
     if (!begin_table(stage, "balls")) return;
     row(stage, "On the table", "Balls in the world now",
@@ -79,9 +83,9 @@ void balls_in_play(const Stage& stage) {
 void detection(const Stage& stage) {
     if (!begin_table(stage, "tests")) return;
     row(stage, "AABB tests per step", "Tests of one bounding box against another, insertion included",
-        [](const Run& run) { return whole(run.rates().pair_tests_per_step); });
+        [](const Run& run) { return box_tests(run, run.rates().pair_tests_per_step); });
     row(stage, "AABB tests/s", "The same per second of your time",
-        [](const Run& run) { return whole(run.rates().pair_tests); });
+        [](const Run& run) { return box_tests(run, run.rates().pair_tests); });
     row(stage, "Full tests per step", "Tests of one shape against another, after their boxes overlap",
         [](const Run& run) { return whole(run.rates().narrow_tests_per_step); });
     row(stage, "Full tests/s", "The same per second of your time",

@@ -212,17 +212,27 @@ void Run::edit(const lab::BallEdit& edit) {
     record_change();
 }
 
-void Run::refresh(double seconds) {
+void Run::refresh(double running) {
     const lab::Totals& now = session_.totals();
     const auto since = [](std::uint64_t a, std::uint64_t b) { return static_cast<double>(a - b); };
-    const double steps = std::max(1.0, since(now.steps, counted_.steps));
-    rates_.pair_tests = since(now.pair_tests, counted_.pair_tests) / seconds;
-    rates_.narrow_tests = since(now.narrow_tests, counted_.narrow_tests) / seconds;
-    rates_.impacts = since(now.impacts, counted_.impacts) / seconds;
-    rates_.pair_tests_per_step = rates_.pair_tests * seconds / steps;
-    rates_.narrow_tests_per_step = rates_.narrow_tests * seconds / steps;
-    rates_.step_seconds = (now.step_seconds - counted_.step_seconds) / steps;
+    const double pair_tests = since(now.pair_tests, counted_.pair_tests);
+    const double narrow_tests = since(now.narrow_tests, counted_.narrow_tests);
+    const double steps = since(now.steps, counted_.steps);
     rates_.overlaps = count_overlaps(session_.world().balls());
+    if (running > 0) {
+        rates_.pair_tests = pair_tests / running;
+        rates_.narrow_tests = narrow_tests / running;
+        rates_.impacts = since(now.impacts, counted_.impacts) / running;
+    }
+    if (steps > 0) {
+        rates_.pair_tests_per_step = pair_tests / steps;
+        rates_.narrow_tests_per_step = narrow_tests / steps;
+        rates_.step_seconds = (now.step_seconds - counted_.step_seconds) / steps;
+    } else if (const StepNumbers* shown = numbers_at(numbers_, session_.world().time())) {
+        rates_.pair_tests_per_step = static_cast<double>(shown->statistics.pair_tests);
+        rates_.narrow_tests_per_step = static_cast<double>(shown->statistics.narrow_tests);
+        rates_.step_seconds = shown->cost;
+    }
     counted_ = now;
 }
 

@@ -19,7 +19,8 @@
 
 namespace flipside::app {
 
-/// Rates over the last whole second of the wall clock.
+/// Rates over the last whole second of the wall clock. While the table stands still, those per step are of
+/// the last step, and those per second stay as they were.
 struct Rates {
     double pair_tests = 0, narrow_tests = 0, impacts = 0;  ///< per wall second
     double pair_tests_per_step = 0, narrow_tests_per_step = 0;
@@ -68,8 +69,8 @@ class Run {
     /// Whether all that was done to it is what a player's keys do: no hand on the balls, no other engine,
     /// settings or launch than the game's own, no script, and nothing taken back.
     [[nodiscard]] bool played_by_hand() const;
-    /// Once per wall second: `seconds` since the last call.
-    void refresh(double seconds);
+    /// Once per wall second: `running` of it the table ran, s.
+    void refresh(double running);
 
     [[nodiscard]] const lab::Session& session() const { return session_; }
     [[nodiscard]] const Engine& engine() const { return session_.engine(); }
