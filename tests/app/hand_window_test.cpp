@@ -127,6 +127,18 @@ TEST_F(HandWindow, DeleteRemovesThePickedBallAndGoingBackBringsItAgain) {
     EXPECT_EQ(back["in_past"], true);
 }
 
+TEST_F(HandWindow, AFoldedColumnStillTellsWhatWentWrong) {
+    paused_drop();
+    window->key("F2");
+    window->wait("the folded column", [](const Json& s) { return s["panel"] == false; });
+    window->key("Delete");
+    window->wait("a notice", [](const Json& s) { return s["controls"].contains("I see"); });
+    const Json state = settled();
+    EXPECT_TRUE(state["notice"].get<std::string>().starts_with("Pick a ball first"));
+    window->click(state["controls"]["I see"]);
+    window->wait("it to be read", [](const Json& s) { return s["notice"] == ""; });
+}
+
 TEST_F(HandWindow, KeysPickAndEscapePutsAwayBeforeItCloses) {
     const Json before = paused_drop();
     window->key("l");

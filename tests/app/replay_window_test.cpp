@@ -47,6 +47,8 @@ TEST_F(ReplayWindow, AGameByKeysReplaysToTheSameScore) {
     const lab::Replay game = save();
     EXPECT_NE(saved["notice"].get<std::string>().find(saved["last_game"].get<std::string>()),
               std::string::npos);
+    EXPECT_EQ(saved["notice"].get<std::string>().find("/./"), std::string::npos);
+    window->wait("it to go by itself", [](const Json& s) { return s["notice"] == ""; });
     EXPECT_GE(game.runs[0].moves.size(), 7U);
     expect_same(game);
     const auto first = saved["last_game"];

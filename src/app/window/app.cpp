@@ -45,7 +45,7 @@ bool names_a_show(const PlayOptions& options) {
 }
 
 /// What was on show last, where that is still good and nothing else is asked for.
-Stage first_stage(const PlayOptions& options, const Kept& kept, std::string& notice) {
+Stage first_stage(const PlayOptions& options, const Kept& kept, Notice& notice) {
     const View view = options.view.value_or(kept.view);
     if (!names_a_show(options)) {
         try {
@@ -264,6 +264,7 @@ void App::draw() {
     // The panel may change what is on show, so it comes before the picture of it.
     places_ = draw_panel(layout_.panel, stage_, controls_, lessons_, load_);
     arrange();
+    if (!controls_.panel_open) draw_notice_on(layout_.panes.back(), controls_.notice, places_);
     choose_steps_in_headers(screen_->steps(), stage_, places_, controls_.notice);
     drag_strip(layout_, scale_, controls_, places_);
     draw_scrubber(layout_.scrubber, stage_, controls_, places_);
@@ -355,7 +356,7 @@ void App::export_plots() {
         write_numbers(csv, stage_);
         lab::write_whole_file(std::filesystem::path(file).replace_extension(".csv"), csv.str());
         state_.last_export = std::filesystem::path(file).replace_extension(".csv").string();
-        controls_.notice = "Saved " + file.filename().string() + " and its numbers as .csv";
+        controls_.notice.done("Saved " + file.filename().string() + " and its numbers as .csv");
     } catch (const std::runtime_error& error) {
         controls_.notice = error.what();
     }
@@ -368,8 +369,8 @@ void App::save_game() {
         free_name("game-", {lab::replay_ending}).replace_extension(lab::replay_ending);
     try {
         lab::write_whole_file(file, to_json(stage_.game()));
-        state_.last_game = std::filesystem::absolute(file).string();
-        controls_.notice = "Saved " + state_.last_game;
+        state_.last_game = std::filesystem::absolute(file).lexically_normal().string();
+        controls_.notice.done("Saved " + state_.last_game);
     } catch (const std::runtime_error& error) {
         controls_.notice = error.what();
     }

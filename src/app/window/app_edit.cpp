@@ -27,7 +27,7 @@ bool App::may_discard(const std::string& to_do) {
     controls_.notice = "\"" + editor_.draft().sketch().name +
                        "\" is not saved. Save it (Ctrl S), or do the same again to give it up.";
     controls_.panel_open = true;  // where it is to be read
-    browser_.warn(controls_.notice);
+    browser_.warn(controls_.notice.words());
     return false;
 }
 
@@ -126,6 +126,7 @@ void App::draw_edit() {
     places_ = {};
     const EditorPanel::Wish wish = editor_panel_.draw(layout_.panel, editor_, controls_, places_);
     arrange_edit();
+    if (!controls_.panel_open) draw_notice_on(layout_.panes.back(), controls_.notice, places_);
     if (controls_.help_open) draw_help({0, 0, state_.width, state_.height}, edit_key_lines(), places_);
     draw_browser();
     state_.edit = state_of(editor_, layout_.panes.front(), camera_);

@@ -15,7 +15,7 @@ namespace {
 constexpr int steps_per_second[] = {15, 30, 60, 120, 240, 480, 960};
 
 /// A refusal becomes the notice.
-bool done(std::string& notice, const std::function<void()>& change) {
+bool done(Notice& notice, const std::function<void()>& change) {
     try {
         change();
         notice.clear();
@@ -27,7 +27,7 @@ bool done(std::string& notice, const std::function<void()>& change) {
 }
 
 /// The steps there are, the one of the run at `index` marked.
-void list_steps(Stage& stage, std::size_t index, ControlPlaces& places, std::string& notice) {
+void list_steps(Stage& stage, std::size_t index, ControlPlaces& places, Notice& notice) {
     const double dt = stage.runs()[index].dt();
     for (const int rate : steps_per_second) {
         const bool chosen = std::abs(dt * rate - 1) < 1e-9;
@@ -41,7 +41,7 @@ constexpr const char* about_step =
     "Its own time step, s. All contenders meet at the end of every step of the longest";
 
 void choose_step_at(const Rect& place, Stage& stage, std::size_t index, ControlPlaces& places,
-                    std::string& notice) {
+                    Notice& notice) {
     const std::string name = stage.runs()[index].name();
     const ImVec2 corner = imgui_vector(place.x, place.y), size = imgui_vector(place.width, place.height);
     ImGui::SetNextWindowPos(corner);
@@ -68,7 +68,7 @@ void choose_step_at(const Rect& place, Stage& stage, std::size_t index, ControlP
 
 }  // namespace
 
-bool choose_contender(Stage& stage, std::size_t index, ControlPlaces& places, std::string& notice) {
+bool choose_contender(Stage& stage, std::size_t index, ControlPlaces& places, Notice& notice) {
     const std::string name = stage.runs()[index].name();
     label("Engine", "The ball goes on with it from where it is");
     if (ImGui::BeginCombo("##engine", std::string(stage.runs()[index].engine().name).c_str())) {
@@ -98,12 +98,12 @@ bool choose_contender(Stage& stage, std::size_t index, ControlPlaces& places, st
 }
 
 void choose_steps_in_headers(std::span<const std::optional<Rect>> steps, Stage& stage, ControlPlaces& places,
-                             std::string& notice) {
+                             Notice& notice) {
     for (std::size_t i = 0; i < std::min(steps.size(), stage.runs().size()); ++i)
         if (steps[i]) choose_step_at(*steps[i], stage, i, places, notice);
 }
 
-void add_contender(Stage& stage, ControlPlaces& places, std::string& notice) {
+void add_contender(Stage& stage, ControlPlaces& places, Notice& notice) {
     if (stage.contenders().size() == Stage::most_contenders) return;
     if (ImGui::Button("Add a pane", imgui_vector(-1, 0))) done(notice, [&] { stage.add_contender(); });
     tooltip("One more contender, at first like the last one: choose its engine, its step and its settings");

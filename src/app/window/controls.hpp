@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "app/window/layout.hpp"
+#include "app/window/notice.hpp"
 #include "app/window/plots.hpp"
 #include "app/window/table_view.hpp"
 
@@ -35,7 +36,7 @@ struct WindowControls {
     int launch_count = 1;
     double launch_size = 1;        ///< radius over that of the launcher's ball
     double launch_strength = 0.7;  ///< 0…1 between the launcher's slowest and fastest
-    std::string notice;            ///< what went wrong last, for the panel to show
+    Notice notice;
 };
 
 inline constexpr std::string_view no_place = "There is no free place for a ball";

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "app/window/panel_tabs.hpp"
-#include "world/printable.hpp"
 
 namespace flipside::app {
 
@@ -24,18 +23,6 @@ void title(const Panel& panel) {
     if (panel.button("Help", "Every key (F1)", 0.66)) controls.help_open = !controls.help_open;
     ImGui::SameLine();
     if (panel.button("»", "Fold the controls away (F2)")) controls.panel_open = false;
-}
-
-/// What went wrong last, until it is read.
-void notice(const Panel& panel) {
-    std::string& words = panel.controls.notice;
-    if (words.empty()) return;
-    ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(colour::warning));
-    ImGui::TextWrapped("%s", printable(words).c_str());
-    ImGui::PopStyleColor();
-    const bool read = ImGui::SmallButton("I see");
-    note(panel.places, "I see");
-    if (read) words.clear();
 }
 
 void tabs(const Panel& panel, const Load& load) {
@@ -104,7 +91,7 @@ ControlPlaces draw_panel(const Rect& place, Stage& stage, WindowControls& contro
     }
     title(panel);
     if (controls.by_keys) frame_of_keys(place);
-    notice(panel);
+    draw_notice(controls.notice, places);
     tabs(panel, load);
     ImGui::End();
     return places;

@@ -53,7 +53,7 @@ Json still(const Stage& stage, const WindowState& window, const WindowControls& 
     j["step_bar"] = controls.bar_open;
     j["by_keys"] = controls.by_keys;
     j["focus"] = places.focus;
-    j["notice"] = controls.notice;
+    j["notice"] = controls.notice.words();
     j["letters"] = controls.scale;
     j["artwork"] = controls.look.artwork;
     j["slow"] = window.slow;

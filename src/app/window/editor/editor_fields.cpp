@@ -5,7 +5,6 @@
 #include "app/window/editor/field_set.hpp"
 #include "app/window/editor/material_fields.hpp"
 #include "app/window/panel_parts.hpp"
-#include "world/printable.hpp"
 
 namespace flipside::app {
 
@@ -248,16 +247,6 @@ void draw_properties(Editor& editor, ControlPlaces& places) {
     else
         part_fields(editor, fields, places);
     ImGui::PopID();
-}
-
-void draw_notice(WindowControls& controls, ControlPlaces& places) {
-    if (controls.notice.empty()) return;
-    ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(colour::warning));
-    ImGui::TextWrapped("%s", printable(controls.notice).c_str());
-    ImGui::PopStyleColor();
-    const bool read = ImGui::SmallButton("I see");
-    note(places, "I see");
-    if (read) controls.notice.clear();
 }
 
 }  // namespace flipside::app

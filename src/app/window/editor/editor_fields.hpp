@@ -8,7 +8,5 @@ namespace flipside::app {
 
 /// Name, shape, material, layers and motion; of nothing, the table's own values.
 void draw_properties(Editor& editor, ControlPlaces& places);
-/// What went wrong last, until it is read.
-void draw_notice(WindowControls& controls, ControlPlaces& places);
 
 }  // namespace flipside::app

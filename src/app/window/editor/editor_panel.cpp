@@ -89,7 +89,7 @@ EditorPanel::Wish EditorPanel::draw(const Rect& place, Editor& editor, WindowCon
     if (edit_button(places, "Help", "Every key (F1)", 0.6)) controls.help_open = !controls.help_open;
     ImGui::SameLine();
     if (edit_button(places, "»", "Fold the controls away (F2)")) controls.panel_open = false;
-    draw_notice(controls, places);
+    draw_notice(controls.notice, places);
     draw_file(editor, controls, places, wish);
     if (region("Draw")) draw_palette(editor, places);
     draw_grid_controls(editor, places);
@@ -177,7 +177,7 @@ void EditorPanel::write(Editor& editor, const std::filesystem::path& file, Windo
     try {
         editor.save_to(file);
         choosing_ = false;
-        controls.notice = "Saved " + editor.own()->file.string();
+        controls.notice.done("Saved " + editor.own()->file.string());
     } catch (const std::runtime_error& error) {
         controls.notice = error.what();
     }
