@@ -8,6 +8,7 @@
 
 #include "app/window/plot_export.hpp"
 #include "app/window/plots.hpp"
+#include "lab/lessons/lesson.hpp"
 
 namespace flipside::app {
 namespace {
@@ -97,6 +98,21 @@ TEST(Plots, CompareTheCostOfUnequalStepsPerSimulatedSecond) {
     EXPECT_NEAR(plotted(0) / (last(0) / (dt / 2)), 1, 1e-12);
     EXPECT_NEAR(plotted(1) / (last(1) / dt), 1, 1e-12);
     EXPECT_NEAR(stage.runs()[0].cost_per_second() * (dt / 2), stage.runs()[0].step_cost(), 1e-12);
+}
+
+TEST(Plots, ErrorsEndAtTheHorizonOfTheReference) {
+    const lab::Lesson lesson = lab::load_lesson(lab::lesson_file("19"));
+    Stage stage("rain", "custom", View::split, {}, {});
+    stage.open(lesson);
+    ASSERT_NE(stage.exact(), nullptr);
+    for (int i = 0; i < 1000 && !stage.exact()->passed_horizon(); ++i) stage.step();
+    ASSERT_TRUE(stage.exact()->passed_horizon());
+    const double horizon = *stage.exact()->passed_horizon();
+    for (int i = 0; i < 10; ++i) stage.step();
+    const Plot plot = distance_plot(stage);
+    for (const Sample& sample : plot.curves[0].samples)
+        EXPECT_EQ(std::isfinite(sample.value), sample.time < horizon - 1e-9) << sample.time;
+    EXPECT_GT(plot.curves.back().samples.back().value, 0.1) << "what it may be off by goes on";
 }
 
 TEST(Plots, ShowWhatEachStepCostAndFound) {

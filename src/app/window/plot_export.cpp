@@ -50,7 +50,9 @@ void write_numbers(std::ostream& out, const Stage& stage) {
         for (const StepNumbers& numbers : run.numbers()) {
             if (numbers.time > stage.time() + 1e-9) break;
             const Statistics& statistics = numbers.statistics;
-            const auto distance = distance_at(stage, run.name(), base, numbers.time);
+            const auto distance = stage.run_named(base).is_measure_at(numbers.time)
+                                      ? distance_at(stage, run.name(), base, numbers.time)
+                                      : std::nullopt;
             lab::CsvRow row;
             row.add(std::string_view(run.name())).add(run.engine().name).add(numbers.time).add(numbers.cost);
             row.add(std::string_view(stages_in_words(statistics))).add(numbers.energy);

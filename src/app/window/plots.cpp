@@ -60,7 +60,11 @@ Plot distance_plot(const Stage& stage) {
         if (!divergence.is_of(base.name())) continue;
         const Run& other =
             stage.run_named(divergence.first() == base.name() ? divergence.second() : divergence.first());
-        plot.curves.push_back(distance_curve(other.name(), colour_of(other), divergence.history()));
+        Curve& curve =
+            plot.curves.emplace_back(distance_curve(other.name(), colour_of(other), divergence.history()));
+        // Where nobody knows where the balls truly are, nothing is wrong by so much.
+        for (Sample& sample : curve.samples)
+            if (!base.is_measure_at(sample.time)) sample.value = not_a_number;
         const auto& parting = divergence.parting();
         if (!parting || parting->time > stage.time() || exact) continue;
         plot.note =

@@ -154,6 +154,12 @@ std::optional<double> Run::passed_horizon() const {
     return passed_horizon_ && *passed_horizon_ <= session_.world().time() ? passed_horizon_ : std::nullopt;
 }
 
+bool Run::is_measure_at(double time) const {
+    constexpr double same_time = 1e-9;  // s
+    const auto after = std::ranges::upper_bound(uncertainty_, time + same_time, {}, &Sample::time);
+    return after == uncertainty_.begin() || std::prev(after)->value < horizon_radii;
+}
+
 void Run::measure_energy(bool start_anew) {
     const World& world = session_.world();
     energy_ = lab::energy(world, session_.scene());

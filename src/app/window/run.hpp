@@ -98,6 +98,9 @@ class Run {
     /// The worst of what the engine claims about its balls over time, in radii; empty for engines that claim
     /// nothing.
     [[nodiscard]] const std::deque<Sample>& uncertainty_history() const { return uncertainty_; }
+    /// Whether all that it claimed at `time` was within the horizon, so that others can be measured by it.
+    /// Engines that claim nothing are.
+    [[nodiscard]] bool is_measure_at(double time) const;
     /// When the first of the balls on the table passed beyond the horizon (claim.hpp), s.
     [[nodiscard]] std::optional<double> passed_horizon() const;
 
