@@ -57,6 +57,14 @@ TEST_F(LessonWindow, ALessonChoosesItsViewAndItsPlotsAndGivesThemBack) {
     EXPECT_EQ(state["plots"], "Distance and energy");
 }
 
+TEST_F(LessonWindow, APauseThatALessonBeginsWithEndsWithIt) {
+    open("pinball", "split", "custom", {"--lesson", "1"});
+    window->wait("the pause", [](const Json& s) { return s["paused"] == true; });
+    click("All lessons");
+    const Json state = window->wait("the list", [](const Json& s) { return !s.contains("lesson"); });
+    EXPECT_EQ(state["paused"], false);
+}
+
 TEST_F(LessonWindow, EveryLessonOpensAndRunsOnItsEngines) {
     const auto files = lab::lesson_files();
     for (const auto& file : files) {

@@ -44,6 +44,7 @@ void Lessons::open(const std::filesystem::path& file, Stage& stage, WindowContro
     if (!lesson_) {
         shows_before_ = controls.look.shows;
         bar_before_ = controls.bar_open;
+        paused_before_ = controls.paused;
         plots_before_ = controls.plots;
     }
     controls.look.shows = shows_before_;
@@ -68,6 +69,7 @@ void Lessons::close(WindowControls& controls) {
     controls.look.shows = shows_before_;
     controls.bar_open = bar_before_;
     controls.plots = plots_before_;
+    controls.paused = paused_before_;
     controls.speed = 1;
     lesson_.reset();
 }

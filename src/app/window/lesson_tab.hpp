@@ -52,7 +52,7 @@ class Lessons {
     std::optional<std::vector<lab::Verified>> checked_;
     std::string trouble_;
     Shows shows_before_;
-    bool bar_before_ = false;
+    bool bar_before_ = false, paused_before_ = false;
     PlotChoice plots_before_{};
 };
 
