@@ -179,6 +179,18 @@ TEST_F(Window, HelpOpensAndEscapeClosesItAndThenTheWindow) {
     EXPECT_EQ(window->program().wait(60), 0);
 }
 
+TEST_F(Window, EscapeAsksBeforeItEndsAGame) {
+    open();
+    launch();
+    wait_for_balls();
+    window->key("Escape");
+    window->wait("the question",
+                 [](const Json& s) { return s["notice"] == "A game is under way. Esc once more ends it."; });
+    EXPECT_TRUE(window->program().running());
+    window->key("Escape");
+    EXPECT_EQ(window->program().wait(60), 0);
+}
+
 // Each counts, and where the mouse was.
 TEST_F(Window, ClicksWithinOneFrameAllCount) {
     open("drop", "single");

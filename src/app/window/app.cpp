@@ -356,7 +356,7 @@ void App::export_plots() {
         write_numbers(csv, stage_);
         lab::write_whole_file(std::filesystem::path(file).replace_extension(".csv"), csv.str());
         state_.last_export = std::filesystem::path(file).replace_extension(".csv").string();
-        controls_.notice.done("Saved " + file.filename().string() + " and its numbers as .csv");
+        controls_.notice.tell("Saved " + file.filename().string() + " and its numbers as .csv");
     } catch (const std::runtime_error& error) {
         controls_.notice = error.what();
     }
@@ -370,7 +370,7 @@ void App::save_game() {
     try {
         lab::write_whole_file(file, to_json(stage_.game()));
         state_.last_game = std::filesystem::absolute(file).lexically_normal().string();
-        controls_.notice.done("Saved " + state_.last_game);
+        controls_.notice.tell("Saved " + state_.last_game);
     } catch (const std::runtime_error& error) {
         controls_.notice = error.what();
     }

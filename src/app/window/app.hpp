@@ -58,6 +58,7 @@ class App {
     void keep();
     void drop_slowest();
     void close();
+    void leave();
     void begin_edit();
     void begin_new_scene();
     void end_edit();

@@ -193,11 +193,18 @@ void App::act_on_window(Action action) {
             else if (controls_.help_open)
                 controls_.help_open = false;
             else if (!hand_.let_go() && !std::exchange(controls_.impact_open, false))
-                close();
+                leave();
             break;
         default:
             break;
     }
+}
+
+/// By a key that also closes other things: it would be a pity to press it once too often.
+void App::leave() {
+    constexpr std::string_view question = "A game is under way. Esc once more ends it.";
+    if (!is_game_under_way(stage_) || controls_.notice.words() == question) return close();
+    controls_.notice.tell(question);
 }
 
 void App::drop_slowest() {

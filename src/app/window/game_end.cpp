@@ -34,6 +34,11 @@ bool is_over(const Stage& stage) {
     return std::ranges::any_of(stage.runs(), [](const Run& run) { return run.session().game().over(); });
 }
 
+bool is_game_under_way(const Stage& stage) {
+    const auto has_begun = [](const Run& run) { return run.session().totals().launched > 0; };
+    return stage.scene().rules && !is_over(stage) && std::ranges::any_of(stage.runs(), has_begun);
+}
+
 GameEnd end_of(const Stage& stage) {
     GameEnd end;
     long most = 0;

@@ -26,6 +26,8 @@ struct GameEnd {
 
 /// Whether the game is over on every run that has not halted. One that is over waits for the others.
 [[nodiscard]] bool is_over(const Stage& stage);
+/// A game has begun and is not over.
+[[nodiscard]] bool is_game_under_way(const Stage& stage);
 /// Without high scores.
 [[nodiscard]] GameEnd end_of(const Stage& stage);
 /// A game enters the high scores where nothing but keys played it, on the scene as it is, without going back.

@@ -82,7 +82,11 @@ constexpr KeyUse uses[] = {
      "F11",
      "Save the plots as a picture, and their numbers as CSV"},
     {Action::help, {K::F1, no, no}, none, "F1", "This help"},
-    {Action::quit, {K::Escape, no, no}, none, "Esc", "Close this help, what is picked, or the window"}};
+    {Action::quit,
+     {K::Escape, no, no},
+     none,
+     "Esc",
+     "Close this help, what is picked, or the window (in a game: twice)"}};
 
 }  // namespace
 

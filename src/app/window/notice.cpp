@@ -14,7 +14,7 @@ Notice& Notice::operator=(std::string_view words) {
     return *this;
 }
 
-void Notice::done(std::string_view words) {
+void Notice::tell(std::string_view words) {
     constexpr double long_enough = 8;  // s, to read a path
     words_ = words;
     trouble_ = false;

@@ -1,5 +1,5 @@
 #pragma once
-/// What the window has to tell: what went wrong stays until it is read, what went well goes by itself.
+/// What the window has to tell: what went wrong stays until it is read, all else goes by itself.
 
 #include <string>
 #include <string_view>
@@ -13,8 +13,8 @@ class Notice {
   public:
     /// What went wrong.
     Notice& operator=(std::string_view words);
-    /// What went well.
-    void done(std::string_view words);
+    /// What went well, or a question.
+    void tell(std::string_view words);
     void clear() { words_.clear(); }
     [[nodiscard]] bool empty() const { return words_.empty(); }
     [[nodiscard]] const std::string& words() const { return words_; }

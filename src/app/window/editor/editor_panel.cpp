@@ -177,7 +177,7 @@ void EditorPanel::write(Editor& editor, const std::filesystem::path& file, Windo
     try {
         editor.save_to(file);
         choosing_ = false;
-        controls.notice.done("Saved " + editor.own()->file.string());
+        controls.notice.tell("Saved " + editor.own()->file.string());
     } catch (const std::runtime_error& error) {
         controls.notice = error.what();
     }
