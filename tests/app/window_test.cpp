@@ -44,6 +44,20 @@ TEST_F(Window, SpaceChargesAndLaunchesInBothPanes) {
     EXPECT_EQ(state["charge"], 0);
 }
 
+TEST_F(Window, ALaunchIsChargedWhileTheTableStandsStill) {
+    open();
+    pause();
+    launch();
+    const Json charged = window->wait("the launch", [](const Json& s) { return s["charge"] == 0; });
+    EXPECT_EQ(charged["paused"], true);
+    window->key("p");
+    window->wait("balls on their way up", [](const Json& s) {
+        for (const Json& pane : s["panes"])
+            if (pane["balls"].empty() || pane["balls"].back()["velocity"][1] < 1) return false;
+        return true;
+    });
+}
+
 TEST_F(Window, FlippersAreUpWhileTheirKeysAreHeld) {
     open();
     // Shift keys by their codes (50, 62): by name, xdotool would hold another shift with the right one.

@@ -206,7 +206,9 @@ void App::advance(double seconds) {
     if (editor_.on() || browser_.is_open()) return;
     if (accumulator_.dt() != stage_.dt()) accumulator_ = Accumulator(stage_.dt(), most_catch_up);
     const double simulated = controls_.paused || hand_.slings() ? 0 : seconds * controls_.speed;
-    if (held(Action::launch)) state_.charge = std::min(1.0, state_.charge + simulated / charge_seconds);
+    // A launch can be charged while the table stands still: it begins with the next step.
+    const double charging = controls_.paused ? seconds : simulated;
+    if (held(Action::launch)) state_.charge = std::min(1.0, state_.charge + charging / charge_seconds);
     if (!controls_.paused) controls_.single_steps = 0;
     sound_.begin_frame(stage_, controls_.muted, controls_.speed);
     if (controls_.speed < 1 || controls_.single_steps > 0) helped_game_ = stage_.games();
