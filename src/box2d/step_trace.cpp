@@ -107,7 +107,7 @@ void StepTrace::add_sweep(TraceItem& item, const Meeting& meeting) {
         .with("swept", swept(0, 1, [&](double share) { return from + share * (to - from); }));
     if (length_squared(velocity) > 0)
         item.with("time_of_impact", dot(to - from, velocity) / length_squared(velocity))
-            .with("formula", "time of impact, from the start of the step = (p - p0) . v / v^2");
+            .with("formula", "time of impact, from the start of the step = (p - p0) · v / v²");
 }
 
 void StepTrace::passed_over(const Meeting& meeting, const char* reason) {

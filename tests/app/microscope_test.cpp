@@ -1,5 +1,6 @@
 /// The step bar in the real window, worked by keys and clicks.
 
+#include "app/window/step_bar.hpp"
 #include "app/window_fixture.hpp"
 #include "lab/contenders/engines.hpp"
 #include "lab/files/assets.hpp"
@@ -39,6 +40,14 @@ lab::TracedStep first_step(const std::string& scene_name, std::string_view engin
     const Script nothing;
     std::size_t next = 0;
     return lab::trace_step(session, lab::step_for(*scene), nothing, next);
+}
+
+TEST(StepBar, GivesNumbersTheirUnits) {
+    TraceItem item{"ball", {}};
+    item.with("ball", 0U).with("next_time", 0.3968).with("separation", -0.02833).with("impulse", 0.4);
+    item.with("overlap", true);
+    EXPECT_EQ(in_one_line(item),
+              "ball 0  next time 0.3968 s  separation −28.3 mm  impulse 400 mN·s  overlap yes");
 }
 
 TEST_F(MicroscopeWindow, WalksEveryStageOfAStepOnEveryEngineForthAndBack) {

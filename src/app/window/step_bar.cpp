@@ -8,6 +8,7 @@
 #include "app/window/panel_parts.hpp"
 #include "app/window/words.hpp"
 #include "world/printable.hpp"
+#include "world/trace_units.hpp"
 
 namespace flipside::app {
 
@@ -26,6 +27,14 @@ std::string spaced(std::string_view name) {
     std::string words(name);
     std::ranges::replace(words, '_', ' ');
     return words;
+}
+
+/// Lengths and impulses with the prefix that suits, as everywhere else in the window.
+std::string measured(std::string_view name, const TraceValue& value) {
+    const std::string unit(unit_of(name, value));
+    const auto* number = std::get_if<double>(&value);
+    if (number != nullptr && (unit == "m" || unit == "N·s")) return engineering(*number, unit);
+    return with_its_unit(name, value);
 }
 
 struct StepBar {
@@ -121,7 +130,7 @@ struct StepBar {
                 if (const TraceValue* value = item.find(name)) text(in_brief(*value), colour::lit);
             for (const auto& [name, value] : item.fields)
                 if (name != "formula" && name != "filled")
-                    text(spaced(name) + "  " + in_brief(value), colour::text);
+                    text(spaced(name) + "  " + measured(name, value), colour::text);
         }
         text(now.where, colour::quiet);
         ImGui::EndChild();
@@ -132,13 +141,16 @@ struct StepBar {
 
 std::string in_one_line(const TraceItem& item) {
     std::string line = item.kind;
+    bool first = true;
     for (const auto& [name, value] : item.fields) {
         constexpr std::string_view told[] = {
             "ball",   "other_ball", "part",  "of",      "time",      "event",  "separation", "overlap",
             "depth",  "answer",     "way",   "next",    "next_time", "level",  "cell",       "parent",
             "listed", "decides",    "speed", "impulse", "residual",  "levels", "leaves"};
         if (std::ranges::find(told, name) != std::end(told))
-            line += "  " + spaced(name) + " " + in_brief(value);
+            // Of a ball "ball 0" says all that "ball  ball 0" does.
+            line += (first && name == item.kind ? "" : "  " + spaced(name)) + " " + measured(name, value);
+        first = false;
     }
     return line;
 }

@@ -10,13 +10,13 @@ namespace {
 
 constexpr const char* to_a_point = "separation = |c - p| - r";
 constexpr const char* to_a_circle = "separation = |c - m| - R - r";
-constexpr const char* to_a_face = "separation = (c - p) . n - r";
+constexpr const char* to_a_face = "separation = (c - p) · n - r";
 
-/// "a = b - c" with numbers for distance, core and radius.
+/// "a = b - c m" with numbers for distance, core and radius.
 std::string filled(double distance, double core, double radius) {
     const double separation = distance - core - radius;
     return brief(separation) + " = " + brief(distance) + (core > 0 ? " - " + brief(core) : "") + " - " +
-           brief(radius);
+           brief(radius) + " m";
 }
 
 void add(TraceItem& item, const char* shape, std::string_view feature, const char* formula,

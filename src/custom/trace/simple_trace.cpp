@@ -41,7 +41,7 @@ void SimpleTrace::moved(double seconds) {
             .with("velocity", balls_[i].velocity)
             .with("angle", balls_[i].angle)
             .with("formula", scene_.damping > 0 ? "p' = p + E v + F g, v' = e^(-ct) v + E g"
-                                                : "p' = p + v t + g t^2 / 2, v' = v + g t");
+                                                : "p' = p + v t + g t² / 2, v' = v + g t");
     stage().says = of_motion_ + counted(balls_.size(), "ball") + (balls_.size() == 1 ? " flies" : " fly") +
                    " freely for " + milliseconds(seconds) + ", through whatever is in the way.";
 }
@@ -205,12 +205,12 @@ void SimpleTrace::responded(const Ball& lower, const Ball& upper, const Impact& 
     add_change(item, "other_", upper_, upper)
         .with("formula", "J = (s + max(e s, k)) / (1/m1 + 1/m2), v1' = v1 + J n / m1, v2' = v2 - J n / m2");
     if (closing > 0)
-        item.with("filled", "J = " + brief(impact.impulse) + " N s at s = " + brief(impact.speed) + " m/s");
+        item.with("filled", "J = " + brief(impact.impulse) + " N·s at s = " + brief(impact.speed) + " m/s");
 }
 
 void SimpleTrace::end_round() {
-    narrow().says = of_round_ + std::to_string(overlapping_) + " of " +
-                    counted(static_cast<std::uint64_t>(turn_), "pair") + " overlap.";
+    narrow().says = of_round_ + counted(static_cast<std::uint64_t>(turn_), "pair") + ", " +
+                    std::to_string(overlapping_) + " with an overlap.";
     stage().says = overlapping_ == 0
                        ? "Nothing overlaps: there is nothing to answer, and no further iteration."
                        : counted(static_cast<std::uint64_t>(overlapping_), "answer") + ": " +

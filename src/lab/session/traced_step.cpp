@@ -5,6 +5,7 @@
 #include "lab/files/text_stream.hpp"
 #include "world/json_file.hpp"
 #include "world/printable.hpp"
+#include "world/trace_units.hpp"
 
 namespace flipside::lab {
 
@@ -64,7 +65,8 @@ std::string to_text(const TracedStep& step) {
              << '\n';
         for (const TraceItem& item : stage.items) {
             text << "     " << item.kind << ':';
-            for (const auto& [name, value] : item.fields) text << "  " << name << ' ' << in_brief(value);
+            for (const auto& [name, value] : item.fields)
+                text << "  " << name << ' ' << with_its_unit(name, value);
             text << '\n';
         }
     }

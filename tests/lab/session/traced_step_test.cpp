@@ -1,5 +1,9 @@
 #include "lab/session/traced_step.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <variant>
+
 #include <gtest/gtest.h>
 
 #include "lab/engines/every_solver.hpp"
@@ -9,6 +13,7 @@
 #include "world/scene_file.hpp"
 #include "world/schema.hpp"
 #include "world/state_file.hpp"
+#include "world/trace_units.hpp"
 
 namespace flipside::lab {
 namespace {
@@ -42,6 +47,15 @@ void expect_sound(const TracedStep& step, const World& after) {
         EXPECT_EQ(item.get<double>("angle"), ball.angle);
     }
     EXPECT_EQ(told, after.balls().size());
+    constexpr std::string_view without_unit[] = {"normal",      "axis",     "along",     "clamped",
+                                                 "restitution", "friction", "area_ratio"};
+    for (const TraceStage& stage : trace.stages)
+        for (const TraceItem& item : stage.items)
+            for (const auto& [name, value] : item.fields)
+                if (std::holds_alternative<double>(value) || std::holds_alternative<Vec2>(value)) {
+                    const bool has_none = std::ranges::find(without_unit, name) != std::end(without_unit);
+                    EXPECT_EQ(unit_of(name, value).empty(), has_none) << stage.name << ": " << name;
+                }
     const std::string text = to_text(step);
     for (const TraceStage& stage : trace.stages) EXPECT_NE(text.find(stage.says), std::string::npos);
 }
