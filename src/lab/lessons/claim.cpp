@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <string_view>
 
 #include <muParser.h>
 
@@ -28,6 +29,21 @@ std::string as_name(std::string words) {
     std::ranges::replace_if(
         words, [](char c) { return c == ' ' || c == '-'; }, '_');
     return words;
+}
+
+/// "one.deepest" is a length.
+std::string_view unit_of_figure(std::string_view name) {
+    name.remove_prefix(name.find('.') + 1);
+    const auto of_ball = [&](std::string_view letters) {
+        return name.starts_with(letters) && name.size() == letters.size() + 1 && name.back() >= '0' &&
+               name.back() <= '9';
+    };
+    if (name.starts_with("energy")) return " J";
+    if (of_ball("vx") || of_ball("vy")) return " m/s";
+    constexpr std::string_view lengths[] = {"deepest", "highest", "read_out_off", "separation_off"};
+    const bool is_length =
+        of_ball("x") || of_ball("y") || of_ball("r") || std::ranges::find(lengths, name) != std::end(lengths);
+    return is_length ? " m" : "";
 }
 
 /// The figures of one run, under its name.
@@ -183,7 +199,8 @@ std::vector<Verified> verify(const Claim& claim, const Figures& figures, const s
             mu::Parser parser = parser_of(statement, values);
             one.holds = parser.Eval() != 0;
             for (const auto& [name, value] : parser.GetUsedVar())
-                one.measured += (one.measured.empty() ? "" : ", ") + name + " = " + brief(figures.at(name));
+                one.measured += (one.measured.empty() ? "" : ", ") + name + " = " + brief(figures.at(name)) +
+                                std::string(unit_of_figure(name));
         } catch (const mu::ParserError& error) {
             throw InputError(file, "/claim/holds/" + std::to_string(i),
                              in_quotes(statement) + ": " + error.GetMsg() +

@@ -122,7 +122,7 @@ class LessonFile : public testing::Test {
 TEST_F(LessonFile, SaysWhetherItsClaimHoldsAndWhatWasMeasured) {
     ASSERT_EQ(check().size(), 1U);
     EXPECT_TRUE(check()[0].holds);
-    EXPECT_EQ(check()[0].measured, "one.y0 = -1");
+    EXPECT_EQ(check()[0].measured, "one.y0 = -1 m");
     replace("abs(one.y0 + 1) < 1e-12", "one.y0 > 0");
     EXPECT_FALSE(check()[0].holds);
 }
