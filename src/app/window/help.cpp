@@ -51,7 +51,11 @@ void draw_help(const Rect& place, const KeyLines& lines, ControlPlaces& places) 
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {1.2F * size, 0.7F * size});
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0.4F * size, 0.06F * size});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.5F * size);
-    ImGui::Begin("help", nullptr, docked | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
+    // With large letters in a small window the wheel goes through what has no room.
+    ImGui::SetNextWindowSizeConstraints({0, 0}, imgui_vector(place.width, place.height));
+    ImGui::Begin("help", nullptr,
+                 (docked & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize |
+                     ImGuiWindowFlags_NoNav);
     ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[1]);
     ImGui::TextUnformatted("Keys");
     ImGui::PopFont();
