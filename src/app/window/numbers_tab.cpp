@@ -2,6 +2,9 @@
 #include <cmath>
 #include <functional>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/window/contender_colour.hpp"
 #include "app/window/panel_tabs.hpp"
@@ -36,6 +39,21 @@ void row(const Stage& stage, const char* words, const char* meaning, const Value
     }
 }
 
+/// A name for which there is no room is broken behind its hyphens: "box2d-cold" and "box2d-warm" differ at
+/// their ends.
+std::vector<std::string> name_in_lines(const std::string& name, float room) {
+    std::vector<std::string> lines{name};
+    while (ImGui::CalcTextSize(lines.back().c_str()).x > room) {
+        const std::size_t at = lines.back().find('-');
+        if (at == std::string::npos || at + 1 == lines.back().size()) break;
+        std::string rest = lines.back().substr(at + 1);
+        lines.back().resize(at + 1);
+        lines.push_back(std::move(rest));
+    }
+    for (std::string& line : lines) line = cut(line, room);
+    return lines;
+}
+
 bool begin_table(const Stage& stage, const char* id) {
     const int columns = 1 + static_cast<int>(stage.runs().size());
     // With four contenders a column has room for little more than "12.4 µs".
@@ -48,11 +66,14 @@ bool begin_table(const Stage& stage, const char* id) {
     ImGui::TableNextColumn();
     for (const Run& run : stage.runs()) {
         ImGui::TableNextColumn();
-        const std::string name = cut(run.name(), ImGui::GetContentRegionAvail().x);
-        const float slack = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(name.c_str()).x;
-        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, slack));
-        ImGui::TextColored(imgui_color(colour_of(run)), "%s", name.c_str());
-        if (name != run.name()) tooltip(run.name());
+        ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(colour_of(run)));
+        for (const std::string& line : name_in_lines(run.name(), ImGui::GetContentRegionAvail().x)) {
+            const float slack = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(line.c_str()).x;
+            ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, slack));
+            ImGui::TextUnformatted(line.c_str());
+        }
+        ImGui::PopStyleColor();
+        tooltip(run.name());
     }
     return true;
 }
