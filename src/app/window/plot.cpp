@@ -195,7 +195,8 @@ void draw_mark(Canvas& canvas, const Axes& axes, const Plot::Mark& mark, double 
     // Before the line where there is no room behind it; curves stay behind the words.
     const double left = x + width < right ? x + space : x - width;
     if (left < axes.box.x) return;
-    const Vec2 corner{left, axes.box.y + axes.box.height - canvas.scaled(18)};
+    // Above the ticks of impacts.
+    const Vec2 corner{left, axes.box.y + axes.box.height - canvas.scaled(23)};
     canvas.rectangle(corner, corner + Vec2{width - space, canvas.scaled(17)},
                      with_alpha(colour::raised, 0.85));
     canvas.text(corner, mark.words, Type::small, mark.color);
