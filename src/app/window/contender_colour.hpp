@@ -12,11 +12,11 @@ namespace flipside::app {
         case 0:
             return color;
         case 1:
-            return blend(color, colour::lit, 0.5);
+            return blend(color, sf::Color::White, 0.4);
         case 2:
             return blend(color, colour::around, 0.3);
         default:
-            return blend(color, colour::lit, 0.85);
+            return blend(color, sf::Color::White, 0.75);
     }
 }
 

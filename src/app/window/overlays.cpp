@@ -96,7 +96,7 @@ struct Geometry {
         const Vec2 from = camera.to_pixels(pose.apply(at));
         const Vec2 turned = rotated(way, pose.angle);
         canvas.arrow(from, from + canvas.scaled(22) * Vec2{turned.x, -turned.y}, canvas.scaled(1.2),
-                     colour::pairs);
+                     colour::tangents);
     }
     void operator()(const shape::Segment& s) const {
         if (!tangents) return;
@@ -110,7 +110,7 @@ struct Geometry {
             for (const Vec2 end : {from, to})
                 canvas.line(camera.to_pixels(pose.apply(s.center)),
                             camera.to_pixels(pose.apply(s.center + s.radius * end)), canvas.scaled(1),
-                            with_alpha(colour::cells, 0.8));
+                            with_alpha(colour::sectors, 0.8));
         if (!tangents) return;
         tangent(s.center + s.radius * from, -perp(from));
         tangent(s.center + s.radius * to, perp(to));
@@ -175,7 +175,7 @@ void draw_marks(Canvas& canvas, const Camera& camera, const Run& run, const Look
         const double age = world.time() - hit.time, fade = 1 - age / Traces::hit_seconds;
         const Vec2 at = camera.to_pixels(hit.at);
         if (has(look.shows, Show::hit_points))
-            canvas.disc(at, canvas.scaled(3), with_alpha(colour::warning, fade));
+            canvas.disc(at, canvas.scaled(3), with_alpha(colour::lit, fade));
         if (has(look.shows, Show::reticles)) draw_reticle(canvas, at, hit, age, fade);
     }
 }

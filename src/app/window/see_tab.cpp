@@ -13,20 +13,22 @@ namespace {
 /// As it is drawn; tracks and velocities have the colour of their engine.
 sf::Color legend_colour(Show show, const Stage& stage) {
     switch (show) {
-        case Show::hit_points:
         case Show::contacts:
             return colour::warning;
         case Show::tracks:
         case Show::velocity:
             return colour_of(stage.runs().front());
         case Show::tangents:
+            return colour::tangents;
         case Show::pairs:
             return colour::pairs;
         case Show::boxes:
             return colour::boxes;
         case Show::cells:
-        case Show::sectors:
             return colour::cells;
+        case Show::sectors:
+            return colour::sectors;
+        case Show::hit_points:
         case Show::lights:
         case Show::reticles:
             return colour::lit;

@@ -23,8 +23,10 @@ inline const sf::Color kicker(0xc9, 0x8b, 0x5a);  ///< rim of an active kicker
 inline const sf::Color lit(0xff, 0xe0, 0x9a);     ///< a part that was just hit
 inline const sf::Color sensor(0x6d, 0x76, 0x82);
 inline const sf::Color boxes(0x4c, 0xc3, 0x6a);
-inline const sf::Color cells(0xc8, 0x5f, 0xc8);
+inline const sf::Color cells(0xd4, 0x7a, 0xd4);
 inline const sf::Color pairs(0xf0, 0xe4, 0x42);
+inline const sf::Color sectors(0x8f, 0x8c, 0xf5);
+inline const sf::Color tangents(0xf2, 0x95, 0xa8);
 
 }  // namespace colour
 
