@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app/window/advice.hpp"
 #include "app/window/contender_colour.hpp"
@@ -108,17 +110,22 @@ void Screen::draw_ground(sf::RenderTarget& target, const Camera& camera, const R
 }
 
 /// What the rules have to tell, or else what the player can do. Where several runs are on one table each
-/// tells in its colour.
+/// tells in its colour; what all of them tell stands there once.
 void Screen::draw_words(const Stage& stage, const Rect& place, std::span<const Run> runs, const Look& look) {
     CaptionWriter writer(canvas_, place);
-    bool told = false;
-    for (const Run& run : runs) {
-        const auto words = caption_of(run.session().game(), run.session().world().time());
-        if (!words) continue;
-        writer.write(*words, runs.size() == 1 ? colour::lit : colour_of(run));
-        told = true;
-    }
-    const auto words = told || look.charge > 0 || !look.advice ? std::nullopt : advice(runs, stage);
+    std::vector<std::pair<CaptionWords, sf::Color>> told;
+    for (const Run& run : runs)
+        if (auto words = caption_of(run.session().game(), run.session().world().time()))
+            told.emplace_back(std::move(*words), colour_of(run));
+    const auto first_says = [&](const auto& other) {
+        return other.first.title == told.front().first.title &&
+               other.first.detail == told.front().first.detail;
+    };
+    if (told.size() == runs.size() && std::ranges::all_of(told, first_says))
+        writer.write(told.front().first, colour::lit);
+    else
+        for (const auto& [words, color] : told) writer.write(words, color);
+    const auto words = !told.empty() || look.charge > 0 || !look.advice ? std::nullopt : advice(runs, stage);
     if (words) writer.write(*words, colour::text);
 }
 
