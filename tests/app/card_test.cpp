@@ -60,7 +60,7 @@ TEST(Card, TellsTheLastImpactAsItIsToBe) {
         EXPECT_EQ(cells(*card, "Restitution"), (Cells(2, "0.800 of 0.800")));
         EXPECT_EQ(cells(*card, "Impulse"), (Cells(2, "638 mN·s")));
         EXPECT_EQ(cells(*card, "Normal"), (Cells(2, "90.0°")));
-        EXPECT_EQ(cells(*card, "Wrong by"), (Cells{"on time\nnormal right", ""}));
+        EXPECT_EQ(cells(*card, "Wrong by"), (Cells{"on time\nnormal exact", ""}));
     }
     EXPECT_EQ(cells(*card_of(stage, Other::part(0)), "Last impact"), (Cells(2, "ball 0\n0.4515 s")));
 }
@@ -72,7 +72,7 @@ TEST(Card, TellsHowLateAnImpactIs) {
     const auto late = stage.run_named("b").impacts().last(ball, 0.6)->event.time - std::sqrt(2 / 9.81);
     EXPECT_NE(late, 0);
     EXPECT_EQ(cells(*card, "Wrong by")[0],
-              engineering(std::abs(late), "s") + (late > 0 ? " late" : " early") + "\nnormal right");
+              engineering(std::abs(late), "s") + (late > 0 ? " late" : " early") + "\nnormal exact");
 }
 
 TEST(Card, WithoutTheReferenceNothingIsSaidToBeWrong) {

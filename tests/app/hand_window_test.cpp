@@ -176,7 +176,7 @@ TEST_F(HandWindow, TheImpactOfAKnownDropIsAsPredicted) {
         EXPECT_EQ(rows["Speed before"][i], "4.429 m/s");
         EXPECT_EQ(rows["Restitution"][i], "0.800 of 0.800");
     }
-    EXPECT_EQ(rows["Wrong by"][0], "on time\nnormal right");
+    EXPECT_EQ(rows["Wrong by"][0], "on time\nnormal exact");
 }
 
 TEST_F(HandWindow, TheCardCoversNoBallThatItTellsOfAndStaysInTheWindow) {

@@ -5,6 +5,7 @@
 #include "lab/lessons/claim.hpp"
 #include "lab/lessons/lesson.hpp"
 #include "world/printable.hpp"
+#include "world/trace.hpp"
 
 namespace flipside::app {
 
@@ -38,7 +39,8 @@ int check_lessons(const LessonsOptions& options) {
     const auto files = chosen_files(options);
     std::size_t failed = 0;
     for (const auto& file : files) failed += !check_lesson(file);
-    print("\n%zu lessons, %zu do not hold\n", files.size(), failed);
+    print("\n%s, %zu %s not hold\n", counted(files.size(), "lesson").c_str(), failed,
+          failed == 1 ? "does" : "do");
     return failed == 0 ? 0 : 1;
 }
 

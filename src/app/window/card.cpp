@@ -54,7 +54,7 @@ const Event* impact_of(const Run& run, const Contact& contact) {
     return at == events.rend() ? nullptr : &*at;
 }
 
-/// The restitution that the materials of two that met have together.
+/// The restitution that the materials of two that met have together; "" where one is gone.
 std::string of_materials(const Run& run, const Event& event) {
     const Scene& scene = run.session().scene();
     const auto material_of = [&](Other what) -> const Material* {
@@ -63,7 +63,7 @@ std::string of_materials(const Run& run, const Event& event) {
         return ball ? &scene.materials[ball->material] : nullptr;
     };
     const Material *a = material_of(Other::ball(event.ball)), *b = material_of(event.other);
-    return a && b ? with_unit(mix(*a, *b).restitution, 3, "") : std::string(not_told);
+    return a && b ? with_unit(mix(*a, *b).restitution, 3, "") : "";
 }
 
 /// The touches of a ball or part, as many as are shown.
@@ -88,8 +88,9 @@ Touches touches_of(const Run& run, Other subject) {
 /// The restitution that came about, beside that of the materials.
 std::string restitution_in_words(const Run& run, const lab::Impact& impact) {
     const auto restitution = impact.restitution();
-    return (restitution ? with_unit(*restitution, 3, "") : std::string(not_told)) + " of " +
-           of_materials(run, impact.event);
+    const std::string materials = of_materials(run, impact.event);
+    return (restitution ? with_unit(*restitution, 3, "") : std::string(not_told)) +
+           (materials.empty() ? "" : " of " + materials);
 }
 
 /// "17.0 ms late", "normal 2.1° off".
@@ -101,7 +102,7 @@ std::string in_words(const lab::ImpactVerdict& verdict, Other subject, const Sce
     const double late = verdict.error->late, degrees_off = verdict.error->normal * 180 / std::numbers::pi;
     std::string words = "on time";
     if (std::abs(late) >= 1e-10) words = engineering(std::abs(late), "s") + (late > 0 ? " late" : " early");
-    if (degrees_off < 1e-9) return words + "\nnormal right";
+    if (degrees_off < 1e-9) return words + "\nnormal exact";
     return words + "\nnormal " + (degrees_off < 0.1 ? "< 0.1" : with_unit(degrees_off, 1, "")) + "° off";
 }
 
@@ -186,7 +187,8 @@ class Writer {
         of_touches("  restitution", "Of the two materials, for the impact in this step",
                    [](const Run& run, const Contact& contact) {
                        const Event* impact = impact_of(run, contact);
-                       return impact ? of_materials(run, *impact) : std::string(not_told);
+                       const std::string materials = impact ? of_materials(run, *impact) : "";
+                       return materials.empty() ? std::string(not_told) : materials;
                    });
     }
     void impact() {

@@ -73,7 +73,7 @@ void draw_setting(const Panel& panel, std::size_t index, const SettingSpec& spec
     const std::string unit = spec.unit.empty() ? "" : " (" + std::string(spec.unit) + ")";
     const std::string idle = settings.idle(spec.name);
     const std::string meaning =
-        (idle.empty() ? "" : "Changes nothing now: " + idle + ".\n") + std::string(spec.about) + unit;
+        (idle.empty() ? "" : "Changes nothing now: " + idle + ".\n") + sentence(spec.about) + unit;
     ImGui::PushID(spec.name.data(), spec.name.data() + spec.name.size());
     ImGui::BeginDisabled(!idle.empty());
     label(in_words(spec.name), meaning);

@@ -81,7 +81,7 @@ void ContinuousSolver::step(double dt, std::vector<Ball>& balls, StepRecord& rec
     advance_to(now, balls);
     if (quiet_ && record.trace)
         record.trace->stage("asleep", "src/custom/continuous/continuous_solver.cpp: ContinuousSolver::step")
-            .says = "All balls sleep and no part moves: nothing is done.";
+            .says = "No ball is awake and no part moves: nothing is done.";
 }
 
 /// Advances to `now`, with stops at the ends of windows and at the instants at which sleep_ watches the
