@@ -33,6 +33,10 @@ class SoundWindow : public WindowTest {
         window = std::make_unique<RealWindow>(std::vector<std::string>{"pinball"}, folder);
     }
     void end() {
+        if (window->now()["panes"][0]["launched"] > 0) {  // it asks first
+            window->key("Escape");
+            window->wait("the question", [](const Json& s) { return s["notice"] != ""; });
+        }
         window->key("Escape");
         EXPECT_EQ(window->program().wait(60), 0);
     }
