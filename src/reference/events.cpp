@@ -100,11 +100,18 @@ void Simulation<R>::handle(BallIndex i) {
 }
 
 template <class R>
-void Simulation<R>::cross_cell(BallIndex i) {
+void Simulation<R>::enter_cell(BallIndex i, Cells::Index cell) {
     Particle& particle = particles_[i];
+    if (cell == particle.cell) return;
     cells_.unlink(i, particle.cell);
-    particle.cell = cells_.beyond(particle.cell, static_cast<int>(particle.next_index));
-    cells_.link(i, particle.cell);
+    particle.cell = cell;
+    cells_.link(i, cell);
+}
+
+template <class R>
+void Simulation<R>::cross_cell(BallIndex i) {
+    const Particle& particle = particles_[i];
+    enter_cell(i, cells_.beyond(particle.cell, static_cast<int>(particle.next_index)));
     predict(i);
 }
 
@@ -250,7 +257,8 @@ void Simulation<R>::lose(BallIndex i) {
 
 #define FLIPSIDE_EVENTS(R)                           \
     template void Simulation<R>::advance(Particle&); \
-    template void Simulation<R>::handle(BallIndex);
+    template void Simulation<R>::handle(BallIndex);  \
+    template void Simulation<R>::enter_cell(BallIndex, Cells::Index);
 FLIPSIDE_EVENTS(double)
 FLIPSIDE_EVENTS(Real113)
 FLIPSIDE_EVENTS(Real226)

@@ -61,9 +61,19 @@ void Simulation<R>::refuse_inside(const Particle& particle) const {
     }
 }
 
+/// Moves a ball out of the parts that it overlaps where it begins: in a state, by a launch, or where a target
+/// is raised. Returns whether it was moved.
+template <class R>
+bool Simulation<R>::move_out_of_parts(BallIndex i) {
+    refuse_inside(particles_[i]);
+    if (!correct_overlap(i)) return false;
+    refuse_inside(particles_[i]);  // moved out of one part, it may be inside another
+    return true;
+}
+
 /// Moves a ball that starts inside a part, or across a line, out of it; corrects the deepest overlap first.
 template <class R>
-void Simulation<R>::correct_overlap(BallIndex i) {
+bool Simulation<R>::correct_overlap(BallIndex i) {
     Particle& particle = particles_[i];
     // Radii; smaller overlaps remain.
     const double deep = rests_on_ball(i) ? heap_overlap : 1e-3;
@@ -80,10 +90,12 @@ void Simulation<R>::correct_overlap(BallIndex i) {
             deepest = seen;
             found = true;
         }
-        if (!found) return;
+        if (!found) return round > 0;
         particle.body.position -= deepest.gap * deepest.normal;
         particle.path.position = particle.body.position;
+        enter_cell(i, cells_.at(narrow(particle.body.position)));
     }
+    return true;
 }
 
 /// Finds the features that the ball touches without an approach speed.
@@ -272,10 +284,9 @@ void Simulation<R>::start_path(BallIndex i) {
     if (certificate_) note_leg(particles_[i], given);
 }
 
-#define FLIPSIDE_PATHS(R)                                              \
-    template void Simulation<R>::start_path(BallIndex);                \
-    template void Simulation<R>::correct_overlap(BallIndex);           \
-    template void Simulation<R>::refuse_inside(const Particle&) const; \
+#define FLIPSIDE_PATHS(R)                                      \
+    template void Simulation<R>::start_path(BallIndex);        \
+    template bool Simulation<R>::move_out_of_parts(BallIndex); \
     template Closest<R> Simulation<R>::closest(FeatureIndex, const V<R>&, const R&) const;
 FLIPSIDE_PATHS(double)
 FLIPSIDE_PATHS(Real113)

@@ -53,7 +53,7 @@ void Simulation<R>::load(const State& state) {
     heaps_.clear();
     queue_.clear();
     events_.clear();
-    now_ = R(0);
+    now_ = run_start_ = R(0);
     length_ = 0;
     time_ = state.clock.time;
     reported_lost_ = state.reported_lost;
@@ -74,8 +74,7 @@ void Simulation<R>::load(const State& state) {
         if (const auto i = find(blocked.ball)) particles_[*i].blocked.push_back(blocked.gate);
     rebuild_cells();
     for (BallIndex i = 0; i < particles_.size(); ++i) {
-        refuse_inside(particles_[i]);
-        correct_overlap(i);
+        move_out_of_parts(i);
         begin_inside(particles_[i]);
     }
     settle_gates();
@@ -222,7 +221,7 @@ void Simulation<R>::apply(const Control& control) {
         for (BallIndex i = 0; i < particles_.size(); ++i)
             if (!particles_[i].gone) {
                 advance(particles_[i]);
-                correct_overlap(i);
+                move_out_of_parts(i);
             }
         refresh_all();
     }
@@ -329,6 +328,7 @@ bool Simulation<R>::run_until(std::chrono::steady_clock::time_point deadline) {
     time_ += length_;
     length_ = 0;
     if (now_ >= 1) reset_time_origin();
+    run_start_ = now_;  // of the next run, and of what is done before it
     return true;
 }
 

@@ -210,7 +210,9 @@ class Simulation final : public Exact {
         return gap <= heap_gap * radius && gap >= -heap_overlap * radius;
     }
     void find_path(Particle& particle);
-    void correct_overlap(BallIndex i);
+    bool move_out_of_parts(BallIndex i);
+    bool correct_overlap(BallIndex i);
+    void refuse_inside(const Particle& particle) const;
     void find_touching(Particle& particle);
     void note_tangent_faces(Particle& particle);
     bool rest_on_one(Particle& particle);
@@ -237,7 +239,7 @@ class Simulation final : public Exact {
     void hit_feature(BallIndex i);
     void hit_ball(BallIndex i);
     void refuse_resting_contact(Particle& a, Particle& b) const;
-    void refuse_inside(const Particle& particle) const;
+    void enter_cell(BallIndex i, Cells::Index cell);
     void cross_cell(BallIndex i);
     void sense(BallIndex i);
     void lose(BallIndex i);

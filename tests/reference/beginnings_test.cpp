@@ -1,0 +1,55 @@
+// Where a ball begins: what the exact engine does with one that overlaps a part at the start, after a launch,
+// when it is added, and when a target is raised round it.
+
+#include <gtest/gtest.h>
+
+#include "reference/support.hpp"
+#include "world/refusal.hpp"
+
+namespace flipside::reference::test {
+namespace {
+
+/// Why it refuses what `act` does; empty where it does not.
+std::string why_refused(auto&& act) {
+    try {
+        act();
+    } catch (const Refusal& refusal) {
+        return refusal.what();
+    }
+    return {};
+}
+
+/// A drop target whose top is the x axis, which the second ball hits at once. The first then sinks into it at
+/// a speed of 1.
+Scene target_scene() {
+    Scene scene = empty_scene();
+    add_part(scene, {shape::Polygon{{{-1, 0}, {-1, -1}, {1, -1}, {1, 0}}}}).target = true;
+    add_ball(scene, {0.5, 0.2}, {0, -1});
+    add_ball(scene, {-0.5, 0.1}, {0, -1});
+    return scene;
+}
+
+std::unique_ptr<World> raised_after(double seconds) {
+    auto world = make_world(target_scene());
+    world->step(seconds);
+    EXPECT_TRUE(world->parts()[0].down);
+    world->apply(control::RaiseTargets{});
+    return world;
+}
+
+TEST(ReferenceBeginnings, ABallIsMovedOutOfATargetThatIsRaised) {
+    const auto world = raised_after(0.15);  // its centre is above the top
+    world->step(0.1);
+    EXPECT_NEAR(world->balls()[0].position.y, 0.1 + 0.1, 1e-12);
+}
+
+TEST(ReferenceBeginnings, ATargetThatIsRaisedRoundABallIsRefused) {
+    for (const double seconds : {0.22, 0.25, 0.7}) {
+        const auto world = raised_after(seconds);
+        EXPECT_EQ(why_refused([&] { world->step(0.1); }),
+                  "reference: ball 0 begins inside part 0 at " + std::to_string(seconds) + " s");
+    }
+}
+
+}  // namespace
+}  // namespace flipside::reference::test
