@@ -15,7 +15,7 @@ namespace flipside::reference {
 /// Why a path begins.
 struct Beginning {
     enum class Why { given, goes_on, hits_part, hits_ball };
-    Why why = Why::goes_on;        ///< given: from outside (the start, a launch, a nudge)
+    Why why = Why::goes_on;        ///< given: from outside (the start, or an Input)
     std::uint32_t other = 0;       ///< index of a primitive of the scene's surface, or the number of a ball
     std::size_t other_leg = 0;     ///< of that ball: which of its legs begins by the same contact
     std::optional<double> within;  ///< s: half the width of the interval that isolates the contact
@@ -56,8 +56,8 @@ struct Passage {
     std::optional<double> until;
 };
 
-/// A change from outside: the velocity of one ball is set (a launch), or that of all balls changes by this (a
-/// nudge).
+/// A change from outside: the velocity of one ball is set (a launch, or a raised target that moves the ball
+/// out of itself), or that of all balls changes by this (a nudge).
 struct Input {
     double time = 0;
     std::optional<BallNumber> ball;  ///< none: all

@@ -122,6 +122,14 @@ void Simulation<R>::note_input(std::optional<BallNumber> ball, Vec2 velocity) {
     certificate_->inputs.push_back({static_cast<double>(since_certificate_ + now_), ball, velocity});
 }
 
+/// Notes that a ball begins anew where a raised target has moved it, with the velocity that it has.
+template <class R>
+void Simulation<R>::note_moved(Particle& particle) {
+    note_input(particle.ball.number, narrow(particle.body.velocity));
+    particle.begins = {};
+    particle.begins.why = Beginning::Why::given;
+}
+
 template <class R>
 void Simulation<R>::note_passage(const Particle& particle, PartIndex gate, bool begins) {
     const auto time = static_cast<double>(since_certificate_ + now_);
@@ -196,6 +204,7 @@ void Simulation<R>::certify(Certificate* certificate) {
     template void Simulation<R>::note_leg(Particle&, bool);                               \
     template void Simulation<R>::note_input(std::optional<BallNumber>, Vec2);             \
     template void Simulation<R>::note_target(PartIndex);                                  \
+    template void Simulation<R>::note_moved(Particle&);                                   \
     template void Simulation<R>::note_motion(PartIndex);                                  \
     template void Simulation<R>::note_passage(const Particle&, PartIndex, bool);          \
     template void Simulation<R>::note_rest(Heap&);                                        \

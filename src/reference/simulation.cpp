@@ -221,7 +221,7 @@ void Simulation<R>::apply(const Control& control) {
         for (BallIndex i = 0; i < particles_.size(); ++i)
             if (!particles_[i].gone) {
                 advance(particles_[i]);
-                move_out_of_parts(i);
+                if (move_out_of_parts(i) && certificate_) note_moved(particles_[i]);
             }
         refresh_all();
     }
@@ -232,15 +232,15 @@ void Simulation<R>::add(const Ball& ball) {
     join(ball);
     if (certificate_) note_input(ball.number, ball.velocity);
     const auto i = static_cast<BallIndex>(particles_.size() - 1);
-    if (ball.radius > cells_.largest()) {
+    const bool is_largest = ball.radius > cells_.largest();
+    if (is_largest) {
         rebuild_cells();
-        settle_gates();
-        return refresh_all();
+    } else {
+        particles_[i].cell = cells_.at(ball.position);
+        cells_.link(i, particles_[i].cell);
     }
-    particles_[i].cell = cells_.at(ball.position);
-    cells_.link(i, particles_[i].cell);
-    refuse_inside(particles_[i]);
-    if (settle_gates()) return refresh_all();
+    move_out_of_parts(i);
+    if (settle_gates() || is_largest) return refresh_all();
     refresh(i);
     predict(i);
 }

@@ -251,6 +251,7 @@ class Simulation final : public Exact {
     void note_motion(PartIndex part);
     void note_target(PartIndex part);
     void note_input(std::optional<BallNumber> ball, Vec2 velocity);
+    void note_moved(Particle& particle);
     void note_passage(const Particle& particle, PartIndex gate, bool begins);
     void note_pair_of_parts(Particle& particle, double start);
     void note_rest(Heap& heap);

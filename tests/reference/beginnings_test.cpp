@@ -51,5 +51,46 @@ TEST(ReferenceBeginnings, ATargetThatIsRaisedRoundABallIsRefused) {
     }
 }
 
+/// A ball of this radius that begins 0.03 above a floor, and falls at a speed of 1.
+Ball overlapping(double radius) {
+    Scene scene = empty_scene();
+    return add_ball(scene, {0, 0.03}, {0, -1}, radius);
+}
+Scene floor_scene() {
+    Scene scene = empty_scene({0, -1});
+    add_part(scene, segment({-1, 0}, {1, 0}));
+    return scene;
+}
+
+TEST(ReferenceBeginnings, ABallIsMovedOutOfAPartAlsoWhenItIsAddedOrLaunched) {
+    for (const double radius : {0.05, 0.1}) {  // the cells are for balls of the launcher, or larger
+        const auto height = [&](Scene scene, auto&& begin) {
+            const auto world = make_world(scene);
+            world->step(0.25);
+            begin(*world);
+            world->step(0.5);
+            EXPECT_EQ(world->statistics().impacts, 1U);
+            return world->balls()[0].position.y;
+        };
+        const double expected = radius + 1 * 0.5 - 0.5 * 0.5 / 2;
+        EXPECT_NEAR(height(floor_scene(), [&](World& world) { world.add(overlapping(radius)); }), expected,
+                    1e-12);
+        Scene scene = floor_scene();
+        scene.launcher = {{0, 0.03}, {0, -1}, 1, 1, false, overlapping(radius)};
+        EXPECT_NEAR(height(scene, [](World& world) { world.apply(control::Launch{}); }), expected, 1e-12);
+    }
+}
+
+TEST(ReferenceBeginnings, ALaunchIntoAPartIsRefusedAtItsTime) {
+    Scene scene = empty_scene();
+    add_part(scene, {shape::Polygon{{{-1, 0}, {-1, -1}, {1, -1}, {1, 0}}}});
+    scene.launcher = {{0, -0.03}, {0, -1}, 1, 1, false, overlapping(0.1)};
+    const auto world = make_world(scene);
+    world->step(0.25);
+    world->step(1);  // the origin of times is reset
+    world->apply(control::Launch{});
+    EXPECT_EQ(why_refused([&] { world->step(0.5); }), "reference: ball 0 begins inside part 0 at 1.250000 s");
+}
+
 }  // namespace
 }  // namespace flipside::reference::test

@@ -141,7 +141,8 @@ class Checker {
         const Motion is(leg(), start), was(before(), start);
         V velocity = was.velocity;
         Jet spin = was.spin;
-        require("position is continuous", size(was.place - is.place), bound_ * ball_->radius);
+        if (leg().why != "given" || !is_moved_by_target(run_, others_, *ball_, before(), leg(), bound_))
+            require("position is continuous", size(was.place - is.place), bound_ * ball_->radius);
         if (index_ == 0 || leg().why == "given") return check_given(was.velocity, is.velocity);
         if (leg().why != "goes on") hit(velocity, spin);
         require("velocity follows the law", size(velocity - is.velocity), bound_ * speed_);
@@ -214,12 +215,6 @@ class Checker {
 
     // How a ball moves.
 
-    /// What touches it, with the force that the certificate states, if it does, and how exactly it touches.
-    struct Contact {
-        const Other& on;
-        const Force* force;
-        double gap, overlap;  // radii
-    };
     void find_contacts() {
         const double start = leg().start, end = leg().end;
         const auto on = [&](std::size_t feature) -> const Other& {

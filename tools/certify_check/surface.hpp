@@ -37,6 +37,13 @@ struct Other {
     const Leg* leg = nullptr;
 };
 
+/// What touches a ball, with the force that the certificate states, if it does, and how exactly it touches.
+struct Contact {
+    const Other& on;
+    const Force* force;
+    double gap, overlap;  // radii
+};
+
 /// All that may be touched, in time intervals over which it does not change.
 inline std::vector<Other> others_of(const Run& run) {
     std::vector<Other> others;
@@ -128,6 +135,24 @@ struct Lie {
 inline bool is_behind(const Other& gate, const V& place, const Jet& t) {
     return gate.feature->type == "line" &&
            low(dot(Lie(gate, place, 0, t).normal, vec(gate.part->gate))[0]) < 0;
+}
+
+/// Whether a target is raised, as `leg` starts, that the ball overlapped and now touches.
+inline bool is_moved_by_target(const Run& run, const std::vector<Other>& others, const Ball& ball,
+                               const Leg& before, const Leg& leg, double bound) {
+    const auto gap_on = [&](const Leg& one, const Other& target) {
+        const Lie at(target, Motion(one, {I(leg.start), 1}).place, ball.radius, {I(leg.start), 1});
+        return at.facing ? at.gap[0] : I(HUGE_VAL);
+    };
+    return std::ranges::any_of(others, [&](const Other& one) {
+        return one.part != nullptr && one.from == leg.start && can_touch(ball, one) &&
+               std::ranges::any_of(run.absences,
+                                   [&](const Absence& down) {
+                                       return down.ball < 0 && down.until == leg.start &&
+                                              one.part == &run.parts.at(down.part);
+                                   }) &&
+               high(gap_on(before, one)) < 0 && size_of(gap_on(leg, one)) <= bound * ball.radius;
+    });
 }
 
 }  // namespace certificate
