@@ -84,7 +84,9 @@ bool Simulation<R>::correct_overlap(BallIndex i) {
         bool found = false;
         for (const FeatureIndex f : cells_.features(particle.cell)) {
             const PartIndex part = features_[f].part;
-            if (ignores(part, particle) || gate_of(scene_->parts[part]) != nullptr) continue;
+            if (ignores(part, particle) ||
+                (gate_of(scene_->parts[part]) != nullptr && passes(part, particle)))
+                continue;
             const Closest<R> seen = closest(f, particle.body.position, particle.radius);
             if (!seen.facing || !(seen.gap < deepest.gap)) continue;
             deepest = seen;

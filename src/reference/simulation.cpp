@@ -73,6 +73,7 @@ void Simulation<R>::load(const State& state) {
     for (const Blocked& blocked : state.blocked)
         if (const auto i = find(blocked.ball)) particles_[*i].blocked.push_back(blocked.gate);
     rebuild_cells();
+    settle_gates();  // those that block a ball are solid to it
     for (BallIndex i = 0; i < particles_.size(); ++i) {
         move_out_of_parts(i);
         begin_inside(particles_[i]);
@@ -218,11 +219,15 @@ void Simulation<R>::apply(const Control& control) {
             const bool was_down = is_raised[part] != 0 && std::exchange(parts_[part].down, false);
             if (certificate_ && was_down) note_target(part);
         }
-        for (BallIndex i = 0; i < particles_.size(); ++i)
-            if (!particles_[i].gone) {
-                advance(particles_[i]);
-                if (move_out_of_parts(i) && certificate_) note_moved(particles_[i]);
-            }
+        bool moved = false;
+        for (BallIndex i = 0; i < particles_.size(); ++i) {
+            if (particles_[i].gone) continue;
+            advance(particles_[i]);
+            if (!move_out_of_parts(i)) continue;
+            moved = true;
+            if (certificate_) note_moved(particles_[i]);
+        }
+        if (moved) settle_gates();
         refresh_all();
     }
 }
@@ -239,8 +244,9 @@ void Simulation<R>::add(const Ball& ball) {
         particles_[i].cell = cells_.at(ball.position);
         cells_.link(i, particles_[i].cell);
     }
-    move_out_of_parts(i);
-    if (settle_gates() || is_largest) return refresh_all();
+    bool others_change = settle_gates() || is_largest;
+    if (move_out_of_parts(i)) others_change |= settle_gates();
+    if (others_change) return refresh_all();
     refresh(i);
     predict(i);
 }

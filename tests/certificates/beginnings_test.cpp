@@ -40,6 +40,15 @@ TEST(BeginningCertificates, OfALaunchIntoAPartAreAccepted) {
     }
 }
 
+TEST(BeginningCertificates, OfABallThatAGateBlocksAreAccepted) {
+    for (const double speed : {-1.0, 0.0, 1.0}) {
+        Scene scene = empty_scene({0, -1});
+        add_part(scene, {shape::Gate{{-1, 0}, {1, 0}, {0, 1}}}, {"", 0.5, 0.2, 0});
+        add_ball(scene, {0, 0.06}, {0.1, speed});
+        expect_accepted(certified_beginning(scene));
+    }
+}
+
 /// Ball 1 hits a target, into which ball 0 then sinks; at 0.2 s it overlaps it by 0.06.
 Json with_a_raised_target() {
     Scene scene = empty_scene({0, -1});

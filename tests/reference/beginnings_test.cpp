@@ -92,5 +92,44 @@ TEST(ReferenceBeginnings, ALaunchIntoAPartIsRefusedAtItsTime) {
     EXPECT_EQ(why_refused([&] { world->step(0.5); }), "reference: ball 0 begins inside part 0 at 1.250000 s");
 }
 
+/// A closed gate along the x axis that lets through what comes from below.
+Scene gate_scene(double speed) {
+    Scene scene = empty_scene({0, -1});
+    add_part(scene, {shape::Gate{{-1, 0}, {1, 0}, {0, 1}}}, {"", 0.5, 0, 0});
+    add_ball(scene, {0, 0.06}, {0, speed});
+    return scene;
+}
+
+TEST(ReferenceBeginnings, ABallIsMovedOutOfAGateThatBlocksIt) {
+    const double t = 0.25, fallen = t * t / 2;
+    for (const auto& [speed, after] : {std::pair{-1.0, 0.5}, {1.0, 1.0}, {0.0, 0.0}}) {
+        Scene scene = gate_scene(speed);
+        const double expected = 0.1 + (speed == 0 ? 0 : after * t - fallen);
+        const auto world = make_world(scene);
+        world->step(t);
+        EXPECT_NEAR(world->balls()[0].position.y, expected, 1e-12) << "speed " << speed;
+        scene.balls.clear();
+        const auto later = make_world(scene);
+        later->step(0.5);
+        later->add(gate_scene(speed).balls[0]);
+        later->step(t);
+        EXPECT_NEAR(later->balls()[0].position.y, expected, 1e-12) << "speed " << speed;
+    }
+}
+
+/// It begins inside a disc, and out of that it is before the gate, or behind.
+TEST(ReferenceBeginnings, ABallThatIsMovedToAGateMeetsItThere) {
+    for (const int side : {1, -1}) {
+        Scene scene = gate_scene(0);
+        add_part(scene, {shape::Circle{{0, side * 0.25}, 0.1}});
+        scene.balls[0].position = {0, side * 0.1};  // between both there is a gap of 0.15
+        scene.balls[0].velocity = {1, 0};
+        scene.gravity = {};
+        const auto world = make_world(scene);
+        world->step(0.01);
+        EXPECT_EQ(world->parts()[0].open, side < 0);
+    }
+}
+
 }  // namespace
 }  // namespace flipside::reference::test
