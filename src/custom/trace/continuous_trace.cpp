@@ -53,12 +53,12 @@ void trace_next(const Simulation& sim, TraceItem& item, BallIndex i) {
 /// relative to the table's clock.
 void trace_gap(const Simulation& sim, TraceItem& item, BallIndex i) {
     const Particle& particle = sim.particles[i];
-    const std::string_view name = name_of_next(particle);
+    const NextEvent next = next_of(sim, i);
     const double now = std::max(sim.table.time() - sim.start, particle.motion.path.start);
-    if (!name.starts_with("meets") || particle.next_time > sim.end || particle.next_time < now) return;
+    if (!next.met || next.time > sim.end || next.time < now) return;
     const Ball ball = sim.ball_at(i, now);
     Touch found;
-    if (name == "meets a ball") {
+    if (next.met->is_ball) {
         const Ball other = sim.ball_at(particle.partner, now);
         found = touch(ball.position, ball.radius, other.position, other.radius);
     } else {
