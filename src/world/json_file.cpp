@@ -1,5 +1,6 @@
 #include "world/json_file.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <new>
@@ -127,8 +128,13 @@ Json parse_json(std::string_view text, const std::string& file) {
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
         throw InputError(file, "", "not JSON: the file is empty");
     // The parser takes this character for the end of the text.
-    if (const std::size_t at = text.find('\0'); at != std::string_view::npos)
-        throw InputError(file, "byte " + std::to_string(at), "not JSON: a NUL character");
+    if (const std::size_t at = text.find('\0'); at != std::string_view::npos) {
+        const std::string_view before = text.substr(0, at);
+        const auto lines = std::ranges::count(before, '\n');
+        const std::size_t column = at - before.rfind('\n');  // in the first line npos is -1
+        throw InputError(file, "line " + std::to_string(lines + 1) + ", column " + std::to_string(column),
+                         "not JSON: a NUL character");
+    }
     Builder builder(file);
     Json::sax_parse(text, &builder);
     return builder.take();

@@ -163,14 +163,6 @@ TEST_F(CommandLine, AStateContinuesOnTheOtherEngineWithoutAJump) {
     }
 }
 
-TEST_F(CommandLine, ARunThatCannotBecomeAReplayIsRefusedBeforeItBegins) {
-    expect_good("run drop --engine custom --seconds 0.1 --save " + file("s.json"));
-    expect_refused("run drop --engine custom --seconds 1 --from " + file("s.json") + " --out " +
-                       file("t.csv") + " --replay " + file("r.json"),
-                   2, "--replay: the game of 'custom' cannot be saved");
-    EXPECT_FALSE(std::filesystem::exists(file("t.csv")));
-}
-
 TEST_F(CommandLine, AHandOverToTheSameEngineIsNoHandOverAtAll) {
     expect_good("run pinball --seconds 6 --engine custom --out " + file("whole.csv"));
     expect_good("run pinball --seconds 3 --engine custom --save " + file("s.json"));

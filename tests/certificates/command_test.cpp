@@ -44,7 +44,7 @@ TEST_F(Certify, RefusesBadUsage) {
     expect_refused("certify drop --seconds -1 --out " + file("run.json"), 2, "--seconds");
     expect_refused("certify drop --set precision=7 --out " + file("run.json"), 2, "precision");
     EXPECT_EQ(check(""), 2);
-    EXPECT_EQ(check(file("no such file")), 2);
+    EXPECT_EQ(check(file("none")), 2);
     EXPECT_NE(app::text_of(file("says")).find("cannot be read"), std::string::npos);
     EXPECT_EQ(check(file("run.json") + " 1"), 2);
     EXPECT_EQ(check(file("run.json") + " nan"), 2);
