@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "reference/simulation.hpp"
 #include "world/refusal.hpp"
@@ -183,9 +184,9 @@ bool Simulation<R>::rest_on_one(Particle& particle) {
 }
 
 /// Holds a ball still between two static surfaces. If it spins, the friction of both slows it, and normal
-/// forces and friction together balance its weight.
+/// forces and friction together balance its weight. Each normal force is at least `least`, per mass.
 template <class R>
-bool Simulation<R>::rest_on_two(Particle& particle) {
+bool Simulation<R>::rest_on_two(Particle& particle, const R& least) {
     const R scale = length(external_.gravity), none = no_force<R>() * scale;
     for (const Touching& a : touching_)
         for (const Touching& b : touching_) {
@@ -200,7 +201,7 @@ bool Simulation<R>::rest_on_two(Particle& particle) {
             const R across = cross(u, v);
             if (magnitude(across) < no_force<R>()) continue;
             const R first = -cross(weight, v) / across, second = -cross(u, weight) / across;
-            if (first < -none || second < -none) continue;
+            if (first < least || second < least) continue;
             particle.path = {};
             particle.path.rests = true;
             particle.path.start = now_;
@@ -255,11 +256,18 @@ void Simulation<R>::find_path(Particle& particle) {
         });
     };
     if (!is_pressed()) return note_tangent_faces(particle);
-    if (rest_on_one(particle)) return;
     using std::sqrt;
     const R speed = length(particle.body.velocity);
     // Between two surfaces, bounces lower than the rounding of its position (see find_touching) are rest.
-    if (speed <= 4 * sqrt(2 * rounding_of(particle.body) * scale) && rest_on_two(particle)) return;
+    const R lowest_bounce = 4 * sqrt(2 * rounding_of(particle.body) * scale), none = no_force<R>() * scale;
+    // If both press it, so is spin, before friction against it lifts the ball off one, again without end.
+    if (speed <= lowest_bounce && particle.radius * magnitude(particle.body.spin) <= lowest_bounce) {
+        const R spin = std::exchange(particle.body.spin, R(0));
+        if (rest_on_two(particle, none)) return;
+        particle.body.spin = spin;
+    }
+    if (rest_on_one(particle)) return;
+    if (speed <= lowest_bounce && rest_on_two(particle, R(-none))) return;
     // A surface from which the ball separates does not support it.
     const auto recedes = [&](const Touching& one) {
         return one.contact.separating_speed > rounding_speed(speed);
@@ -269,7 +277,7 @@ void Simulation<R>::find_path(Particle& particle) {
         if (rest_on_one(particle)) return;
     }
     const R slow = 65536 * sqrt(epsilon<R>() * particle.radius * scale);
-    if (speed <= slow && rest_on_two(particle)) return;
+    if (speed <= slow && rest_on_two(particle, R(-none))) return;
     std::string names;
     for (const Touching& one : touching_)
         names += (names.empty() ? "" : " and ") + scene_->parts[features_[one.feature].part].name;

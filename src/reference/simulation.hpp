@@ -216,7 +216,7 @@ class Simulation final : public Exact {
     void find_touching(Particle& particle);
     void note_tangent_faces(Particle& particle);
     bool rest_on_one(Particle& particle);
-    bool rest_on_two(Particle& particle);
+    bool rest_on_two(Particle& particle, const R& least);
     [[nodiscard]] Closest<R> closest(FeatureIndex f, const V<R>& position, const R& radius) const;
 
     // Static heaps (heaps.cpp).

@@ -197,5 +197,23 @@ TEST(Reference, RestsInAV) {
     EXPECT_NEAR(world->balls()[0].position.y, 0.1 * std::sqrt(2.0), 1e-12);
 }
 
+// It rolls up and down both walls in turn, each time a third as fast, also when that is only rounding.
+TEST(Reference, RollsIntoACornerAndRests) {
+    for (const double drag : {0.0, 0.5, 20.0})
+        for (const double friction : {1.2, 2.0, 50.0})
+            for (const char* precision : {"53", "113"}) {
+                Scene scene = empty_scene({3, -4});
+                scene.damping = drag;
+                scene.materials[0] = {"default", 0, friction, 0};
+                add_ball(scene, {0.8, -0.84}, {1.8, 0.4}, 0.02).spin = 20;
+                add_part(scene, {shape::Polyline{{{-1, -1}, {1, -1}, {1, 1}}, false}}, {"", 0, friction, 0});
+                const auto world = make_world(scene, {{"precision", precision}});
+                run(*world, 3);
+                EXPECT_EQ(world->balls()[0].velocity, Vec2{});
+                EXPECT_EQ(world->balls()[0].spin, 0);
+                EXPECT_LT(length(world->balls()[0].position - Vec2{0.98, -0.98}), 1e-12);
+            }
+}
+
 }  // namespace
 }  // namespace flipside::reference::test
