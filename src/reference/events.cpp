@@ -37,9 +37,13 @@ template <class R>
 void Simulation<R>::refuse_endless(Particle& particle) {
     constexpr double instant = 1e-9;  // s; bounces that die away at e = 0.99 are 1,600 in the last of it
     constexpr int most = 2000;
-    // A billiard that spells out pi has 314,159 collisions in a moment, each with about four searches. Of the
-    // wider numbers a search with drag takes up to 60 µs.
-    constexpr std::uint64_t most_searches = std::is_same_v<R, double> ? 2'000'000 : 50'000, per_ball = 2'000;
+    // A billiard that spells out pi has 314,159 collisions in a moment, each with about four searches. With
+    // drag a search takes up to 10 µs, and up to 100 µs of the wider numbers: all of a step stay below some
+    // seconds.
+    constexpr bool is_wide = !std::is_same_v<R, double>;
+    const bool drags = external_.drag > 0;
+    const std::uint64_t most_searches = is_wide ? (drags ? 8'000 : 50'000) : (drags ? 200'000 : 2'000'000);
+    const std::uint64_t per_ball = is_wide && drags ? 200 : 2'000;
     if (now_ - particle.series_since > instant) {
         particle.series_since = now_;
         particle.series_events = 0;

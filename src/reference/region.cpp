@@ -9,6 +9,9 @@ namespace {
 template <class R>
 using Regions = std::vector<Region<R>>;
 
+/// Of conditions or regions that a search goes through one after another; a few, in practice.
+constexpr int most_rounds = 10'000;
+
 template <class R>
 struct RegionBuilder {
     Regions<R>& regions;
@@ -157,7 +160,9 @@ struct Search {
     }
     /// First time from `time` on at which all conditions hold.
     [[nodiscard]] R begins(const Region<R>& region, R time) const {
+        int rounds = 0;
         for (bool waits = true; waits && time <= until;) {
+            if (++rounds > most_rounds) throw EndlessSearch();
             waits = false;
             const Motion<R> now = view.at(time);
             R next = time;
@@ -220,7 +225,9 @@ template <class R>
 R leaves(const Regions<R>& regions, const View<R>& view, const R& radius, const R& from, const R& until) {
     const Search<R> search(view, radius, from, until);
     R time = from;
+    int rounds = 0;
     for (bool in = true; in && time <= until;) {
+        if (++rounds > most_rounds) throw EndlessSearch();
         in = false;
         for (const Region<R>& region : regions) {
             if (!search.holds(region, time)) continue;

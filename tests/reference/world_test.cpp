@@ -144,8 +144,9 @@ TEST(ReferenceWorld, ClaimsOnlyTheDigitsThatHold) {
 }
 
 /// A ball that goes to and fro at 10 m/s between walls with this much room, m, for one step of 1/60 s.
-std::string rattled_in(double room, const char* precision) {
+std::string rattled_in(double room, const char* precision, double drag = 0) {
     Scene scene = empty_scene();
+    scene.damping = drag;
     add_ball(scene, {0, 0}, {0, 10});
     for (const double y : {-0.1, 0.1 + room}) add_part(scene, segment({-1, y}, {1, y}));
     const auto world = make_world(scene, {{"precision", precision}, {"twin", "off"}});
@@ -155,7 +156,8 @@ std::string rattled_in(double room, const char* precision) {
         const std::string why = refusal.what();
         return why.substr(0, why.find(" at "));
     }
-    EXPECT_EQ(world->statistics().impacts, std::floor(10.0 / 60 / room));
+    const double way = drag > 0 ? 10 * -std::expm1(-drag / 60) / drag : 10.0 / 60;
+    EXPECT_EQ(world->statistics().impacts, std::floor(way / room));
     return "";
 }
 
@@ -165,6 +167,11 @@ TEST(ReferenceWorld, AStepWithTooManySearchesIsRefused) {
     const std::string why = "reference: ball 0 hits part 0 after too many searches in one step";
     EXPECT_EQ(rattled_in(1e-8, "53"), why);
     EXPECT_EQ(rattled_in(1e-6, "113"), why);
+    // With drag each search takes much longer.
+    EXPECT_EQ(rattled_in(1e-5, "53", 1), "");
+    EXPECT_EQ(rattled_in(2e-6, "53", 1), why);
+    EXPECT_EQ(rattled_in(3e-4, "113", 1), "");
+    EXPECT_EQ(rattled_in(5e-5, "113", 1), why);
 }
 
 TEST(ReferenceWorld, PilesAreRefusedAndTheWorldStaysReadable) {
