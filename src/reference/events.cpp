@@ -42,7 +42,7 @@ void Simulation<R>::refuse_endless(Particle& particle) {
     // seconds.
     constexpr bool is_wide = !std::is_same_v<R, double>;
     const bool drags = external_.drag > 0;
-    const std::uint64_t most_searches = is_wide ? (drags ? 8'000 : 50'000) : (drags ? 200'000 : 2'000'000);
+    const std::uint64_t most_searches = is_wide ? (drags ? 20'000 : 50'000) : (drags ? 200'000 : 2'000'000);
     const std::uint64_t per_ball = is_wide && drags ? 200 : 2'000;
     if (now_ - particle.series_since > instant) {
         particle.series_since = now_;

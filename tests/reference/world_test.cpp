@@ -171,7 +171,7 @@ TEST(ReferenceWorld, AStepWithTooManySearchesIsRefused) {
     EXPECT_EQ(rattled_in(1e-5, "53", 1), "");
     EXPECT_EQ(rattled_in(2e-6, "53", 1), why);
     EXPECT_EQ(rattled_in(3e-4, "113", 1), "");
-    EXPECT_EQ(rattled_in(5e-5, "113", 1), why);
+    EXPECT_EQ(rattled_in(3e-5, "113", 1), why);
 }
 
 TEST(ReferenceWorld, PilesAreRefusedAndTheWorldStaysReadable) {
