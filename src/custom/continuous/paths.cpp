@@ -83,7 +83,9 @@ void Paths::push_out_of_parts(BallIndex i) {
         const Box here = bounds_of(ball.position, ball.radius);
         for (const PrimitiveIndex near : gates_.primitives_near(here, ball)) {
             const Primitive& primitive = sim_.layout.primitive(near);
-            if (gate_of(sim_.scene.parts[primitive.part]) != nullptr) continue;
+            if (gate_of(sim_.scene.parts[primitive.part]) != nullptr &&
+                gates_.lets_through(primitive.part, ball, 0))
+                continue;
             const Touch found =
                 touch(ball.position, ball.radius, primitive, sim_.turnings[primitive.part].pose(0));
             if (found.past_end || found.separation >= deepest.separation) continue;
