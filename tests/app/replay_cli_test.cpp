@@ -62,7 +62,7 @@ TEST_F(ReplayCommand, AGameFromAStateIsNotSaved) {
     expect_good("run pinball --engine custom --seconds 1 --save " + file("state"));
     expect_refused(
         "run pinball --engine custom --seconds 1 --from " + file("state") + " --script none --replay " + game,
-        2, "--replay: the game of 'custom' cannot be saved: it does not come from the scene");
+        2, "--replay: the game of 'custom' cannot be saved: it goes on from a state that does not come from");
 }
 
 }  // namespace
