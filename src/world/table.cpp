@@ -4,6 +4,7 @@
 
 #include "world/gate.hpp"
 #include "world/refusal.hpp"
+#include "world/surface.hpp"
 
 namespace flipside {
 
