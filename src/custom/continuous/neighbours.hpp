@@ -80,8 +80,10 @@ class Cells {
     /// Visits the neighbours of each ball i of a list, also of those that `visit(i, j)` adds to it (flood
     /// fill).
     void flood_fill(const std::vector<BallIndex>& list, auto&& visit) const {
-        for (std::size_t seen = 0; seen < list.size(); ++seen)
-            query_neighbours(list[seen], [&, i = list[seen]](BallIndex j) { visit(i, j); });
+        for (std::size_t seen = 0; seen < list.size();) {
+            const BallIndex i = list[seen++];
+            query_neighbours(i, [&](BallIndex j) { visit(i, j); });
+        }
     }
 
   private:
