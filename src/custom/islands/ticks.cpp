@@ -197,7 +197,10 @@ void Islands::add_ball_contact(BallIndex i, BallIndex j, double time, double dur
                  slack = sim_.slow * duration + resting_distance * std::min(a.radius, b.radius);
     const double square = length_squared(between);
     if (square >= (reach + slack) * (reach + slack) || !layers_meet(a, b)) return;
-    if (flies) return beside_.push_back({i, j});
+    if (flies) {
+        beside_.emplace_back(i, j);
+        return;
+    }
     const double distance = std::sqrt(square), gap = distance - reach;
     const Vec2 normal = distance > 0 ? between / distance : Vec2{0, 1};  // of balls at one point: any
     const bool deep = gap < -resting_distance * std::min(a.radius, b.radius);
