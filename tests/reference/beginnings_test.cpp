@@ -64,7 +64,7 @@ Scene floor_scene() {
 
 TEST(ReferenceBeginnings, ABallIsMovedOutOfAPartAlsoWhenItIsAddedOrLaunched) {
     for (const double radius : {0.05, 0.1}) {  // the cells are for balls of the launcher, or larger
-        const auto height = [&](Scene scene, auto&& begin) {
+        const auto height = [&](const Scene& scene, auto&& begin) {
             const auto world = make_world(scene);
             world->step(0.25);
             begin(*world);
