@@ -1,7 +1,5 @@
 #include "box2d/world.hpp"
 
-#include <algorithm>
-
 #include <box2d/b2_circle_shape.h>
 
 #include "box2d/shapes.hpp"
@@ -132,9 +130,8 @@ std::span<const Contact> Box2dWorld::contacts() const {
 }
 
 std::size_t Box2dWorld::place_of(BallNumber number) const {
-    const auto at = std::ranges::lower_bound(balls_, number, {}, &Ball::number);
-    return static_cast<std::size_t>((at != balls_.end() && at->number == number ? at : balls_.end()) -
-                                    balls_.begin());
+    const Ball* ball = find_ball(balls_, number);
+    return ball == nullptr ? balls_.size() : static_cast<std::size_t>(ball - balls_.data());
 }
 
 BallNumber Box2dWorld::add(const Ball& ball) {
