@@ -51,10 +51,8 @@ void Box2dWorld::make_step(double dt) {
 void Box2dWorld::launch() {
     while (const auto launched = table_.launch(balls_)) {
         if (!launched->existing) {
-            Ball ball = launched->ball;
-            ball.number = table_.new_number();
-            balls_.push_back(ball);
-            add_body(ball);
+            balls_.push_back(table_.numbered(launched->ball));
+            add_body(balls_.back());
             continue;
         }
         const std::size_t place = place_of(launched->ball.number);

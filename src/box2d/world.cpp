@@ -136,12 +136,10 @@ std::size_t Box2dWorld::place_of(BallNumber number) const {
 
 BallNumber Box2dWorld::add(const Ball& ball) {
     require_fits(ball, units_);
-    const BallNumber number = table_.new_number();
-    balls_.push_back(ball);
-    balls_.back().number = number;
+    balls_.push_back(table_.numbered(ball));
     add_body(balls_.back());
     find_pairs();
-    return number;
+    return balls_.back().number;
 }
 
 bool Box2dWorld::remove(BallNumber number) {

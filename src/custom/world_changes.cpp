@@ -25,11 +25,9 @@ void CustomWorld::reserve_for() {
 }
 
 BallNumber CustomWorld::append(const Ball& ball) {
-    const BallNumber number = table_.new_number();
-    balls_.push_back(ball);
-    balls_.back().number = number;
+    balls_.push_back(table_.numbered(ball));
     reserve_for();
-    return number;
+    return balls_.back().number;
 }
 
 /// Launches the balls that are waiting for it.

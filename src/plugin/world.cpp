@@ -48,7 +48,7 @@ PluginWorld::PluginWorld(std::shared_ptr<const Scene> scene, const Plugin& plugi
       guard_(plugin.name) {
     const std::string missing = missing_features(table_.scene(), primitives_, plugin.description.features);
     if (!missing.empty())
-        throw InputError(plugin.name + ": cannot run scene '" + printable(table_.scene().name) +
+        throw InputError(plugin.name + ": cannot run scene '" + table_.scene().name +
                          "', which needs what this engine does not support: " + missing);
     try {
         make();
@@ -147,11 +147,9 @@ void PluginWorld::apply(const Control& control) {
 }
 
 BallNumber PluginWorld::add(const Ball& ball) {
-    const BallNumber number = table_.new_number();
-    balls_.push_back(ball);
-    balls_.back().number = number;
+    balls_.push_back(table_.numbered(ball));
     change(FLIPSIDE_ADD_BALL, balls_.back());
-    return number;
+    return balls_.back().number;
 }
 
 bool PluginWorld::remove(BallNumber number) {

@@ -137,8 +137,7 @@ void ReferenceWorld::certify(Certificate* certificate) {
 
 BallNumber ReferenceWorld::add(const Ball& ball) {
     load_once();
-    Ball added = ball;
-    added.number = table_.new_number();
+    Ball added = table_.numbered(ball);
     added.asleep = false;
     balls_.push_back(added);
     if (with_twin_) uncertainty_.push_back(twin_ ? 0 : unknown);
@@ -166,11 +165,10 @@ void ReferenceWorld::launch() {
             *std::ranges::lower_bound(balls_, ball.number, {}, &Ball::number) = ball;
             on_both([&](Exact& exact) { exact.set_velocity(ball.number, ball.velocity); });
         } else {
-            Ball ball = launched->ball;
-            ball.number = table_.new_number();
-            balls_.push_back(ball);
+            const Ball added = table_.numbered(launched->ball);
+            balls_.push_back(added);
             if (with_twin_) uncertainty_.push_back(twin_ ? 0 : unknown);
-            on_both([&](Exact& exact) { exact.add(ball); });
+            on_both([&](Exact& exact) { exact.add(added); });
         }
     }
 }

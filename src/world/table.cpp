@@ -137,11 +137,12 @@ std::optional<Table::Launched> Table::launch(std::span<const Ball> balls) {
     return launched;
 }
 
-BallNumber Table::new_number() {
+Ball Table::numbered(Ball ball) {
     if (state_.next_number == std::numeric_limits<BallNumber>::max())
         throw Refusal("no number is left for another ball; the last is " +
                       std::to_string(state_.next_number - 1));
-    return state_.next_number++;
+    ball.number = state_.next_number++;
+    return ball;
 }
 
 bool Table::is_blocked(PartIndex gate, BallNumber ball) const {

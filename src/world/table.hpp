@@ -94,8 +94,8 @@ class Table {
     [[nodiscard]] const std::vector<Blocked>& blocked() const { return state_.blocked; }
     void set_down(PartIndex target, bool down) { state_.parts[target].down = down; }
 
-    /// The number of a new ball. Throws Refusal where none is left.
-    BallNumber new_number();
+    /// The ball with a number of its own, for an engine to add. Throws Refusal where no number is left.
+    [[nodiscard]] Ball numbered(Ball ball);
     [[nodiscard]] std::vector<BallNumber>& reported_lost() { return state_.reported_lost; }
     /// Adds an event for each ball that has left the bounds. The engine is to remove it, or if the scene
     /// keeps it, this notes that it was reported.

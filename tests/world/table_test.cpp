@@ -154,7 +154,7 @@ TEST(Table, SaveAndRestoreCarryEverything) {
     t.advance(0.01);
     t.set_open(gate, true);
     t.set_down(drop_1, true);
-    EXPECT_EQ(t.new_number(), 1U);
+    EXPECT_EQ(t.numbered({}).number, 1U);
     const State state = t.save(t.scene().balls);
     EXPECT_EQ(state.balls, t.scene().balls);
     Table other = table();
@@ -164,7 +164,7 @@ TEST(Table, SaveAndRestoreCarryEverything) {
     EXPECT_EQ(other.rate(fan), 3);
     EXPECT_TRUE(other.launch_waiting());
     EXPECT_TRUE(other.parts()[gate].open && other.parts()[drop_1].down);
-    EXPECT_EQ(other.new_number(), 2U);
+    EXPECT_EQ(other.numbered({}).number, 2U);
     EXPECT_EQ(other.save({}).parts, t.save({}).parts);
 }
 
@@ -173,9 +173,9 @@ TEST(Table, RefusesABallForWhichNoNumberIsLeft) {
     State state = t.save(t.scene().balls);
     state.next_number = 4'294'967'294;
     t.restore(state);
-    EXPECT_EQ(t.new_number(), 4'294'967'294);
-    EXPECT_THROW(static_cast<void>(t.new_number()), Refusal);
-    EXPECT_THROW(static_cast<void>(t.new_number()), Refusal);
+    EXPECT_EQ(t.numbered({}).number, 4'294'967'294);
+    EXPECT_THROW(static_cast<void>(t.numbered({})), Refusal);
+    EXPECT_THROW(static_cast<void>(t.numbered({})), Refusal);
 }
 
 TEST(Table, KnowsWhomAGateBlocks) {

@@ -16,9 +16,8 @@ class RefusingWorld : public World {
     void step(double /*dt*/) override { throw Refusal(why_); }
     void apply(const Control& control) override { table_.apply(control); }
     BallNumber add(const Ball& ball) override {
-        const BallNumber number = table_.new_number();
-        balls_.push_back(ball);
-        return balls_.back().number = number;
+        balls_.push_back(table_.numbered(ball));
+        return balls_.back().number;
     }
     bool remove(BallNumber number) override {
         return std::erase_if(balls_, [&](const Ball& ball) { return ball.number == number; }) > 0;
