@@ -6,21 +6,20 @@
 #include "plugin/process.hpp"
 #include "plugin/world.hpp"
 #include "world/input_error.hpp"
-#include "world/printable.hpp"
 
 namespace flipside::plugin {
 
 namespace {
 
 Description describe(const std::filesystem::path& file) {
-    const std::string shown = printable(file.string());
+    const std::string shown = file.string();
     try {
         Process process(file);
         Bytes answer;
         const Answer kind = process.receive(answer);
         Reader in(answer);
         if (kind == Answer::done) return Description::read(in);
-        throw InputError(shown, "", printable(in.text()));
+        throw InputError(shown, "", in.text());
     } catch (const Ended& ended) {
         throw InputError(shown, "",
                          std::string("the process of this engine ") + ended.what() + " while it was loaded");
@@ -61,9 +60,9 @@ std::unique_ptr<const Plugin> load(const std::filesystem::path& file,
                                    std::span<const std::string_view> taken) {
     std::error_code why;
     const std::filesystem::path whole = std::filesystem::canonical(file, why);
-    if (why) throw InputError(printable(file.string()), "", "cannot be read (" + why.message() + ")");
+    if (why) throw InputError(file.string(), "", "cannot be read (" + why.message() + ")");
     if (!std::filesystem::is_regular_file(whole, why))
-        throw InputError(printable(file.string()), "", "is no regular file; allowed is a shared library");
+        throw InputError(file.string(), "", "is no regular file; allowed is a shared library");
     auto plugin = std::make_unique<Plugin>();
     plugin->file = whole.string();
     plugin->description = describe(whole);

@@ -132,6 +132,8 @@ TEST(Settings, BadValuesAreRefusedAndChangeNothing) {
                  "setting slop: ", "from 0 to 1");
     expect_error(error_of([&] { s.set("speed", "1"); }), "unknown setting 'speed'; known are ",
                  "slop, iterations, bullets, broad_phase");
+    expect_error(error_of([&] { s.set("slo\x7f\u202e\n", "1"); }),
+                 "unknown setting 'slo\\x7f\\u{202e}\\x0a'; ", "");
     EXPECT_TRUE(s == Settings(specs));
 }
 

@@ -66,7 +66,7 @@ void require_new_replays(const BotOptions& options) {
     for (std::uint64_t game = 0; game < options.games; ++game) {
         const fs::path file = bots::replay_file(options.replays, options.seed + game);
         if (fs::exists(file) || fs::weakly_canonical(file) == out)
-            throw InputError("--replays would write '" + printable(file.string()) +
+            throw InputError("--replays would write '" + file.string() +
                              "', which is another file already; allowed is a folder without it");
     }
 }

@@ -7,7 +7,6 @@
 #include "lab/files/plain_name.hpp"
 #include "world/input_error.hpp"
 #include "world/json_file.hpp"
-#include "world/printable.hpp"
 
 namespace flipside::lab {
 
@@ -105,7 +104,7 @@ void CsvTable::refuse(std::size_t row, std::string_view column, std::string_view
     std::string found = field(row, column).substr(0, enough + 1);
     if (found.size() > enough) found.replace(enough, 1, "...");
     throw InputError(file_.string() + ": line " + std::to_string(lines_[row]) + ": " + std::string(column) +
-                     " '" + printable(found) + "' is not " + std::string(wanted));
+                     " '" + found + "' is not " + std::string(wanted));
 }
 
 const std::string& CsvTable::field(std::size_t row, std::string_view column) const {

@@ -9,7 +9,6 @@
 #include "lab/contenders/recommended.hpp"
 #include "lab/sweep/variants.hpp"
 #include "world/input_error.hpp"
-#include "world/printable.hpp"
 
 namespace flipside::lab::sweep {
 
@@ -112,7 +111,7 @@ const Contender& add_contender(const std::string& name, const std::string& engin
                                const std::string& about) {
     const auto known = std::ranges::find(engines(), engine, &Engine::name);
     if (known == engines().end())
-        throw InputError("contender '" + name + "': no engine '" + printable(engine) + "' is known here");
+        throw InputError("contender '" + name + "': no engine '" + engine + "' is known here");
     const Engine* const own = *known;
     for (const SettingChange& change : parse_changes(words_of(settings), {&own, 1}))
         Settings(own->settings).set(change.name, change.value);
