@@ -14,6 +14,8 @@ namespace {
 /// A contact whose normal has a larger downward component, as a sine, presses a ball from above and does not
 /// support it.
 constexpr double most_from_above = 0.1;
+/// A contact holds a ball up if its force can have a larger upward component, as a share of its normal force.
+constexpr double least_lift = 1e-9;
 
 auto key(const Contact& contact) {
     return std::tie(contact.ball, contact.other);
@@ -160,15 +162,21 @@ void TouchList::wake_unheld(std::span<Ball> balls) const {
     const auto is_held = [&](BallNumber number) -> char& {
         return held[static_cast<std::size_t>(find_ball(balls, number) - balls.data())];
     };
-    const double most = most_from_above * length(gravity);
+    const double least = least_lift * length(gravity);
     char fixed = 1;  // a part holds
     for (bool any = true; std::exchange(any, false);)
         for (const Contact& contact : now_) {
-            const double along = dot(contact.normal, gravity);
-            char &ball = is_held(contact.ball),
-                 &other = contact.other.is_ball ? is_held(contact.other.index) : fixed;
-            if (along < most && other && !ball) ball = any = true;
-            if (-along < most && ball && !other) other = any = true;
+            const Ball& first = *find_ball(balls, contact.ball);
+            const bool with_ball = contact.other.is_ball;
+            const double friction =
+                (with_ball ? layout_.mixed(first, *find_ball(balls, contact.other.index))
+                           : layout_.mixed(first, table_.scene().parts[contact.other.index]))
+                    .friction;
+            const double up = -dot(contact.normal, gravity);
+            const double by_friction = friction * std::abs(cross(contact.normal, gravity));
+            char &ball = is_held(contact.ball), &other = with_ball ? is_held(contact.other.index) : fixed;
+            if (up + by_friction > least && other && !ball) ball = any = true;
+            if (-up + by_friction > least && ball && !other) other = any = true;
         }
     for (std::size_t i = 0; i < balls.size(); ++i)
         if (!held[i]) balls[i].asleep = false;

@@ -295,6 +295,9 @@ TEST_F(CommandLine, NothingThatIsAskedForIsIgnored) {
         expect_refused("cases --hard" + other, 2, "--hard takes no ");
         expect_refused("cases --list" + other, 2, "--list takes no ");
     }
+    for (const std::string& other : std::vector<std::string>{" 1", " --dt 1/120", " --quick", json})
+        expect_refused("cases --map map.csv" + other, 2, "--map takes no ");
+    expect_refused("cases --map map.csv 1", 2, "it is given alone or with --engine, --set");
     expect_refused("sweep --contenders custom-simple,custom-simple --out " + file("sweep"), 2, "there twice");
     EXPECT_FALSE(fs::exists(file("sweep")));
     // As an unset variable of a shell gives them.

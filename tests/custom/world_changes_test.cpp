@@ -54,6 +54,21 @@ TEST(Restore, ASleepingBallInTheAirWakes) {
     EXPECT_NEAR(world->balls()[2].position.y, 3 - 0.5 * 9.81 * 0.01, 1e-12);
 }
 
+// Between two walls: smooth ones cannot carry a ball, rough ones may have clamped it.
+TEST(Restore, ASleepingBallBesideSmoothWallsWakes) {
+    for (const double friction : {0.0, 0.5}) {
+        Scene scene = empty_scene({0, -9.81});
+        scene.materials[0].friction = friction;
+        add_ball(scene, {0, 1});
+        for (const double x : {-0.1, 0.1}) add_part(scene, segment({x, 0}, {x, 2}), {"", 1, friction, 0});
+        State edited = make_world(scene)->save();
+        edited.balls[0].asleep = true;
+        const auto world = make_world(scene);
+        world->restore(edited);
+        EXPECT_EQ(world->balls()[0].asleep, friction > 0) << friction;
+    }
+}
+
 TEST(Restore, ASleepingBallThatMovesWakes) {
     const Scene scene = heap();
     State edited = asleep(scene);

@@ -161,11 +161,16 @@ int run_cases(const CasesOptions& options) {
     return std::ranges::any_of(runs, failed) ? 1 : 0;
 }
 
-/// Throws where more is given than this option: nothing is ignored.
-void require_alone(const CLI::App& command, const std::string& option) {
+/// Throws where more is given than this option and what it heeds: nothing is ignored.
+void require_alone(const CLI::App& command, const std::string& option,
+                   std::initializer_list<std::string_view> heeded = {}) {
+    std::string with;
+    for (const std::string_view one : heeded) with += (with.empty() ? "" : ", ") + std::string(one);
     for (const CLI::Option* given : command.get_options())
-        if (given->count() > 0 && given->get_name() != option)
-            throw InputError(option + " takes no " + given->get_name() + "; it is given alone");
+        if (given->count() > 0 && given->get_name() != option &&
+            std::ranges::find(heeded, given->get_name()) == heeded.end())
+            throw InputError(option + " takes no " + given->get_name() + "; it is given " +
+                             (with.empty() ? "alone" : "alone or with " + with));
 }
 
 }  // namespace
@@ -190,16 +195,15 @@ void add_cases(CLI::App& program, Action& chosen) {
     command.add_flag(
         "--hard", options->hard,
         "Instead of the cases: ours and Box2D on the scenes that hunts found (exit 1 where one got worse)");
-    CLI::Option* json =
-        command.add_option("--json", options->json, "Everything found, as JSON")->type_name("FILE");
+    command.add_option("--json", options->json, "Everything found, as JSON")->type_name("FILE");
     command
         .add_option("--map", options->map,
                     "Instead of the cases: where the engine holds, mass ratio x speed x step, as CSV")
-        ->excludes(json)
         ->type_name("FILE");
     command.callback([options, &command, &chosen] {
         if (options->list) require_alone(command, "--list");
         if (options->hard) require_alone(command, "--hard");
+        if (!options->map.empty()) require_alone(command, "--map", {"--engine", "--set"});
         chosen = [options] {
             if (options->list) return list_cases();
             if (options->hard) return run_hard();
