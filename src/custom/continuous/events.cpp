@@ -40,8 +40,8 @@ constexpr double instant = 1e-12;
 
 }  // namespace
 
-/// Counts an event of a ball, and tells whether that exceeds a limit: then its events have no end.
-bool Events::exceeds_limits(Particle& particle, double time, bool with_ball) const {
+/// Counts an event of a ball. Returns whether that exceeds a limit: then its events have no end.
+bool Events::count_event(Particle& particle, double time, bool with_ball) const {
     const bool at_once = time <= particle.last_event + instant * sim_.end;
     particle.simultaneous_events = at_once ? particle.simultaneous_events + 1 : 0;
     particle.meets_balls = with_ball || (at_once && particle.meets_balls);
@@ -79,7 +79,7 @@ void Events::handle(BallIndex i) {
     Particle& counted = particle.next == EventType::ball && !sim_.balls[particle.partner].asleep
                             ? sim_.particles[std::min(i, particle.partner)]
                             : particle;
-    if (exceeds_limits(counted, time, particle.next == EventType::ball)) {
+    if (count_event(counted, time, particle.next == EventType::ball)) {
         if (!counted.jammed) return islands_.solve_jammed(i, time);
         // Of two balls the counted one, or the other if that is frozen already.
         return islands_.freeze(&counted == &particle || counted.frozen ? i : particle.partner, time);
@@ -193,7 +193,7 @@ void Events::hit_ball(BallIndex i, double time) {
     const double approach = -dot(a.velocity - b.velocity, unit(a.position - b.position));
     const bool wakes = approach > sim_.settings.sleep_speed && (a.asleep || b.asleep);
     if (wakes) a.asleep = b.asleep = false;
-    const bool collapsing = islands_.collapses(i, j, approach, time);
+    const bool collapsing = islands_.note_hit(i, j, approach, time);
     // Two balls, one of them a member, rest on each other as two members do. Else most contacts in a heap are
     // bounces of balls that have just left their island.
     const bool in_island = collapsing || sim_.hot[i].in_island || sim_.hot[j].in_island;

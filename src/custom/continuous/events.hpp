@@ -25,7 +25,7 @@ class Events {
     void handle(BallIndex i);
 
   private:
-    [[nodiscard]] bool exceeds_limits(Particle& particle, double time, bool with_ball) const;
+    [[nodiscard]] bool count_event(Particle& particle, double time, bool with_ball) const;
     void hit_feature(BallIndex i, double time);
     void hit_ball(BallIndex i, double time);
     [[nodiscard]] bool collide(BallIndex low, BallIndex high, double rest_speed, double time);

@@ -29,10 +29,10 @@ class Islands {
     /// Solves the contacts of all members at a tick, and predicts their events.
     void tick(double time);
 
-    /// Whether a slow contact belongs to an inelastic collapse: in a heap that comes to rest, impacts follow
-    /// each other ever faster without end (McNamara and Young 1994, "Inelastic collapse in two dimensions").
-    /// Then it becomes a resting contact.
-    [[nodiscard]] bool collapses(BallIndex i, BallIndex j, double approach, double time) const;
+    /// Counts a hit of two balls. Returns whether it is slow and belongs to an inelastic collapse: in a heap
+    /// that comes to rest, impacts follow each other ever faster without end (McNamara and Young 1994,
+    /// "Inelastic collapse in two dimensions"). Then it becomes a resting contact.
+    [[nodiscard]] bool note_hit(BallIndex i, BallIndex j, double approach, double time) const;
     /// Acceleration with which two touching balls would approach each other without a contact force, m/s².
     [[nodiscard]] double closing_acceleration(BallIndex i, BallIndex j, double time) const;
     /// Handles a ball whose events at one instant, or whose insignificant impacts, have no end. All balls in

@@ -157,7 +157,7 @@ void Islands::start_creep_path(BallIndex i, double time, double until, const Con
     sim_.hot[i].creeps = true;
 }
 
-bool Islands::collapses(BallIndex i, BallIndex j, double approach, double time) const {
+bool Islands::note_hit(BallIndex i, BallIndex j, double approach, double time) const {
     for (Particle* particle : {&sim_.particles[i], &sim_.particles[j]}) {
         particle->hits = time - particle->last_hit < sim_.tick_length ? particle->hits + 1 : 0;
         particle->last_hit = time;
