@@ -306,6 +306,14 @@ TEST_F(CommandLine, NothingThatIsAskedForIsIgnored) {
     expect_refused("''", 2, "argument 1 is empty");
 }
 
+TEST_F(CommandLine, WholeNumbersAreWrittenInDigits) {
+    const std::string run = "run drop --engine custom --seconds 1 --every ";
+    for (const char* every : {"1.5", "1e3", "0", "-1", "12345678901234567890"})
+        expect_refused(run + every, 2, "it takes a whole number from 1 to 1000000000");
+    expect_refused("trace drop --engine custom --ball -1", 2, "a whole number from 0 to 4294967295");
+    expect_refused("hunt --engine custom --out x --seed 1e3", 2, "a whole number from 0 to 1000000000000");
+}
+
 TEST_F(CommandLine, AnInterruptLeavesNoFile) {
     const std::string out = file("t.csv");
     const pid_t child = fork();

@@ -108,11 +108,11 @@ void add_bot(CLI::App& program, Action& chosen) {
         ->required()
         ->type_name("E");
     command.add_option("--games", options->games, "How many")
-        ->check(number_from(1, 1e6))
+        ->check(whole_number_from(1, 1'000'000))
         ->capture_default_str()
         ->type_name("N");
     command.add_option("--seed", options->seed, "Of the first game; the next ones follow")
-        ->check(number_from(0, 1e12))
+        ->check(whole_number_from(0, 1'000'000'000'000))
         ->capture_default_str()
         ->type_name("S");
     command

@@ -150,17 +150,17 @@ void add_hunt(CLI::App& program, Action& chosen) {
             "--scenes", options->scenes,
             "Scenes that each round looks at: half of them random, half climbing (default 2000, for a "
             "budget below 600 s 100)")
-        ->check(number_from(1, 1e7))
+        ->check(whole_number_from(1, 10'000'000))
         ->type_name("N");
     command
         .add_option("--rounds", options->rounds,
                     "Rounds, each from other random scenes (default 4, or by --seconds)")
-        ->check(number_from(1, most_rounds))
+        ->check(whole_number_from(1, most_rounds))
         ->type_name("N");
     command.add_option("--shard", options->shard, "Only the K-th of N parts; in any order, at the same time")
         ->type_name("K/N");
     command.add_option("--seed", options->seed, "Of the scenes (default 1)")
-        ->check(number_from(0, 1e12))
+        ->check(whole_number_from(0, 1'000'000'000'000))
         ->type_name("S");
     command
         .add_option("--out", options->out,

@@ -90,7 +90,7 @@ void add_pairs(CLI::App& program, Action& chosen) {
         ->type_name("T");
     command.add_option("--most", options->most_balls, "Largest number of balls in the table of growth")
         ->capture_default_str()
-        ->check(number_from(32, 1e5))
+        ->check(whole_number_from(32, 100'000))
         ->type_name("N");
     command.add_option("--json", options->json, "Everything found, as JSON")->type_name("FILE");
     command.callback([options, &chosen] { chosen = [options] { return pairs(*options); }; });

@@ -124,7 +124,7 @@ void add_replay(CLI::App& program, Action& chosen) {
     command.add_option("--video", film.video, "Write a video with sound, by ffmpeg")->type_name("MP4");
     command.add_option("--sound", film.sound, "Write the sound alone")->type_name("WAV");
     command.add_option("--fps", film.frames_per_second, "Frames per second of the game (default 60)")
-        ->check(number_from(1, 240))
+        ->check(whole_number_from(1, 240))
         ->type_name("N");
     command.add_option("--from", film.part.from, "Where the film begins, s of the game (default 0)")
         ->check(number_from(0, 1e7))

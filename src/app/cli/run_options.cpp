@@ -10,16 +10,29 @@
 
 namespace flipside::app {
 
-CLI::Validator number_from(double min, double max) {
+namespace {
+
+template <class Number>
+CLI::Validator within(Number min, Number max, const char* what) {
     const auto check = [=](const std::string& text) -> std::string {
-        double value = 0;
+        Number value{};
         if (CLI::detail::lexical_cast(text, value) && value >= min && value <= max) return "";
         std::ostringstream problem;
-        problem << std::setprecision(16) << "'" << text << "' is not allowed; it takes a number from " << min
-                << " to " << max;
+        problem << std::setprecision(16) << "'" << text << "' is not allowed; it takes a " << what << " from "
+                << min << " to " << max;
         return problem.str();
     };
-    return {check, "", "number"};
+    return {check, "", what};
+}
+
+}  // namespace
+
+CLI::Validator number_from(double min, double max) {
+    return within(min, max, "number");
+}
+
+CLI::Validator whole_number_from(std::int64_t min, std::int64_t max) {
+    return within(min, max, "whole number");
 }
 
 CLI::Option* add_contenders(CLI::App& command, std::vector<std::string>& contenders) {
@@ -53,7 +66,7 @@ void RunOptions::add_to(CLI::App& command, const std::string& setting_form) {
                     "\"none\" for none)")
         ->type_name("FILE");
     command.add_option("--balls", balls, "Number of balls in a scene that generates a field of them")
-        ->check(number_from(1, 1e7))
+        ->check(whole_number_from(1, 10'000'000))
         ->type_name("N");
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// The options that run, compare and trace have in common.
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -39,7 +40,8 @@ CLI::Option* add_contenders(CLI::App& command, std::vector<std::string>& contend
 /// --engine, repeated; where all engines take part and libraries may join them.
 void add_libraries(CLI::App& command, std::vector<std::string>& libraries);
 
-/// A CLI11 check: a finite number from `min` to `max`.
+/// CLI11 checks: a finite number from `min` to `max`, and a whole one, written in digits.
 [[nodiscard]] CLI::Validator number_from(double min, double max);
+[[nodiscard]] CLI::Validator whole_number_from(std::int64_t min, std::int64_t max);
 
 }  // namespace flipside::app

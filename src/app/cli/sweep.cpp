@@ -165,7 +165,7 @@ void add_sweep(CLI::App& program, Action& chosen) {
     command.add_option("scenes", options->scenes, "Scenes or files (default: pinball, toy and rain)")
         ->type_name("SCENE");
     command.add_option("--balls", options->balls, "Number of balls fired, or of a generated field")
-        ->check(number_from(1, 1e6))
+        ->check(whole_number_from(1, 1'000'000))
         ->type_name("N");
     command
         .add_option("--contenders", options->contenders,
@@ -178,7 +178,7 @@ void add_sweep(CLI::App& program, Action& chosen) {
         ->type_name("NAME=E[,dt=H][,K=V]...");
     add_libraries(command, options->engines);
     command.add_option("--finest", options->finest, "Steps per second at most (default 7680)")
-        ->check(number_from(sweep::coarsest_steps, sweep::finest_steps))
+        ->check(whole_number_from(sweep::coarsest_steps, sweep::finest_steps))
         ->type_name("N");
     command.add_flag("--quick", options->quick, "Fewer windows, and no step below 1/960 s");
     CLI::Option* every_window =
@@ -187,7 +187,7 @@ void add_sweep(CLI::App& program, Action& chosen) {
     command.add_option("--shard", options->shard, "Only the K-th of N parts; in any order, at the same time")
         ->type_name("K/N");
     command.add_option("--seed", options->seed, "Of the windows (default 1)")
-        ->check(number_from(0, sweep::largest_seed))
+        ->check(whole_number_from(0, sweep::largest_seed))
         ->type_name("S");
     command
         .add_option("--tune", options->tune,

@@ -1,3 +1,5 @@
+#include <limits>
+
 #include "app/cli/commands.hpp"
 #include "app/cli/output.hpp"
 #include "app/cli/output_file.hpp"
@@ -82,7 +84,9 @@ void add_trace(CLI::App& program, Action& chosen) {
     command.add_option("--at", options->at, "When the step begins, s (default 0)")
         ->check(number_from(0, 1e7))
         ->type_name("T");
-    command.add_option("--ball", options->ball, "Only what concerns this ball")->type_name("K");
+    command.add_option("--ball", options->ball, "Only what concerns this ball")
+        ->check(whole_number_from(0, std::numeric_limits<BallNumber>::max()))
+        ->type_name("K");
     command.add_option("--from", options->from, "Start from a state that `run --save` wrote, on any engine")
         ->type_name("STATE");
     command.add_option("--json", options->json, "Write it to a file as JSON instead")->type_name("FILE");

@@ -22,8 +22,12 @@ void add_view(CLI::App& command, auto& view, const std::string& which) {
 }
 
 void add_size(CLI::App& command, auto& width, auto& height) {
-    command.add_option("--width", width, "px (default 1280)")->check(number_from(200, 8192))->type_name("W");
-    command.add_option("--height", height, "px (default 800)")->check(number_from(200, 8192))->type_name("H");
+    command.add_option("--width", width, "px (default 1280)")
+        ->check(whole_number_from(200, 8192))
+        ->type_name("W");
+    command.add_option("--height", height, "px (default 800)")
+        ->check(whole_number_from(200, 8192))
+        ->type_name("H");
 }
 
 }  // namespace flipside::app

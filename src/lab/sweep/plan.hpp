@@ -9,7 +9,7 @@
 namespace flipside::lab::sweep {
 
 /// The largest number up to which a JSON number tells every seed from the next.
-inline constexpr double largest_seed = 9007199254740991;
+inline constexpr std::int64_t largest_seed = 9007199254740991;
 
 /// Plan::most_work where no window is left out.
 inline constexpr double unlimited_work = 1e12;
