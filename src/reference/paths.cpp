@@ -73,12 +73,13 @@ bool Simulation<R>::move_out_of_parts(BallIndex i) {
 }
 
 /// Moves a ball that starts inside a part, or across a line, out of it; corrects the deepest overlap first.
+/// Returns whether it was moved. Throws Refusal where parts that face each other leave no room for it.
 template <class R>
 bool Simulation<R>::correct_overlap(BallIndex i) {
     Particle& particle = particles_[i];
     // Radii; smaller overlaps remain.
     const double deep = rests_on_ball(i) ? heap_overlap : 1e-3;
-    constexpr int most_rounds = 8;
+    constexpr int most_rounds = 1000;  // what meets at 6 degrees needs as many
     for (int round = 0; round < most_rounds; ++round) {
         Closest<R> deepest;
         deepest.gap = -deep * particle.radius;
@@ -98,7 +99,8 @@ bool Simulation<R>::correct_overlap(BallIndex i) {
         particle.path.position = particle.body.position;
         enter_cell(i, cells_.at(narrow(particle.body.position)));
     }
-    return true;
+    throw Refusal("reference: ball " + std::to_string(particle.ball.number) +
+                  " begins where parts leave no room for it" + at_time(now_));
 }
 
 /// Finds the features that the ball touches without an approach speed.

@@ -1,6 +1,8 @@
 // Where a ball begins: what the exact engine does with one that overlaps a part at the start, after a launch,
 // when it is added, and when a target is raised round it.
 
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "reference/support.hpp"
@@ -92,6 +94,36 @@ TEST(ReferenceBeginnings, ALaunchIntoAPartIsRefusedAtItsTime) {
     EXPECT_EQ(why_refused([&] { world->step(0.5); }), "reference: ball 0 begins inside part 0 at 1.250000 s");
 }
 
+/// A ball of radius 0.1 between two lines through points 0.08 left and right of it.
+Scene slot_scene(double degrees_from_upright) {
+    const double lean = degrees_from_upright * std::numbers::pi / 180;
+    Scene scene = empty_scene();
+    for (const double side : {-1.0, 1.0}) {
+        const Vec2 at{side * 0.08, 0}, along{side * std::sin(lean), std::cos(lean)};
+        add_part(scene, segment(at - 0.2 * along, at + 2 * along));
+    }
+    add_ball(scene, {0, 0}, {}, 0.1);
+    return scene;
+}
+
+TEST(ReferenceBeginnings, ABallIsMovedOutOfANarrowWedge) {
+    const double lean = 10;
+    const auto world = make_world(slot_scene(lean));
+    world->step(0.1);
+    const Vec2 at = world->balls()[0].position;
+    const double cosine = std::cos(lean * std::numbers::pi / 180);
+    for (const double side : {-1.0, 1.0}) {
+        const double from_line = (0.08 - side * at.x) * cosine + at.y * std::sqrt(1 - cosine * cosine);
+        EXPECT_GE(from_line, 0.1 * (1 - 1e-3)) << side;
+        EXPECT_LE(from_line, 0.1 * (1 + 1e-2)) << side;
+    }
+}
+
+TEST(ReferenceBeginnings, ABallForWhichPartsLeaveNoRoomIsRefused) {
+    EXPECT_EQ(why_refused([] { make_world(slot_scene(0))->step(0.1); }),
+              "reference: ball 0 begins where parts leave no room for it at 0.000000 s");
+}
+
 /// A closed gate along the x axis that lets through what comes from below.
 Scene gate_scene(double speed) {
     Scene scene = empty_scene({0, -1});
@@ -121,9 +153,9 @@ TEST(ReferenceBeginnings, ABallIsMovedOutOfAGateThatBlocksIt) {
 TEST(ReferenceBeginnings, ABallThatIsMovedToAGateMeetsItThere) {
     for (const int side : {1, -1}) {
         Scene scene = gate_scene(0);
-        add_part(scene, {shape::Circle{{0, side * 0.25}, 0.1}});
-        scene.balls[0].position = {0, side * 0.1};  // between both there is a gap of 0.15
-        scene.balls[0].velocity = {1, 0};
+        add_part(scene, {shape::Circle{{0.1, side * 0.25}, 0.1}});
+        scene.balls[0].position = {0, side * 0.1};  // the way out leads to the left along the gate
+        scene.balls[0].velocity = {-1, 0};
         scene.gravity = {};
         const auto world = make_world(scene);
         world->step(0.01);
