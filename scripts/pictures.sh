@@ -121,7 +121,7 @@ readme() {
     sleep 2
     xdotool key F12
     sleep 1
-    xdotool key Escape
+    xdotool key Escape Escape  # a game is under way, so the first one asks
     wait
     mv "$folder"/*.png docs/panel.png
 }
