@@ -36,10 +36,10 @@ class TouchList {
     /// any contact but one from above.
     /// Cost: where one was lost, contacts · log(balls) for each pass through a chain of touching balls.
     void wake_unsupported(std::span<Ball> balls);
-    /// Wakes the sleeping balls that nothing holds by the contacts of the last search: no contact that can push
-    /// upwards, by its normal force or with friction, leads from them, through sleeping balls, to a part or to
-    /// an awake ball. Only a state that was edited has such
-    /// balls, and no contact that ends would ever wake them. Cost: as above.
+    /// Wakes the sleeping balls that nothing holds by the contacts of the last search: no contacts that can
+    /// push upwards, by the normal force or with friction, lead from a part or an awake ball to them, through
+    /// sleeping balls. Only a state that was edited has such balls, and no contact that ends would ever wake
+    /// them. Cost: as above.
     void wake_unheld(std::span<Ball> balls) const;
 
     void reserve(std::size_t balls);
