@@ -189,7 +189,7 @@ TEST_F(OutputFiles, AndInputsOfTooLongANameAreBadInput) {
         expect_refused(path, 2, too_long);
         expect_refused("play " + path, 2, too_long);
         expect_refused("compare drop --seconds 0 --json " + path, 2, too_long);
-        expect_refused("cases zeno-drop --quick --set solver=continuous --map " + path, 2, too_long);
+        expect_refused("cases --set solver=continuous --map " + path, 2, too_long);
         expect_refused("sweep drop --quick --out " + path, 2, too_long);
         expect_refused("report --quick --out " + path, 2, too_long);
         expect_refused("report --quick --out " + file("r") + " --from " + path, 2, too_long);
