@@ -159,22 +159,20 @@ void TouchList::wake_unheld(std::span<Ball> balls) const {
     const Vec2 gravity = table_.scene().gravity;
     std::vector<char> held(balls.size());
     for (std::size_t i = 0; i < balls.size(); ++i) held[i] = !balls[i].asleep;
-    const auto is_held = [&](BallNumber number) -> char& {
-        return held[static_cast<std::size_t>(find_ball(balls, number) - balls.data())];
+    const auto is_held = [&](const Ball& ball) -> char& {
+        return held[static_cast<std::size_t>(&ball - balls.data())];
     };
     const double least = least_lift * length(gravity);
     char fixed = 1;  // a part holds
     for (bool any = true; std::exchange(any, false);)
         for (const Contact& contact : now_) {
             const Ball& first = *find_ball(balls, contact.ball);
-            const bool with_ball = contact.other.is_ball;
-            const double friction =
-                (with_ball ? layout_.mixed(first, *find_ball(balls, contact.other.index))
-                           : layout_.mixed(first, table_.scene().parts[contact.other.index]))
-                    .friction;
+            const Ball* second = contact.other.is_ball ? find_ball(balls, contact.other.index) : nullptr;
+            const Mixed& mixed = second ? layout_.mixed(first, *second)
+                                        : layout_.mixed(first, table_.scene().parts[contact.other.index]);
             const double up = -dot(contact.normal, gravity);
-            const double by_friction = friction * std::abs(cross(contact.normal, gravity));
-            char &ball = is_held(contact.ball), &other = with_ball ? is_held(contact.other.index) : fixed;
+            const double by_friction = mixed.friction * std::abs(cross(contact.normal, gravity));
+            char &ball = is_held(first), &other = second ? is_held(*second) : fixed;
             if (up + by_friction > least && other && !ball) ball = any = true;
             if (-up + by_friction > least && ball && !other) other = any = true;
         }
