@@ -154,7 +154,7 @@ TEST(ReferenceBeginnings, ABallThatIsMovedToAGateMeetsItThere) {
     for (const int side : {1, -1}) {
         Scene scene = gate_scene(0);
         add_part(scene, {shape::Circle{{0.1, side * 0.25}, 0.1}});
-        scene.balls[0].position = {0, side * 0.1};  // the way out leads to the left along the gate
+        scene.balls[0].position = {0.02, side * 0.13};  // apart from the gate; the way out leads to it
         scene.balls[0].velocity = {-1, 0};
         scene.gravity = {};
         const auto world = make_world(scene);
