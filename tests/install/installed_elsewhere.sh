@@ -47,8 +47,12 @@ bin/flipside_check_certificate "$folder/run.json" | grep -q '^accepted' || fail 
 "$flipside" run drop --engine "$folder/engine/libengine-in-c.so" --seconds 0.1 --stats "$folder/stats.json"
 [[ -s $folder/stats.json ]] || fail "the example of an engine does not run"
 
-# Nothing that was installed names a folder of the machine that built it.
-if grep -rlF -e "$build" -e "$source" .; then fail "these name the build's or the source's folder"; fi
+# Nothing that was installed names a folder of the machine that built it. Only whole paths count: where the source lies in
+# /flipside, share/flipside does not name it.
+names_folder() { LC_ALL=C grep -rlaP "(?:(?<![\w./-])|(?<=-[IL]))\Q$1\E(?![\w.-])" .; }
+echo "-I$source/src" > leak && [[ $(names_folder "$source") == ./leak ]] || fail "a folder's name would not be found"
+rm leak
+if names_folder "$build" || names_folder "$source"; then fail "these name the build's or the source's folder"; fi
 
 # Without its assets it says so, and how to name them.
 mv share/flipside "$folder/assets"
