@@ -20,8 +20,8 @@ std::span<const Contact> CustomWorld::contacts() const {
 /// Finds the contacts after a step, and reports those that began or ended.
 void CustomWorld::find_contacts() const {
     if (steps_since_contacts_ == 0) return;
-    // Balls that slept since then have the same contacts.
-    if (simple_ || steps_since_contacts_ > 1 || continuous_->fell_asleep())
+    // Balls that slept all the time have the same contacts.
+    if (simple_ || steps_since_contacts_ > 1 || continuous_->sleep_changed())
         contacts_.search(balls_);
     else
         contacts_.refresh(balls_, continuous_->find_pairs(balls_));

@@ -125,7 +125,7 @@ void TouchList::leave_sensors(BallNumber ball) {
     std::erase_if(sensed_, [&](const Sensed& sensed) { return sensed.ball == ball; });
 }
 
-void TouchList::wake_unsupported(std::span<Ball> balls) {
+bool TouchList::wake_unsupported(std::span<Ball> balls) {
     const Vec2 gravity = table_.scene().gravity;
     woken_.assign(balls.size(), 0);
     bool any = false;
@@ -147,12 +147,14 @@ void TouchList::wake_unsupported(std::span<Ball> balls) {
         if (along < most) wake(ended.ball);
         if (-along < most && ended.other.is_ball) wake(ended.other.index);
     });
+    const bool woke = any;
     while (std::exchange(any, false))
         for (const Contact& contact : now_) {
             if (!contact.other.is_ball) continue;
             if (is_woken(contact.ball)) wake(contact.other.index);
             if (is_woken(contact.other.index)) wake(contact.ball);
         }
+    return woke;
 }
 
 void TouchList::wake_unheld(std::span<Ball> balls) const {

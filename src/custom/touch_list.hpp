@@ -33,9 +33,9 @@ class TouchList {
 
     /// Wakes the sleeping balls that lost a support between the last two searches, and all that they touch
     /// through sleeping balls: what was in equilibrium with that support may not be without it. A support is
-    /// any contact but one from above.
+    /// any contact but one from above. Returns whether any woke.
     /// Cost: where one was lost, contacts · log(balls) for each pass through a chain of touching balls.
-    void wake_unsupported(std::span<Ball> balls);
+    bool wake_unsupported(std::span<Ball> balls);
     /// Wakes the sleeping balls that nothing holds by the contacts of the last search: no contacts that can
     /// push upwards, by the normal force or with friction, lead from a part or an awake ball to them, through
     /// sleeping balls. Only a state that was edited has such balls, and no contact that ends would ever wake

@@ -48,7 +48,7 @@ ContinuousSolver::ContinuousSolver(Table& table, const Layout& layout, BroadPhas
       predictions_(sim_, gates_, paths_),
       islands_(sim_, gates_, paths_, predictions_),
       events_(sim_, gates_, paths_, predictions_, islands_),
-      sleep_(settings.sleep_speed, sim_.scene.gravity),
+      sleep_(settings.sleep_speed, sim_.external),
       contacts_(layout, table, broad, sleep_distance) {
     for (State& start : starts_) table.copy(start);
 }
@@ -75,7 +75,8 @@ void ContinuousSolver::reserve(std::size_t balls) {
 
 void ContinuousSolver::step(double dt, std::vector<Ball>& balls, StepRecord& record) {
     sim_.record = &record;
-    fell_asleep_ = false;
+    sleep_changed_ = false;
+    record.statistics.handed_over = in_window_ ? sim_.members : 0;
     Clock now = sim_.table.clock();
     now.advance(dt);
     advance_to(now, balls);
@@ -207,8 +208,8 @@ void ContinuousSolver::end(std::vector<Ball>& balls) {
     read(sim_.end, balls);
     in_window_ = false;
     contacts_.refresh(balls, find_pairs(balls));
-    contacts_.wake_unsupported(balls);
-    if (sim_.settings.sleep) fell_asleep_ |= sleep_.update(balls, contacts_.contacts());
+    sleep_changed_ |= contacts_.wake_unsupported(balls);
+    if (sim_.settings.sleep) sleep_changed_ |= sleep_.update(balls, contacts_.contacts());
 }
 
 std::shared_ptr<const State> ContinuousSolver::origin() const {

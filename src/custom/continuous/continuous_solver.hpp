@@ -46,8 +46,9 @@ class ContinuousSolver {
     void interrupt() { in_window_ = quiet_ = contacts_known_ = false; }
     /// Whether nothing moves until interrupt(): all balls sleep and no part moves.
     [[nodiscard]] bool quiet() const { return quiet_; }
-    /// Whether a ball fell asleep in the last step.
-    [[nodiscard]] bool fell_asleep() const { return fell_asleep_; }
+    /// Whether a ball fell asleep or woke at the end of a window in the last step. find_pairs() then lacks
+    /// pairs.
+    [[nodiscard]] bool sleep_changed() const { return sleep_changed_; }
 
     /// State at the start of the current window, which leads to the present state; null between windows.
     [[nodiscard]] std::shared_ptr<const State> origin() const;
@@ -96,7 +97,7 @@ class ContinuousSolver {
     // Kept from window to window.
     bool contacts_known_ = false;  ///< contacts_ is up to date
     TouchList contacts_;           ///< at the start of the window
-    bool fell_asleep_ = false;
+    bool sleep_changed_ = false;
     std::array<State, 2> starts_;  ///< of the current window, and of the one that is kept
     std::size_t current_ = 0, kept_ = 0;
     bool kept_in_window_ = false;

@@ -76,13 +76,13 @@ void Events::handle(BallIndex i) {
     }
     if (leaves_cell) return predictions_.enter_cell(i);
     // An event of two balls is counted for the lower one.
-    Particle& counted = particle.next == EventType::ball && !sim_.balls[particle.partner].asleep
-                            ? sim_.particles[std::min(i, particle.partner)]
-                            : particle;
-    if (count_event(counted, time, particle.next == EventType::ball)) {
-        if (!counted.jammed) return islands_.solve_jammed(i, time);
+    const bool with_ball = particle.next == EventType::ball;
+    const BallIndex counted =
+        with_ball && !sim_.balls[particle.partner].asleep ? std::min(i, particle.partner) : i;
+    if (count_event(sim_.particles[counted], time, with_ball)) {
+        if (!sim_.particles[counted].jammed) return islands_.solve_jammed(counted, time);
         // Of two balls the counted one, or the other if that is frozen already.
-        return islands_.freeze(&counted == &particle || counted.frozen ? i : particle.partner, time);
+        return islands_.freeze(sim_.particles[counted].frozen ? i : counted, time);
     }
     ++handled_;
     particle.separated_from = nullptr;
@@ -264,6 +264,7 @@ void Events::lose(BallIndex i, double time) {
         return predictions_.predict(i, time);
     }
     sim_.hot[i].lost = true;
+    sim_.leave_island(i);
     ++sim_.hot[i].version;
     sim_.cells.remove(i);
     predictions_.forget(i);

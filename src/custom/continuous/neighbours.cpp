@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "custom/broad_phase/capacity.hpp"
@@ -111,7 +112,7 @@ double Cells::time_in_cell(BallIndex i, Vec2 center, Vec2 velocity, Vec2 top) co
     const double least = std::min(along(center.x, cells_[i].column, velocity.x, top.x),
                                   along(center.y, cells_[i].row, velocity.y, top.y));
     // Single precision keeps the position of the cells out of the last bits of later results.
-    const auto rounded = static_cast<float>(least);
+    const auto rounded = static_cast<float>(std::min<double>(least, std::numeric_limits<float>::max()));
     return rounded > least ? std::nextafter(rounded, 0.0F) : rounded;
 }
 

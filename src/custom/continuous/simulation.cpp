@@ -48,6 +48,7 @@ void Simulation::reserve(std::size_t most) {
 }
 
 void Simulation::start_with(std::span<const Ball> at_start) {
+    members = 0;
     balls.assign(at_start.begin(), at_start.end());
     choose_tick();
     particles = std::span(pool_).first(balls.size());
@@ -134,7 +135,7 @@ void Simulation::join_island(BallIndex i, double time) {
     if (!any_in_island) tick_at = next_tick(time);
     hot[i].in_island = any_in_island = true;
     std::uint64_t& counted = record->statistics.handed_over;
-    counted = std::max<std::uint64_t>(counted, 1);
+    counted = std::max(counted, ++members);
     particle.on_tick_path = false;
     particle.last_loaded = time;
 }

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "custom/continuous/neighbours.hpp"
@@ -118,7 +119,7 @@ struct Simulation {
     [[nodiscard]] bool creeps_at(double speed, const Ball& ball) const {
         return speed * long_tick_length() <= creep_distance * ball.radius && speed <= slow / 2;
     }
-    void leave_island(BallIndex i) { hot[i].in_island = false; }
+    void leave_island(BallIndex i) { members -= std::exchange(hot[i].in_island, false); }
 
     Table& table;
     const Scene& scene;
@@ -139,6 +140,7 @@ struct Simulation {
     double slow = 0;     ///< m/s: slower approaches inside an island are resting contacts, not impacts
     double tick_at = 0;  ///< s: the next tick, if any_in_island
     bool any_in_island = false;
+    std::uint64_t members = 0;  ///< of islands
 
     // Per ball.
     std::vector<Ball> balls;        ///< each at the start of its path

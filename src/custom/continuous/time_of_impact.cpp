@@ -169,7 +169,7 @@ auto motion_relative_to(const Turning& turning, const Path& path, double t0, dou
 
 /// Whether gap + rate·E(t) + bend·F(t), negative at 0, rises above 0 and decreases again.
 bool rises_above_zero(double gap, double rate, double bend, double drag) {
-    if (rate <= 0 || bend >= 0 || rate * rate + 2 * gap * bend <= 0) return false;
+    if (rate <= 0 || bend >= 0 || rate * rate - 2 * gap * bend <= 0) return false;
     if (drag <= 0) return true;
     const TimeInterval top(drag, drag_turn(rate, bend, drag));
     return gap + top.shrunk * rate + top.fallen * bend > 0;

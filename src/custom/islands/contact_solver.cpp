@@ -50,6 +50,11 @@ int sweeps_over(std::size_t contacts, int least, int most) {
     return std::clamp(static_cast<int>(solves / std::max<std::size_t>(1, contacts)), least, most);
 }
 
+/// m: of the smaller ball of a contact. A part has no radius.
+double radius_of(const ContactSolver::Body& upper, const ContactSolver::Body& lower) {
+    return lower.radius > 0 ? std::min(upper.radius, lower.radius) : upper.radius;
+}
+
 /// Applies an impulse to both bodies of a contact.
 void apply(Vec2 normal, const ContactImpulse& impulse, ContactSolver::Body& upper,
            ContactSolver::Body& lower) {
@@ -116,7 +121,7 @@ void ContactSolver::converge_squeezed(double enough) {
         if (bodies_[body].inverse_mass > 0 && reached_[body] == 0) reached_[body] = distance;
     };
     for (const Contact& contact : contacts_)
-        if (-contact.gap > corrected_overlap * bodies_[contact.upper].radius)
+        if (-contact.gap > corrected_overlap * radius_of(bodies_[contact.upper], bodies_[contact.lower]))
             reach(contact.upper, 1), reach(contact.lower, 1);
     for (int distance = 1; distance < squeezed_reach; ++distance)
         for (const Contact& contact : contacts_)
@@ -147,7 +152,7 @@ double ContactSolver::propagate_shock(const Contact& contact) {
 }
 
 /// Removes the overlap of a contact, by moving its bodies in proportion to their inverse masses, or equally.
-/// Returns its depth, in radii.
+/// Returns its depth, in radii of the smaller ball.
 double ContactSolver::correct_position(Contact& contact, bool by_mass) {
     Body &upper = bodies_[contact.upper], &lower = bodies_[contact.lower];
     if (contact.with == With::ball) {
@@ -166,7 +171,7 @@ double ContactSolver::correct_position(Contact& contact, bool by_mass) {
     const double share = -contact.gap / (mobility(upper) + mobility(lower));
     upper.position += share * mobility(upper) * contact.normal;
     lower.position -= share * mobility(lower) * contact.normal;
-    return -contact.gap / upper.radius;
+    return -contact.gap / radius_of(upper, lower);
 }
 
 /// Corrects the contacts with static parts until no error is greater than `enough`. They come last, so that

@@ -14,7 +14,8 @@ namespace {
 /// interval. The second matters where gravity is so low that sleep_speed is the higher limit of speed.
 constexpr double contact_speed = 1.0 / 60;
 constexpr double contact_gain = 0.05;
-/// A ball that gains more than this part of the speed that gravity gives in the interval has no support.
+/// A ball that gains more than this part of the speed that gravity gives in the interval has no support, nor
+/// has one to which contacts give less than this part of it.
 constexpr double falling = 0.5;
 /// A ball wakes the sleeping balls that it touches if it is faster than the limit for rest by this factor.
 /// Less keeps heaps awake: what has just woken is pushed by forces that are found anew.
@@ -54,8 +55,8 @@ bool Sleep::update(std::span<Ball> balls, std::span<const Contact> contacts) {
         Ball& ball = balls[i];
         if (ball.asleep == findings_[i].may_sleep) continue;
         ball.asleep = findings_[i].may_sleep;
-        if (!ball.asleep) continue;
         any = true;
+        if (!ball.asleep) continue;
         ball.velocity = {};
         ball.spin = 0;
     }
@@ -110,11 +111,14 @@ bool Sleep::rested(const Ball& ball, bool touches_ball) const {
     const double fall = length(gravity_) * interval_;
     if (fall == 0) return ball.velocity == Vec2{} && before->velocity == Vec2{} && ball.spin == 0;
     const double slowest = speed_limit(touches_ball);
+    const Vec2 moved = ball.position - before->position, gained = ball.velocity - before->velocity;
+    // By all contacts, per mass: what gravity and drag do not explain.
+    const Vec2 impulse = gained - interval_ * gravity_ + drag_ * moved;
     const double steady = touches_ball ? contact_gain * fall : 1e-3 * fall + 1e-2 * speed_;
     return length(ball.velocity) < slowest && length(before->velocity) < slowest &&
-           std::abs(ball.spin) * ball.radius < slowest &&
-           length(ball.position - before->position) < slowest * interval_ &&
-           length(ball.velocity - before->velocity) <= std::min(steady, falling * fall);
+           std::abs(ball.spin) * ball.radius < slowest && length(moved) < slowest * interval_ &&
+           length(gained) <= std::min(steady, falling * fall) &&
+           (drag_ == 0 || length(impulse) >= falling * fall);
 }
 
 }  // namespace flipside::custom

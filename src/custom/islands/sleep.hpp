@@ -8,9 +8,10 @@
 /// when they are slower than a sixtieth of the speed that gravity gives in the interval, since the island
 /// solver leaves that much motion in a heap in equilibrium. A ball that accelerates by more than a thousandth
 /// of gravity (in contact with balls a twentieth, for the same reason) is not at rest, however slow it is: it
-/// may turn back on a slope, or belong to a heap that begins to slide. A ball without support sleeps only if
-/// it does not move at all. A ball that overlaps anything by more than a hundredth of its radius does not
-/// sleep: it is still pushed out.
+/// may turn back on a slope, or belong to a heap that begins to slide. A ball that nothing but gravity and
+/// drag acts on is not at rest either, however slowly it sinks; without gravity, a ball sleeps only if it
+/// does not move at all. A ball that overlaps anything by more than a hundredth of its radius does not sleep:
+/// it is still pushed out.
 ///
 /// Approximation, *sleepers carry any load*: a sleeping ball stands like a part. Slow balls that come to rest
 /// on it later do not move it, though they might if it were awake.
@@ -19,6 +20,7 @@
 #include <span>
 #include <vector>
 
+#include "custom/continuous/resting_contact.hpp"
 #include "world/ball.hpp"
 #include "world/events.hpp"
 
@@ -26,15 +28,16 @@ namespace flipside::custom {
 
 class Sleep {
   public:
-    /// `speed` in m/s; `gravity` in m/s².
-    Sleep(double speed, Vec2 gravity) : speed_(speed), gravity_(gravity) {}
+    /// `speed` in m/s.
+    Sleep(double speed, const ExternalForces& external)
+        : speed_(speed), gravity_(external.gravity), drag_(external.drag) {}
 
     void reserve(std::size_t balls);
     /// Notes the awake balls that may be at rest, `interval` seconds before update().
     void watch(std::span<const Ball> balls, double interval);
     /// Puts balls to sleep, with zero velocity, and wakes sleeping balls that an awake ball carries or
     /// pushes. `contacts` are all contacts of the balls, up to sleep_distance. Returns whether any fell
-    /// asleep. Cost: O((balls + contacts) · log).
+    /// asleep or woke. Cost: O((balls + contacts) · log).
     bool update(std::span<Ball> balls, std::span<const Contact> contacts);
 
   private:
@@ -56,7 +59,8 @@ class Sleep {
     void find_sleepers(std::span<const Ball> balls, std::span<const Contact> contacts);
 
     double speed_;
-    Vec2 gravity_;
+    Vec2 gravity_;                   ///< m/s²
+    double drag_;                    ///< 1/s
     double interval_ = 0;            ///< s
     std::vector<Ball> before_;       ///< that may be at rest, at the start of the interval
     std::vector<Finding> findings_;  ///< per ball

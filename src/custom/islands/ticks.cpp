@@ -47,11 +47,9 @@ void Islands::solve(double time) {
     const bool regular = time == sim_.tick_at;
     sim_.tick_at = sim_.next_tick(time);
     sim_.any_in_island = any_creeps_ = false;
-    std::uint64_t members = 0;
     for (BallIndex i = 0; i < sim_.particles.size(); ++i) {
         Particle& particle = sim_.particles[i];
         if (!sim_.hot[i].in_island || sim_.hot[i].lost) continue;
-        ++members;
         if ((particle.frozen || (sim_.hot[i].creeps && !particle.jammed)) && particle.motion.until > time) {
             sim_.any_in_island = true;
             any_creeps_ = any_creeps_ || sim_.hot[i].creeps;
@@ -62,7 +60,6 @@ void Islands::solve(double time) {
         sim_.advance_to(i, time);
         members_.push_back(i);
     }
-    sim_.record->statistics.handed_over = std::max(sim_.record->statistics.handed_over, members);
     const double duration = sim_.tick_at - time;
     if (members_.empty() || !(duration > 0)) return members_.clear();
     start_creep(time);

@@ -150,9 +150,11 @@ void trace_event(const Simulation& sim, BallIndex i, const std::function<void()>
             .with_impact(recorded[before_it])
             .with("restitution", material.restitution);
     } else if (!stale && event.met) {
-        item.with("answer", sim.particles[i].resting_on ? "comes to rest on it"
-                            : sim.hot[i].in_island      ? "joins an island"
-                                                        : "slow touch");
+        const bool passes = !meets_ball && sim.table.parts()[event.met->index].open;
+        item.with("answer", passes                        ? "the gate lets it through"
+                            : sim.particles[i].resting_on ? "comes to rest on it"
+                            : sim.hot[i].in_island        ? "joins an island"
+                                                          : "slow touch");
     }
     trace_next(sim, item, i);
     TraceStage& stage = sim.record->trace->same_stage("events", "src/custom/continuous/events.cpp: handle");

@@ -44,6 +44,37 @@ bool same(const Contact& a, const Contact& b) {
     return a.ball == b.ball && a.other == b.other && a.separation == b.separation;
 }
 
+/// Two balls that sleep on a floor, and a small one that falls on the right one.
+Scene hit_pair() {
+    Scene scene = empty_scene({0, -9.81});
+    scene.rest_speed = 0.01;
+    scene.materials.front().restitution = 0.9;
+    add_part(scene, segment({-20, 0}, {20, 0}));
+    add_ball(scene, {0, 0.1}, {}, 0.1);
+    add_ball(scene, {0.2, 0.1}, {}, 0.1);
+    add_ball(scene, {0.15, 2.29}, {}, 0.03);
+    return scene;
+}
+
+// The left ball wakes at the end of a window, beside the one that was hit in it.
+TEST(Contacts, OfABallThatWakesAreKept) {
+    const auto world = make_world(hit_pair());
+    bool slept = false, woke = false;
+    for (int step = 0; step < 60; ++step) {
+        world->step(1.0 / 60);
+        const bool asleep = world->balls()[0].asleep;
+        woke = woke || (slept && !asleep);
+        slept = asleep;
+        for (const Event& event : world->events())
+            if (step > 0 && event.ball == 0 && !event.other.is_ball)
+                ADD_FAILURE() << "event " << static_cast<int>(event.kind) << " at " << event.time;
+        EXPECT_TRUE(std::ranges::any_of(world->contacts(), [](const Contact& contact) {
+            return contact.ball == 0 && !contact.other.is_ball;
+        })) << step;
+    }
+    EXPECT_TRUE(woke);
+}
+
 // The solver looks for contacts only at balls whose paths come near others then.
 RC_GTEST_PROP(Contacts, AreThoseOfASearchOfAllBalls, ()) {
     Scene scene = clump();

@@ -36,6 +36,8 @@ RC_GTEST_PROP(TimeOfImpact, ClosedFormForALineAgreesWithTheSearch, ()) {
     RC_PRE(closest_point(line, path.flight.position, r).distance > r + 1e-6);
     const double closed = time_of_impact(line, {}, path, r, 0, end);
     const double searched = search_impact(line, {}, path, r, 0, end);
+    RC_ASSERT(closed == never_touch ||
+              std::abs(std::abs(cross(unit(b - a), path.position(closed) - a)) - r) < 1e-6);
     const double first = std::min(closed, searched);
     if (first == never_touch) return;
     const Closest closest = closest_point(line, path.position(first), r);
@@ -45,6 +47,15 @@ RC_GTEST_PROP(TimeOfImpact, ClosedFormForALineAgreesWithTheSearch, ()) {
     // A ball that comes from past the end also hits that point.
     if (std::abs(closest.distance - r) > 1e-6) return;
     same(closed, searched, dot(path.velocity(first), closest.normal));
+}
+
+TEST(TimeOfImpact, ABallThatTurnsBelowALineDoesNotTouchIt) {
+    const Feature line{Line{{-1, 1}, {1, 0}, 2, {}, {}}, 0, 0};
+    for (const double rise : {0.3, 0.399, 0.401, 0.45}) {  // to the line: 0.4 m
+        Path path;
+        path.flight = {{0, 0.5}, {0.1, std::sqrt(2 * 9.81 * rise)}, {0, -9.81}, 0};
+        EXPECT_EQ(time_of_impact(line, {}, path, 0.1, 0, 1) == never_touch, rise < 0.4) << rise;
+    }
 }
 
 // A ball passes another, which rests, on its surface; what its velocity has along the normal is rounding. It

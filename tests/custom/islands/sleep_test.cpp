@@ -18,7 +18,7 @@ Ball ball_of(BallNumber number, Vec2 velocity) {
 }
 
 TEST(Sleep, ASlowBallWithoutAccelerationFallsAsleep) {
-    Sleep sleep(0.01, {0, -10});
+    Sleep sleep(0.01, {{0, -10}, 0});
     std::vector<Ball> balls{ball_of(0, {0.001, 0}), ball_of(1, {0.02, 0}), ball_of(2, {})};
     sleep.watch(balls, 0.01);
     balls[2].velocity = {0, -0.005};  // at its highest point on a slope
@@ -30,7 +30,7 @@ TEST(Sleep, ASlowBallWithoutAccelerationFallsAsleep) {
 }
 
 TEST(Sleep, ABallWithoutSupportSleepsOnlyIfItDoesNotMove) {
-    Sleep drifting(0.01, {});
+    Sleep drifting(0.01, {{}, 0});
     std::vector<Ball> balls{ball_of(0, {1e-9, 0}), ball_of(1, {}), ball_of(2, {})};
     balls[2].spin = 1e-9;
     drifting.watch(balls, 0.01);
@@ -39,7 +39,7 @@ TEST(Sleep, ABallWithoutSupportSleepsOnlyIfItDoesNotMove) {
     EXPECT_TRUE(balls[1].asleep);
     EXPECT_FALSE(balls[2].asleep);
 
-    Sleep falling(0.01, {0, -1e-4});
+    Sleep falling(0.01, {{0, -1e-4}, 0});
     balls = {ball_of(0, {})};
     falling.watch(balls, 0.01);
     balls[0].velocity = {0, -1e-6};
@@ -47,10 +47,23 @@ TEST(Sleep, ABallWithoutSupportSleepsOnlyIfItDoesNotMove) {
     EXPECT_FALSE(balls[0].asleep);
 }
 
+// At its final speed a ball in a viscous medium does not accelerate; one that lies on something does not
+// move.
+TEST(Sleep, ABallThatSinksSteadilyIsNotAtRest) {
+    const double drag = 1e4, sinks = 10 / drag;  // 0.001 m/s
+    Sleep sleep(0.01, {{0, -10}, drag});
+    std::vector<Ball> balls{ball_of(0, {0, -sinks}), ball_of(1, {})};
+    sleep.watch(balls, 0.01);
+    balls[0].position.y -= 0.01 * sinks;
+    EXPECT_TRUE(sleep.update(balls, {}));
+    EXPECT_FALSE(balls[0].asleep);
+    EXPECT_TRUE(balls[1].asleep);
+}
+
 // A longer interval allows more speed to balls in contact, since gravity gives more in it.
 TEST(Sleep, BallsInContactMayMoveAtATwentiethOfTheSpeedOfGravity) {
     for (const double moment : {0.01, 10.0}) {
-        Sleep sleep(0.01, {0, -10});
+        Sleep sleep(0.01, {{0, -10}, 0});
         std::vector<Ball> balls{ball_of(0, {1, 0}), ball_of(1, {1, 0})};
         sleep.watch(balls, moment);
         for (Ball& ball : balls) ball.position.x += moment;
@@ -61,7 +74,7 @@ TEST(Sleep, BallsInContactMayMoveAtATwentiethOfTheSpeedOfGravity) {
 
 // A moving ball keeps only the balls awake that it touches.
 TEST(Sleep, ABallSleepsBesideBallsAtRest) {
-    Sleep sleep(0.01, {0, -10});
+    Sleep sleep(0.01, {{0, -10}, 0});
     std::vector<Ball> balls{ball_of(0, {}), ball_of(1, {}), ball_of(2, {}), ball_of(3, {0.02, 0})};
     balls[0].asleep = true;
     sleep.watch(balls, 0.01);
@@ -75,7 +88,7 @@ TEST(Sleep, ABallSleepsBesideBallsAtRest) {
 
 TEST(Sleep, ABallThatMovesWakesTheSleeperThatItTouches) {
     for (const double speed : {0.03, 0.05}) {  // at rest: 0.01 m/s
-        Sleep sleep(0.01, {0, -10});
+        Sleep sleep(0.01, {{0, -10}, 0});
         std::vector<Ball> balls{ball_of(0, {}), ball_of(1, {}), ball_of(2, {speed, 0})};
         balls[0].asleep = balls[1].asleep = true;
         sleep.watch(balls, 0.01);
@@ -87,7 +100,7 @@ TEST(Sleep, ABallThatMovesWakesTheSleeperThatItTouches) {
 }
 
 TEST(Sleep, NewBallsAreIgnored) {
-    Sleep sleep(0.01, {0, -10});
+    Sleep sleep(0.01, {{0, -10}, 0});
     std::vector<Ball> balls{ball_of(3, {})};
     sleep.watch(balls, 0.01);
     balls = {ball_of(3, {}), ball_of(4, {})};
@@ -97,7 +110,7 @@ TEST(Sleep, NewBallsAreIgnored) {
 }
 
 TEST(Sleep, ASqueezedBallStaysAwake) {
-    Sleep sleep(0.01, {0, -10});
+    Sleep sleep(0.01, {{0, -10}, 0});
     std::vector<Ball> balls{ball_of(0, {}), ball_of(1, {}), ball_of(2, {})};
     sleep.watch(balls, 0.01);
     const Contact deep{0, Other::ball(2), {}, {}, -0.011 * 0.1},
