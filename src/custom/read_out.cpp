@@ -30,7 +30,8 @@ void CustomWorld::find_contacts() const {
     contacts_.report_touches(record_.events);
     if (simple_) contacts_.report_sensors(record_.crossed, record_.events);
     std::ranges::sort(record_.events, {}, [](const Event& event) {
-        return std::tie(event.time, event.kind, event.ball, event.other, event.speed, event.impulse);
+        return std::tie(event.time, event.kind, event.ball, event.other, event.speed, event.impulse,
+                        event.normal.x, event.normal.y, event.point.x, event.point.y);
     });
 }
 

@@ -34,7 +34,7 @@ constexpr int most_ahead = 10'000;
 constexpr int events_after_jam = 20;
 /// Limit on the steps of all root searches in one window: they take about a fifth of a second, and for each
 /// ball as long as 20 grazing contacts.
-constexpr std::uint64_t most_search_steps = 2'000'000, search_steps_per_ball = 1000;
+constexpr std::uint64_t most_search_steps = 2'000'000, search_steps_per_ball = 20'000;
 /// Events less than this part of the window apart are at one instant.
 constexpr double instant = 1e-12;
 
@@ -170,7 +170,9 @@ void Events::release(PartIndex part, BallIndex hitting, double time) {
     for (BallIndex j = 0; j < sim_.particles.size(); ++j) {
         if (j == hitting || sim_.hot[j].in_island || sim_.hot[j].lost) continue;
         const Ball now = sim_.ball_at(j, time);
-        if (gates_.distance_to(part, now.position, now.radius, pose) > touch_distance * now.radius) continue;
+        // A ball that sleeps may lie above the part by sleep_distance.
+        const double near = (now.asleep ? sleep_distance : touch_distance) * now.radius;
+        if (gates_.distance_to(part, now.position, now.radius, pose) > near) continue;
         sim_.balls[j] = now;
         sim_.balls[j].asleep = false;
         restart(j, time);
@@ -219,16 +221,15 @@ void Events::hit_ball(BallIndex i, double time) {
 /// and reports it. Returns whether they do.
 bool Events::collide(BallIndex low, BallIndex high, double rest_speed, double time) {
     Ball &a = sim_.balls[low], &b = sim_.balls[high];
-    Ball &hitting = a.asleep ? b : a, &other = a.asleep ? a : b;
-    const double mass = other.mass;
-    if (other.asleep) other.mass = INFINITY;
-    const Impact impact = respond(hitting, other, sim_.layout.mixed(a, b), {sim_.scene.gravity, rest_speed});
-    other.mass = mass;
+    Ball& sleeper = a.asleep ? a : b;
+    const double mass = sleeper.mass;
+    if (sleeper.asleep) sleeper.mass = INFINITY;
+    const Impact impact = respond(a, b, sim_.layout.mixed(a, b), {sim_.scene.gravity, rest_speed});
+    sleeper.mass = mass;
     if (!impact.happened) return false;
     ++sim_.record->statistics.impacts;
     if (is_significant(impact, a)) sim_.particles[low].idle_events = sim_.particles[high].idle_events = 0;
-    report(time, EventKind::impact, a, Other::ball(b.number), impact,
-           b.position + (a.asleep ? -b.radius : b.radius) * impact.normal);
+    report(time, EventKind::impact, a, Other::ball(b.number), impact, b.position + b.radius * impact.normal);
     if (!within_top_speed(b))
         refuse_speed(engine_name, b, Other::ball(a.number), sim_.start + time, sim_.scene);
     return true;

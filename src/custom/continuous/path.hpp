@@ -50,6 +50,12 @@ struct Series {
         for (int k = taylor_order; k >= 1; --k) sum = t * (sum + (*this)[k]);
         return sum;
     }
+    /// Integral of change() from 0 to t.
+    [[nodiscard]] T integral(double t) const {
+        T sum{};
+        for (int k = taylor_order; k >= 1; --k) sum = t * (sum + (*this)[k] / (k + 1));
+        return t * sum;
+    }
     [[nodiscard]] T slope(double t) const {
         T sum{};
         for (int k = taylor_order; k >= 1; --k) sum = t * sum + k * (*this)[k];

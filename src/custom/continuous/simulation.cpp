@@ -77,13 +77,20 @@ void Simulation::choose_tick() {
 
 void advance(Ball& ball, const ConstrainedPath& motion, double time) {
     const Path& path = motion.path;
-    const double t = time - path.start, before = ball.spin;
+    const double t = time - path.start;
     const auto [position, velocity] = path.at(time);
+    if (motion.roll != Vec2{}) {
+        ball.angle += dot(motion.roll, position - ball.position);
+        ball.spin = dot(motion.roll, velocity);
+    } else if (path.is_taylor()) {
+        ball.angle += ball.spin * t + path.taylor[0].spin.integral(t);
+        ball.spin += path.taylor[0].spin.change(t);
+    } else {
+        ball.angle += (ball.spin + motion.spin_rate / 2 * t) * t;
+        ball.spin += motion.spin_rate * t;
+    }
     ball.position = position;
     ball.velocity = velocity;
-    ball.spin += path.is_taylor() ? path.taylor[0].spin.change(t) : motion.spin_rate * t;
-    if (motion.roll != Vec2{}) ball.spin = dot(motion.roll, velocity);
-    ball.angle += (before + ball.spin) / 2 * t;  // exact for a constant angular acceleration
 }
 
 Vec2 Simulation::true_velocity(BallIndex i, double time) const {

@@ -12,6 +12,9 @@ namespace {
 /// Contacts with balls in a row, each within a tick of the one before, that show an inelastic collapse.
 constexpr int most_hits = 20;
 
+/// A ball at 7 m/s is frozen for at most 1/7,680 s, in which it would move 0.9 mm.
+constexpr int most_freeze_halvings = 5;
+
 /// Ticks without a load after which a ball leaves its island.
 constexpr double longest_unloaded = 2.5;
 
@@ -90,10 +93,21 @@ void Islands::solve_jammed(BallIndex first, double time) {
     tick(time);
 }
 
+/// s: a fast ball must not stay in place for a whole tick, since what drives it goes on.
+double Islands::longest_freeze(const Ball& ball) const {
+    double longest = sim_.tick_length;
+    for (int halvings = 0; halvings < most_freeze_halvings; ++halvings) {
+        if (longest * length(ball.velocity) <= farthest_approach * ball.radius) break;
+        longest /= 2;
+    }
+    return longest;
+}
+
 void Islands::freeze(BallIndex i, double time) {
     sim_.advance_to(i, time);
     sim_.join_island(i, time);
     sim_.hot[i].creeps = false;
+    sim_.tick_at = std::min(sim_.tick_at, sim_.next_on_grid(time, longest_freeze(sim_.balls[i])));
     stay_frozen(i, sim_.balls[i].velocity, time);
     predictions_.predict(i, time);
     // It predicts no events of its own, so its neighbours must predict theirs with it.
@@ -106,7 +120,7 @@ void Islands::stay_frozen(BallIndex i, Vec2 velocity, double time) {
     Particle& particle = sim_.particles[i];
     particle.frozen = true;
     particle.velocity_begin = particle.velocity_end = velocity;
-    start_member_path(i, {sim_.balls[i].position, {}, {}, 0}, time, sim_.next_tick(time));
+    start_member_path(i, {sim_.balls[i].position, {}, {}, 0}, time, sim_.tick_at);
 }
 
 /// Starts the path of a member until its next tick.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "custom/broad_phase/capacity.hpp"
 #include "custom/tolerances.hpp"
@@ -83,7 +84,8 @@ void Sleep::find_sleepers(std::span<const Ball> balls, std::span<const Contact> 
         const std::size_t lower = lift > 0 ? b : a, upper = lift > 0 ? a : b;
         carried_.push_back({-dot(balls[lower].position, gravity_), lower, upper});
     }
-    std::ranges::sort(carried_, {}, &Carried::height);
+    std::ranges::sort(carried_, {},
+                      [](const Carried& pair) { return std::tuple(pair.height, pair.lower, pair.upper); });
     for (const Carried& pair : carried_) findings_[pair.upper].may_sleep &= findings_[pair.lower].may_sleep;
 }
 

@@ -44,7 +44,8 @@ void Islands::tick(double time) {
 /// are static obstacles.
 void Islands::solve(double time) {
     members_.clear(), creeping_.clear();
-    const bool regular = time == sim_.tick_at;
+    const double off_grid = std::abs(std::remainder(sim_.end - time, sim_.tick_length));
+    const bool regular = time == sim_.tick_at && off_grid < 1e-3 * sim_.tick_length;
     sim_.tick_at = sim_.next_tick(time);
     sim_.any_in_island = any_creeps_ = false;
     for (BallIndex i = 0; i < sim_.particles.size(); ++i) {
@@ -61,6 +62,10 @@ void Islands::solve(double time) {
         members_.push_back(i);
     }
     const double duration = sim_.tick_at - time;
+    if (!sim_.any_in_island && members_.empty()) {
+        ball_forces_.clear(), part_forces_.clear();
+        return store_forces();
+    }
     if (members_.empty() || !(duration > 0)) return members_.clear();
     start_creep(time);
     if (!members_.empty()) {

@@ -75,6 +75,29 @@ TEST(Contacts, OfABallThatWakesAreKept) {
     EXPECT_TRUE(woke);
 }
 
+// The normal of an event points to its ball, also where that one sleeps on as the other bounces off it.
+TEST(Contacts, NormalsPointToTheBallThatSleepsToo) {
+    Scene scene = empty_scene({0, -9.81});
+    scene.rest_speed = 0.01;
+    add_part(scene, segment({-20, 0}, {20, 0}), {"", 0, 0, 0});
+    add_ball(scene, {0, 0.1}, {}, 0.1);
+    add_ball(scene, {0.21, 0.1}, {-0.1, 0}, 0.1);
+    scene.balls[0].asleep = true;
+    const auto world = make_world(scene, {{"sleep_speed", "0.2"}});
+    int impacts = 0;
+    for (int step = 0; step < 90 && impacts == 0; ++step) {
+        world->step(1.0 / 60);
+        for (const Event& event : world->events())
+            if (event.other.is_ball && event.kind == EventKind::impact) {
+                ++impacts;
+                EXPECT_EQ(event.ball, 0U);
+                EXPECT_NEAR(event.normal.x, -1, 1e-12);
+                EXPECT_NEAR(event.point.x, 0.1, 1e-9);
+            }
+    }
+    EXPECT_EQ(impacts, 1);
+}
+
 // The solver looks for contacts only at balls whose paths come near others then.
 RC_GTEST_PROP(Contacts, AreThoseOfASearchOfAllBalls, ()) {
     Scene scene = clump();
