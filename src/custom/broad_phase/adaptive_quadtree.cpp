@@ -5,7 +5,8 @@
 //
 // The tree of the still proxies is built once; the tree of the moving ones is built for every search by
 // partition: the proxies of a node lie together, its own first and then child by child. The query of a moving
-// proxy visits the proxies after it in its node, those below that its box reaches, and the whole still tree.
+// proxy visits the proxies after it in its node, those below that its box reaches, and those of the still
+// tree.
 //
 // Comparing a proxy with the centre of a node counts as one box test, in building and in queries.
 // Cost: O(n·depth + pairs in the same cells); a proxy that crosses an upper split is tested in many nodes.

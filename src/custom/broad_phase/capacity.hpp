@@ -11,7 +11,7 @@
 namespace flipside::custom {
 
 inline constexpr std::size_t pairs_per_ball = 16;    ///< candidate pairs of a ball at rest
-inline constexpr std::size_t contacts_per_ball = 8;  ///< contacts, forces and boxes near a moving ball
+inline constexpr std::size_t contacts_per_ball = 8;  ///< contacts and forces of a ball
 inline constexpr std::size_t touches_per_ball = 4;
 inline constexpr std::size_t most_near = 512;        ///< features near one ball
 inline constexpr std::size_t events_per_ball = 64;   ///< in a step in which a heap lands

@@ -62,8 +62,8 @@ class ContinuousSolver {
     /// no time of the window, or is never reached.
     bool resume(const Clock& to, std::vector<Ball>& balls, StepRecord& record);
 
-    /// Pairs whose boxes overlap and which contain an awake ball, in the order of a broad phase; `balls` are
-    /// those after the last step.
+    /// Pairs whose boxes overlap and which contain an awake ball, in no particular order; `balls` are those
+    /// after the last step.
     [[nodiscard]] std::span<const Pair> find_pairs(std::span<const Ball> balls);
     /// Draws the cells.
     void inspect_cells(Inspector& inspector) const { sim_.cells.inspect(inspector); }

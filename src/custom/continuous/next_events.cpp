@@ -10,7 +10,7 @@ namespace flipside::custom {
 namespace {
 
 /// Radii: a member that moves farther than this along a part in a tick does not rest on it. The chord of a
-/// slower one enters a concave arc of at least its own radius by at most farthest_chord²/8 = 0.00125 radii.
+/// slower one enters an arc of at least twice its own radius by at most farthest_chord²/8 = 0.00125 radii.
 constexpr double farthest_chord = 0.1;
 /// Radii of the smaller one: two members that move farther past each other in a tick have exact impacts. The
 /// direction of their contact turns by up to 0.2 rad in the tick, which the contact solver ignores.

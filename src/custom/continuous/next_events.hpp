@@ -15,8 +15,8 @@ namespace flipside::custom {
 
 /// The next event of every ball, in a tournament tree whose root is the earliest event (Knuth, "The Art of
 /// Computer Programming", vol. 3, 5.4.1). A match is replayed only when one of its players has changed.
-/// Events at the same time are ordered by their `order`. Cost: log₂ n matches per change; the queue holds no
-/// outdated events.
+/// Events at the same time are ordered by their `order`. Cost: log₂ n matches per change. Only events whose
+/// other ball has changed its path are outdated.
 class EventQueue {
   public:
     void reserve(std::size_t balls) {

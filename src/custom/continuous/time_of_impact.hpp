@@ -2,13 +2,14 @@
 /// Time of impact: the first instant at which a disc on its path touches a feature of the table or another
 /// disc, or leaves a box. Pure geometry; the continuous narrow phase.
 ///
-/// There are two methods, tested against each other. Straight relative motion, and parabolas against lines,
-/// lead to quadratic equations; with drag, the distance of a flight from a line is still convex or concave
-/// throughout. All other cases use conservative advancement of second order (after Mirtich 1996), which
-/// cannot skip a root: the gap f(t) has f'' ≥ −K, so f stays positive for h = (f' + √(f'² + 2Kf))/K; the
-/// search advances by h until f is rounding. Its steps converge quadratically to a crossing and linearly to a
-/// grazing contact. In the frame of a part that turns at ω, f'' is bounded by |a| + 2|ω||v| + ω²|p − pivot| +
-/// v²/d (d: distance from the centre of a curved feature).
+/// There are two kinds of method, tested against each other. Straight relative motion, and parabolas against
+/// lines, lead to quadratic equations, and two different accelerations to a quartic; with drag, the distance
+/// of a flight from a line is still convex or concave throughout. All other cases use conservative
+/// advancement of second order (after Mirtich 1996), which skips no root in its first 5,000 steps: the gap
+/// f(t) has f'' ≥ −K, so f stays positive for h = (f' + √(f'² + 2Kf))/K; the search advances by h until f is
+/// rounding. Its steps converge quadratically to a crossing and linearly to a grazing contact. In the frame
+/// of a part that turns at ω, f'' is bounded by |a| + 2|ω||v| + ω²|p − pivot| + v²/d (d: distance from the
+/// centre of a curved feature).
 ///
 /// An impact needs an approach speed greater than rounding. Contacts that slide or separate are no impacts,
 /// and an overlap that decreases is none until it increases again (Bannerman, Strobl, Formella and Pöschel

@@ -1,7 +1,7 @@
 #pragma once
-/// Roots: the first time at which a function of time falls to zero. Closed forms for polynomials up to degree
-/// four, and for a line under drag; for other functions Newton steps, bisection, regula falsi, or safe
-/// steps.
+/// Roots: the first time at which a function of time falls to zero. A closed form for
+/// polynomials up to degree two; Newton steps between bracketed extrema up to degree four, and for a line
+/// under drag; for other functions bisection, regula falsi, or safe steps.
 
 #include <algorithm>
 #include <array>

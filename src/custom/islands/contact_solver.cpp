@@ -12,8 +12,8 @@ namespace flipside::custom {
 namespace {
 
 constexpr int least_sweeps = 20, most_sweeps = 400;
-/// All sweeps but the first change an impulse by this times what its contact alone would need (successive
-/// over-relaxation, Young 1954). The first solves a lone contact exactly.
+/// All sweeps but the first of a batch change an impulse by this times what its contact alone would need
+/// (successive over-relaxation, Young 1954). The first solves a lone contact exactly.
 constexpr double over_relaxation = 1.5;
 /// When the load decreases, the warm-start impulses are too large and could add energy. While the solve has
 /// added energy, it is extended by the same number of sweeps, at most this often.
