@@ -71,7 +71,7 @@ void Events::handle(BallIndex i) {
     if (sim_.search_steps > most_search_steps + search_steps_per_ball * sim_.particles.size() ||
         (!leaves_cell && handled_ >= sim_.settings.max_impacts)) {
         for (BallIndex j = 0; j < sim_.particles.size(); ++j)
-            if (!sim_.hot[j].lost && !sim_.balls[j].asleep) islands_.freeze(j, time);
+            if (!sim_.hot[j].lost && !sim_.balls[j].asleep) islands_.freeze(j, time, sim_.tick_length);
         return;
     }
     if (leaves_cell) return predictions_.enter_cell(i);
@@ -82,7 +82,8 @@ void Events::handle(BallIndex i) {
     if (count_event(sim_.particles[counted], time, with_ball)) {
         if (!sim_.particles[counted].jammed) return islands_.solve_jammed(counted, time);
         // Of two balls the counted one, or the other if that is frozen already.
-        return islands_.freeze(sim_.particles[counted].frozen ? i : counted, time);
+        const BallIndex held = sim_.particles[counted].frozen ? i : counted;
+        return islands_.freeze(held, time, islands_.longest_freeze(held, time));
     }
     ++handled_;
     particle.separated_from = nullptr;

@@ -13,7 +13,7 @@ class Paths {
     Paths(Simulation& sim, Gates& gates);
 
     /// Moves a ball that deeply overlaps a part at the start of the window out of it, by position only. A
-    /// gate that lets it through does not. Each round corrects the deepest overlap; what four
+    /// gate that lets it through does not push it. Each round corrects the deepest overlap; what four
     /// rounds leave remains for later windows.
     void push_out_of_parts(BallIndex i);
     /// Starts the path of a ball at its position: along a part in resting contact, or in free flight.

@@ -38,9 +38,12 @@ class Islands {
     /// Handles a ball whose events at one instant, or whose insignificant impacts, have no end. All balls in
     /// contact with it, directly or through others, are solved at once as one impact without restitution.
     void solve_jammed(BallIndex first, double time);
-    /// Holds a ball in place until the next tick, where solve_jammed() did not help. For a fast ball this
-    /// tick comes soon.
-    void freeze(BallIndex i, double time);
+    /// Holds a ball in place until the next tick, which comes after `longest` seconds at most: where
+    /// solve_jammed() did not help, or a limit on the work in a window is exceeded.
+    void freeze(BallIndex i, double time, double longest);
+    /// s: how long a jammed ball may be held. A fast one must not stay for a whole tick, since what drives it
+    /// goes on.
+    [[nodiscard]] double longest_freeze(BallIndex i, double time) const;
     /// Holds a ball in place until the next tick; then it moves on with this velocity. An impact changes the
     /// velocity alone: a ball that could be pushed away again would have events without end.
     void stay_frozen(BallIndex i, Vec2 velocity, double time);
@@ -49,7 +52,6 @@ class Islands {
     // Members (members.cpp).
     void find_members();
     [[nodiscard]] bool in_resting_contact(BallIndex i, BallIndex j, bool beside_island) const;
-    [[nodiscard]] double longest_freeze(const Ball& ball) const;
     void start_member_path(BallIndex i, const Flight& flight, double time, double until);
     void start_tick_path(BallIndex i, double time, const ContactSolver::Body& body);
     void start_creep_path(BallIndex i, double time, double until, const ContactSolver::Body& body);

@@ -93,8 +93,8 @@ void Islands::solve_jammed(BallIndex first, double time) {
     tick(time);
 }
 
-/// s: a fast ball must not stay in place for a whole tick, since what drives it goes on.
-double Islands::longest_freeze(const Ball& ball) const {
+double Islands::longest_freeze(BallIndex i, double time) const {
+    const Ball ball = sim_.ball_at(i, time);
     double longest = sim_.tick_length;
     for (int halvings = 0; halvings < most_freeze_halvings; ++halvings) {
         if (longest * length(ball.velocity) <= farthest_approach * ball.radius) break;
@@ -103,11 +103,11 @@ double Islands::longest_freeze(const Ball& ball) const {
     return longest;
 }
 
-void Islands::freeze(BallIndex i, double time) {
+void Islands::freeze(BallIndex i, double time, double longest) {
     sim_.advance_to(i, time);
     sim_.join_island(i, time);
     sim_.hot[i].creeps = false;
-    sim_.tick_at = std::min(sim_.tick_at, sim_.next_on_grid(time, longest_freeze(sim_.balls[i])));
+    sim_.tick_at = std::min(sim_.tick_at, sim_.next_on_grid(time, longest));
     stay_frozen(i, sim_.balls[i].velocity, time);
     predictions_.predict(i, time);
     // It predicts no events of its own, so its neighbours must predict theirs with it.

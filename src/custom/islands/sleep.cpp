@@ -119,8 +119,7 @@ bool Sleep::rested(const Ball& ball, bool touches_ball) const {
     const double steady = touches_ball ? contact_gain * fall : 1e-3 * fall + 1e-2 * speed_;
     return length(ball.velocity) < slowest && length(before->velocity) < slowest &&
            std::abs(ball.spin) * ball.radius < slowest && length(moved) < slowest * interval_ &&
-           length(gained) <= std::min(steady, falling * fall) &&
-           (drag_ == 0 || length(impulse) >= falling * fall);
+           length(gained) <= std::min(steady, falling * fall) && length(impulse) >= falling * fall;
 }
 
 }  // namespace flipside::custom
