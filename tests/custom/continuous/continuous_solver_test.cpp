@@ -249,6 +249,22 @@ TEST(ContinuousSolver, SeparatingBallsFormNoIsland) {
     first_step({0, 0.09});
 }
 
+// However long the steps are: also in those without a tick.
+TEST(ContinuousSolver, MembersAreCountedInEveryStep) {
+    Scene column = empty_scene({0, -9.81});
+    add_part(column, segment({-1, 0}, {1, 0}), {"", 0, 0, 0});
+    column.materials[0].restitution = 0;
+    for (int i = 0; i < 3; ++i) add_ball(column, {0, 0.1 + 0.2 * i});
+    for (const int steps_per_second : {60, 240, 960, 2000}) {
+        const auto world = make_world(column, {{"solver", "continuous"}, {"sleep", "off"}});
+        run(*world, 0.3, 1.0 / steps_per_second);
+        for (int step = 0; step < steps_per_second / 10; ++step) {
+            world->step(1.0 / steps_per_second);
+            EXPECT_EQ(world->statistics().handed_over, 3U) << steps_per_second;
+        }
+    }
+}
+
 // Balls in resting contact form islands, and statistics count them; none sinks in or is lost.
 TEST(ContinuousSolver, HeapsAreIslands) {
     const auto settles = [](const Scene& scene, double deepest_allowed) {

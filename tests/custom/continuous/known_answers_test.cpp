@@ -146,6 +146,23 @@ TEST(KnownAnswers, BowlSwingsWithItsPeriod) {
     EXPECT_NEAR(energy(*world, scene), before, 1e-9 * 9.81);
 }
 
+// A ball that rolls through a bowl turns by the length of its path over its radius. Its spin is no linear
+// function of time.
+TEST(KnownAnswers, ARollingBallTurnsByItsPath) {
+    const double bowl = 1, radius = 0.1, start = -2.2;
+    Scene scene = empty_scene({0, -9.81});
+    scene.materials[0].friction = 5;
+    add_part(scene, {shape::Arc{{0, 0}, bowl, -std::numbers::pi, 0}}, {"", 0, 5, 0});
+    add_ball(scene, (bowl - radius) * from_angle(start), {}, radius);
+    const auto world = make_world(scene, {{"sleep", "off"}});
+    for (int step = 0; step < 60; ++step) {
+        world->step(1.0 / 60);
+        const Ball& ball = world->balls()[0];
+        const double along = std::atan2(ball.position.y, ball.position.x) - start;
+        EXPECT_NEAR(ball.angle, -along * (bowl - radius) / radius, 1e-9) << step;
+    }
+}
+
 TEST(KnownAnswers, ThinWallStopsAnySpeed) {
     for (const double speed : {1.0, 10.0, 100.0, 1e4, 1e5}) {
         Scene scene = empty_scene();

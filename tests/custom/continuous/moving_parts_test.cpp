@@ -204,23 +204,6 @@ TEST(MovingParts, PressABallAgainstWallsButNotThroughThem) {
         }
 }
 
-// A ball that rolls through a bowl turns by the length of its path over its radius. Its spin is no linear
-// function of time.
-TEST(RestingContacts, TurnARollingBallByItsPath) {
-    const double bowl = 1, radius = 0.1, start = -2.2;
-    Scene scene = empty_scene({0, -9.81});
-    scene.materials[0].friction = 5;
-    add_part(scene, {shape::Arc{{0, 0}, bowl, -pi, 0}}, {"", 0, 5, 0});
-    add_ball(scene, (bowl - radius) * from_angle(start), {}, radius);
-    const auto world = without_sleep(scene);
-    for (int step = 0; step < 60; ++step) {
-        world->step(1.0 / 60);
-        const Ball& ball = world->balls()[0];
-        const double along = std::atan2(ball.position.y, ball.position.x) - start;
-        EXPECT_NEAR(ball.angle, -along * (bowl - radius) / radius, 1e-9) << step;
-    }
-}
-
 // Balls whose impacts have no end are held in place for a moment; the flipper and the others must not get
 // into them meanwhile. They used to, by up to 1.9 radii.
 TEST(MovingParts, AFlipperThatRisesUnderAHeapDrivesNoBallIntoAnother) {
