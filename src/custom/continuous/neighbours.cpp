@@ -57,8 +57,7 @@ void Cells::reset(std::span<const Ball> balls) {
 }
 
 std::uint32_t Cells::level_for(double width) const {
-    int level = 0;
-    if (width > widths_[0]) std::frexp(width / widths_[0], &level);
+    const auto level = std::ranges::lower_bound(widths_, width) - widths_.begin();
     return std::min(static_cast<std::uint32_t>(level), most_levels - 1);
 }
 

@@ -58,6 +58,21 @@ RC_GTEST_PROP(Cells, FindTouchingBallsUntilOneLeavesItsCell, ()) {
             if (i != j && touch(balls[i], balls[j])) RC_ASSERT(near(cells, i).contains(j));
 }
 
+TEST(Cells, ALevelIsTheFirstWhoseCellsAreWideEnough) {
+    Ball smallest;
+    smallest.radius = 0.1;
+    Cells cells;
+    cells.reset({&smallest, 1});
+    double width = Cells::width_for(smallest.radius);
+    EXPECT_EQ(cells.level_for(width / 2), 0U);
+    for (const std::uint32_t level : {0U, 1U, 2U, 3U, 4U}) {
+        EXPECT_EQ(cells.level_for(width), level);
+        EXPECT_EQ(cells.level_for(std::nextafter(width, INFINITY)), level + 1);
+        width *= 2;
+    }
+    EXPECT_EQ(cells.level_for(1e300), cells.level_for(1e200)) << "the last level";
+}
+
 // After a ball has changed its cell, query_new_neighbours() returns what the query from the old cell did not.
 RC_GTEST_PROP(Cells, OldAndNewNeighboursAreAllNeighbours, ()) {
     const std::vector<Ball> balls = some_balls();
