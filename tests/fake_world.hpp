@@ -14,7 +14,7 @@ class FakeWorld : public World {
     void apply(const Control& /*control*/) override {}
     BallNumber add(const Ball& /*ball*/) override { return 0; }
     bool remove(BallNumber /*number*/) override { return false; }
-    [[nodiscard]] double time() const override { return time_; }
+    [[nodiscard]] Clock clock() const override { return {time_, 0}; }
     [[nodiscard]] std::span<const Ball> balls() const override { return balls_; }
     [[nodiscard]] std::span<const PartState> parts() const override { return {}; }
     [[nodiscard]] std::span<const Event> events() const override { return {}; }

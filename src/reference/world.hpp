@@ -23,7 +23,8 @@ class ReferenceWorld final : public World {
     BallNumber add(const Ball& ball) override;
     bool remove(BallNumber number) override;
 
-    [[nodiscard]] double time() const override { return table_.time(); }
+    [[nodiscard]] Clock clock() const override { return table_.clock(); }
+    [[nodiscard]] bool launch_waiting() const override { return table_.launch_waiting(); }
     [[nodiscard]] std::span<const Ball> balls() const override { return balls_; }
     [[nodiscard]] std::span<const PartState> parts() const override { return table_.parts(); }
     [[nodiscard]] std::span<const Event> events() const override { return events_; }

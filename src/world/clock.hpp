@@ -4,6 +4,9 @@
 
 namespace flipside {
 
+/// s: what is due so little before or after a moment is due at it.
+constexpr double same_moment = 1e-9;
+
 struct Clock {
     double time = 0;       ///< s
     double remainder = 0;  ///< accumulated rounding of `time`
@@ -16,6 +19,10 @@ struct Clock {
         const double added = t - time;
         remainder = (time - (t - added)) + (y - added);
         time = t;
+    }
+    /// s from here to there; below 0 if that is past.
+    [[nodiscard]] double until(const Clock& there) const {
+        return (there.time - time) + (there.remainder - remainder);
     }
     friend bool operator==(const Clock&, const Clock&) = default;
 };

@@ -16,7 +16,7 @@ struct Flip {
     Side side = Side::left;
     bool up = false;
 };
-/// Fire `count` balls one after another, each as soon as the launcher is free (see table.hpp).
+/// Fire `count` balls one after another, each when the launcher looks and its place is free (see table.hpp).
 /// `size` scales the launcher's ball: radius · size, mass · size³.
 struct Launch {
     double strength = 1;  ///< 0…1

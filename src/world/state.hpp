@@ -69,6 +69,7 @@ struct State {
     bool raised[2] = {false, false};  ///< flipper buttons by Side
     bool rotating = false;
     std::vector<control::Launch> launches;  ///< waiting for a free place, first come first served
+    double next_look = 0;                   ///< s: of the launcher, whether its place is free; 0 if none wait
     std::vector<BallNumber> reported_lost;  ///< balls kept in the world after they were reported lost
     /// An earlier state, without an origin of its own, from which the engine that saved this one came here
     /// without a control in between. An engine whose paths last for longer than a step goes on from there, to

@@ -181,6 +181,7 @@ Json document_of(const State& state, const Scene& scene) {
     for (const control::Launch& launch : state.launches)
         json["launches"].push_back(
             {{"strength", launch.strength}, {"count", launch.count}, {"size", launch.size}});
+    if (!state.launches.empty()) json["next_look"] = state.next_look;
     if (const EngineMemory& memory = state.memory; !memory.engine.empty()) {
         json["memory"] = {{"engine", memory.engine}, {"time", memory.time}, {"forces", Json::array()}};
         if (!memory.bytes.empty()) json["memory"]["bytes"] = hex(memory.bytes);
@@ -218,6 +219,12 @@ State read_state(const Node& root, const SceneNames& names) {
         if (!scene.launcher) launch.fail("this scene has no launcher; allowed are no launches");
         state.launches.push_back(
             {launch.real("strength"), static_cast<int>(launch.integer("count")), launch.real("size")});
+    }
+    if (!state.launches.empty()) {
+        const double latest = next_look(state.clock.time);
+        state.next_look = root.real("next_look", state.clock.time);
+        if (state.next_look > latest)
+            root.fail("next_look", "is too late; allowed: up to " + Json(latest).dump());
     }
     for (const Node& lost : root.each("reported_lost")) {
         const auto number = static_cast<BallNumber>(lost.json().get<double>());

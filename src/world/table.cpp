@@ -20,6 +20,11 @@ constexpr std::uint32_t nothing = ~0U;
 
 }  // namespace
 
+double next_look(double time) {
+    constexpr double looks_per_second = 240;
+    return (std::floor((time + same_moment) * looks_per_second) + 1) / looks_per_second;
+}
+
 Table::Table(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {
     state_.next_number = static_cast<BallNumber>(scene_->balls.size());
     state_.parts.resize(scene_->parts.size());
@@ -48,7 +53,9 @@ void Table::apply(const Control& control) {
         const Scene& scene;
         void operator()(const control::Flip& c) const { state.raised[static_cast<int>(c.side)] = c.up; }
         void operator()(const control::Launch& c) const {
-            if (scene.launcher && c.count > 0) state.launches.push_back(c);
+            if (!scene.launcher || c.count <= 0) return;
+            if (state.launches.empty()) state.next_look = state.clock.time;
+            state.launches.push_back(c);
         }
         void operator()(const control::Nudge&) const {}
         void operator()(const control::Rotate& c) const { state.rotating = c.on; }
@@ -106,7 +113,7 @@ void Table::set_to(const Clock& clock, std::span<const PartState> start, double 
 }
 
 std::optional<Table::Launched> Table::launch(std::span<const Ball> balls) {
-    if (state_.launches.empty()) return std::nullopt;
+    if (state_.launches.empty() || time() < state_.next_look - same_moment) return std::nullopt;
     control::Launch& next = state_.launches.front();
     const Launcher& launcher = *scene_->launcher;
     Launched launched{launcher.ball, false};
@@ -121,9 +128,10 @@ std::optional<Table::Launched> Table::launch(std::span<const Ball> balls) {
     const auto lies_there = [&](const Ball& other) {
         return distance(other) < ball.radius && dot(other.velocity, launcher.direction) < 0.5 * speed;
     };
-    // Balls launched one after another keep a gap of one radius.
+    // Balls launched one after another keep a gap of one radius, but for rounding.
+    constexpr double but_for_rounding = 1 - 1e-9;
     const auto in_the_way = [&](const Ball& other) {
-        return distance(other) < other.radius + 2 * ball.radius;
+        return distance(other) < but_for_rounding * (other.radius + 2 * ball.radius);
     };
     if (const auto lying = std::ranges::find_if(balls, lies_there);
         launcher.plunger && lying != balls.end()) {
@@ -131,9 +139,11 @@ std::optional<Table::Launched> Table::launch(std::span<const Ball> balls) {
         launched.ball.velocity = speed * launcher.direction;
         launched.ball.asleep = false;
     } else if (std::ranges::any_of(balls, in_the_way)) {
+        state_.next_look = next_look(time());
         return std::nullopt;
     }
     if (--next.count <= 0) state_.launches.erase(state_.launches.begin());
+    if (state_.launches.empty()) state_.next_look = 0;
     return launched;
 }
 

@@ -45,6 +45,9 @@ void set_listed(std::vector<T>& sorted, const T& item, bool listed) {
     if (!listed && was) sorted.erase(at);
 }
 
+/// s, after `time`: when a launcher looks again whether its place is free.
+[[nodiscard]] double next_look(double time);
+
 class Table {
   public:
     explicit Table(std::shared_ptr<const Scene> scene);
@@ -105,7 +108,8 @@ class Table {
 
     /// The next launch if one is waiting and its place is free, given the balls in the world. Either a
     /// new ball to add (number not set yet) or, on a plunger, one that lies there already, with its new
-    /// velocity. Call it at the start of a step until it returns nothing.
+    /// velocity. Call it at the start of a step until it returns nothing. The launcher looks at once when
+    /// launches begin to wait, and from then on at next_look(): so often, however long the steps are.
     struct Launched {
         Ball ball;
         bool existing = false;

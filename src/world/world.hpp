@@ -39,7 +39,11 @@ class World {
     /// False when there is no such ball.
     virtual bool remove(BallNumber number) = 0;
 
-    [[nodiscard]] virtual double time() const = 0;
+    [[nodiscard]] virtual Clock clock() const = 0;
+    [[nodiscard]] double time() const { return clock().time; }
+    /// Whether balls wait for a free place in the launcher. It is looked at at the start of steps, and not
+    /// more than once between two of its looks (table.hpp).
+    [[nodiscard]] virtual bool launch_waiting() const { return false; }
     /// By rising number. Valid until the next call that changes the world.
     [[nodiscard]] virtual std::span<const Ball> balls() const = 0;
     /// One per part of the scene, in its order.

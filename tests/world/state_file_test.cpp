@@ -9,6 +9,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "world/support.hpp"
+#include "world/table.hpp"
 
 namespace flipside {
 namespace {
@@ -43,6 +44,7 @@ State a_state(double number) {
     state.raised[1] = true;
     state.rotating = true;
     state.launches = {{1.0 / 3, 5, 2}, {0, 1, 1}};
+    state.next_look = next_look(state.clock.time);
     state.reported_lost = {4'294'967'294};
     state.memory = {"custom",
                     state.clock.time,
@@ -118,6 +120,7 @@ TEST(StateFile, BadOnesAreRefusedWithTheirPlace) {
         {"/parts/bat/angle", -0.1, "/parts/bat/angle", "beyond the flipper's stops"},
         {"/raised/0", "middle", "/raised/0", "left, right"},
         {"/launches/0/count", 0, "/launches/0/count", "from 1 to 1000"},
+        {"/next_look", 1e9, "/next_look", "is too late; allowed: up to "},
         {"/raised/1", "right", "/raised/1", "is here twice"},
         {"/reported_lost/1", 4294967294, "/reported_lost", "has ball 4294967294 more than once"},
         {"/reported_lost/0", 7, "/reported_lost/0", "no ball has this number"},

@@ -102,11 +102,35 @@ TEST(Table, BurstWaitsUntilBallsAreARadiusApart) {
     std::vector<Ball> balls = {t.launch({})->ball};
     EXPECT_FALSE(t.launch(balls));
     // Gap of one radius: centres three radii apart.
+    t.advance(1.0 / 240);
     balls[0].position = Vec2{0.9, -0.9 + 0.0299};
     EXPECT_FALSE(t.launch(balls));
-    balls[0].position = Vec2{0.9, -0.9 + 0.0301};
+    t.advance(1.0 / 240);
+    balls[0].position = Vec2{0.9, -0.9 + 0.03 * (1 - 1e-15)};
     EXPECT_TRUE(t.launch(balls));
     EXPECT_FALSE(t.launch_waiting());
+}
+
+TEST(Table, ALauncherLooksAtOnceAndThen240TimesASecond) {
+    EXPECT_DOUBLE_EQ(next_look(0), 1.0 / 240);
+    EXPECT_DOUBLE_EQ(next_look(7.0 / 240 - 1e-12), 8.0 / 240);
+    EXPECT_DOUBLE_EQ(next_look(7.0 / 240 + 1e-12), 8.0 / 240);
+    EXPECT_DOUBLE_EQ(next_look(1e5 + 0.5 / 240), 1e5 + 1.0 / 240);
+    Table t = table();
+    t.advance(0.001);
+    t.apply(control::Launch{1, 1, 1});
+    Ball in_the_way = t.scene().launcher->ball;
+    in_the_way.position = {0.9, -0.9};
+    EXPECT_FALSE(t.launch({&in_the_way, 1}));
+    EXPECT_DOUBLE_EQ(t.save({}).next_look, 1.0 / 240);
+    t.advance(0.003);
+    EXPECT_FALSE(t.launch({})) << "its place is free, and the launcher does not look yet";
+    t.advance(1.0 / 240 - 0.004);
+    EXPECT_TRUE(t.launch({}));
+    EXPECT_EQ(t.save({}).next_look, 0);
+    t.advance(0.0001);
+    t.apply(control::Launch{1, 1, 1});
+    EXPECT_TRUE(t.launch({})) << "at once";
 }
 
 TEST(Table, PlungerFiresTheBallThatLiesThereWhateverElseIsNear) {

@@ -22,7 +22,7 @@ class RefusingWorld : public World {
     bool remove(BallNumber number) override {
         return std::erase_if(balls_, [&](const Ball& ball) { return ball.number == number; }) > 0;
     }
-    [[nodiscard]] double time() const override { return table_.time(); }
+    [[nodiscard]] Clock clock() const override { return table_.clock(); }
     [[nodiscard]] std::span<const Ball> balls() const override { return balls_; }
     [[nodiscard]] std::span<const PartState> parts() const override { return table_.parts(); }
     [[nodiscard]] std::span<const Event> events() const override { return {}; }

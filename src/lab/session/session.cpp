@@ -8,16 +8,9 @@
 #include "lab/session/checksum.hpp"
 #include "lab/session/refusing_world.hpp"
 #include "world/refusal.hpp"
+#include "world/table.hpp"
 
 namespace flipside::lab {
-
-namespace {
-
-/// s: a control so little before the end of a step is done in the next one, which may be that of another run
-/// (next_control()).
-constexpr double same_moment = 1e-9;
-
-}  // namespace
 
 Session::Session(std::shared_ptr<const Scene> scene, const Engine& engine, Settings settings,
                  WithoutWorld otherwise)
@@ -71,7 +64,7 @@ void Session::resume() {
 }
 
 void Session::abandon_step() {
-    if (under_way_ && under_way_->done > 0)
+    if (under_way_ && under_way_->begun)
         recording_.spoil("something was changed in the middle of a step of " + std::string(engine_->name));
     under_way_.reset();
 }
@@ -89,28 +82,45 @@ void Session::step(double dt, const Script& script, std::size_t& next) {
 bool Session::step_within(double dt, const Script& script, std::size_t& next, double seconds) {
     if (!under_way_) {
         events_.clear();
-        under_way_ = Progress{world_->time(), 0};
+        under_way_ = Progress{world_->clock(), dt};
+        under_way_->end.advance(dt);
         recording_.begin_step(dt);
     }
-    auto& [start, done] = *under_way_;
-    for (; next < script.size(); ++next) {
-        const double ahead = script[next].time - start;
-        if (ahead >= dt - same_moment) break;
-        if (ahead > done + same_moment) {
-            if (!advance(ahead - done, seconds)) return false;
-            done = ahead;
-        }
-        // The time that was asked for, not the world's: so a replay splits its steps at the very same times.
-        recording_.add(move::Scripted{script[next]});
-        hand_over(script[next].control);
+    auto& [end, left, portion, begun] = *under_way_;
+    while (left > 0) {
+        if (portion == 0) portion = until_stop(script, next);
+        if (!advance(portion, seconds)) return false;
+        left = portion < left ? world_->clock().until(end) : 0;
+        portion = 0;
+        begun = true;
     }
-    if (!advance(dt - done, seconds)) return false;
     ++totals_.steps;
     under_way_.reset();
     recording_.end_step();
     if (recording_.steps() % steps_between_checks == 0)
         recording_.add(move::Check{checksum_of(*world_, game_)});
     return true;
+}
+
+double Session::until_stop(const Script& script, std::size_t& next) {
+    const double left = under_way_->left;
+    const auto until = [&](double time) { return world_->clock().until({time, 0}); };
+    for (; next < script.size(); ++next) {
+        const double ahead = until(script[next].time);
+        if (ahead >= left - same_moment) break;
+        if (ahead > same_moment) return until_look(ahead);
+        // The time that was asked for, not the world's: so a replay splits its steps at the very same times.
+        recording_.add(move::Scripted{script[next]});
+        hand_over(script[next].control);
+    }
+    return until_look(left);
+}
+
+double Session::until_look(double stop) const {
+    if (!world_->launch_waiting()) return stop;
+    const Clock now = world_->clock();
+    const double ahead = now.until({next_look(now.time), 0});
+    return ahead < stop - same_moment ? ahead : stop;
 }
 
 bool Session::advance(double dt, double seconds) {

@@ -111,6 +111,12 @@ class Session {
   private:
     /// One World::step_within and, once that is done, the rules' answer, appended to events_ and totals_.
     bool advance(double dt, double seconds);
+    /// Does the controls that are due. s from here to the next one, to the launcher's next look or to the end
+    /// of the step under way. What is due at the end is left to the next step, which may be that of another
+    /// run (next_control()).
+    [[nodiscard]] double until_stop(const Script& script, std::size_t& next);
+    /// s from here to the launcher's next look, if balls wait for it and that is well before `stop`.
+    [[nodiscard]] double until_look(double stop) const;
     void count(const Event& event);
     void hand_over(const Control& control);
     /// The step that is under way is given up.
@@ -130,8 +136,10 @@ class Session {
     std::vector<Event> events_;
     Totals totals_;
     struct Progress {
-        double start = 0;  ///< time of the world, s
-        double done = 0;   ///< of the step, s
+        Clock end;           ///< of the step
+        double left = 0;     ///< of the step, s
+        double portion = 0;  ///< of that, what the world is making, s; 0 between two of them
+        bool begun = false;  ///< the world has made one
     };
     std::optional<Progress> under_way_;
 };

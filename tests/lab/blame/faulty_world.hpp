@@ -56,7 +56,7 @@ class FaultyWorld final : public World {
     void apply(const Control& control) override { exact_->apply(control); }
     BallNumber add(const Ball& ball) override { return exact_->add(ball); }
     bool remove(BallNumber number) override { return exact_->remove(number); }
-    [[nodiscard]] double time() const override { return exact_->time(); }
+    [[nodiscard]] Clock clock() const override { return exact_->clock(); }
     [[nodiscard]] std::span<const Ball> balls() const override { return exact_->balls(); }
     [[nodiscard]] std::span<const PartState> parts() const override { return exact_->parts(); }
     [[nodiscard]] std::span<const Event> events() const override { return events_; }

@@ -42,6 +42,52 @@ TEST(Session, FlightOnTheCustomEngineIsTheParabola) {
     EXPECT_EQ(session.totals().steps, 60U);
 }
 
+/// Where the balls are after so many seconds, in steps of `dt`.
+std::vector<Vec2> places_after(double seconds, double dt, const std::shared_ptr<const Scene>& scene,
+                               const Script& script) {
+    Session session = session_on("custom", scene);
+    run({&session, 1}, Timeline(0, seconds, dt), script, [](const Session&, std::uint64_t, double) {});
+    std::vector<Vec2> places;
+    for (const Ball& ball : session.world().balls()) places.push_back(ball.position);
+    return places;
+}
+
+constexpr double steps[] = {1.0 / 30, 1.0 / 60, 1.0 / 97, 1.0 / 240, 1.0 / 1000};
+
+TEST(Session, AControlBetweenStepsActsAtItsTimeHoweverLongTheyAre) {
+    // Balls that meet often, so that a last digit soon shows. 2 s and all times are short of rounding in
+    // binary.
+    const auto scene = scene_of(R"({"format": "flipside-scene/1", "name": "box", "about": "Balls in a box.",
+        "bounds": {"min": [-2, -2], "max": [2, 2]}, "gravity": [0, 0],
+        "balls": [{"position": [0.2, 0.21], "velocity": [3, 2], "radius": 0.2, "mass": 1},
+                  {"position": [-0.5, 0.3], "velocity": [-2, 3], "radius": 0.2, "mass": 1},
+                  {"position": [-0.31, -0.5], "velocity": [1, -3], "radius": 0.2, "mass": 1}],
+        "parts": [{"name": "walls", "shape": {"type": "polyline", "closed": true,
+                                              "points": [[-1, -1], [1, -1], [1, 1], [-1, 1]]}}]})");
+    const Script script{{0.11, control::Nudge{{0.1, 0.05}}},
+                        {0.117, control::Nudge{{-0.3, 0.05}}},
+                        {1.04, control::Nudge{{0.1, 0.2}}}};
+    const auto once = places_after(20, 1.0 / 240, scene, script);
+    ASSERT_EQ(once.size(), 3U);
+    for (const double dt : steps) EXPECT_EQ(places_after(20, dt, scene, script), once) << dt;
+}
+
+TEST(Session, BallsThatWaitAreLaunchedAtTheSameTimesHoweverLongStepsAre) {
+    const auto scene = scene_of(R"({"format": "flipside-scene/1", "name": "lane", "about": "A launcher.",
+        "bounds": {"min": [-1, -1], "max": [9, 1]}, "gravity": [0, 0], "balls": [], "parts": [],
+        "launcher": {"position": [0, 0], "direction_deg": 0, "speed": [1, 1],
+                     "ball": {"radius": 0.1, "mass": 1}}})");
+    const Script script{{0.123, control::Launch{1, 3, 1}}, {0.25, control::Launch{1, 2, 0.5}}};
+    // The first at once; the others once the one before is a gap of a radius away, 240 looks a second.
+    constexpr double at[] = {0.123, 102.0 / 240, 174.0 / 240, 222.0 / 240, 258.0 / 240};
+    for (const double dt : steps) {
+        const auto places = places_after(2, dt, scene, script);
+        ASSERT_EQ(places.size(), std::size(at)) << dt;
+        for (std::size_t i = 0; i < std::size(at); ++i)
+            EXPECT_NEAR(places[i].x, 2 - at[i], 1e-12) << dt << " s, ball " << i;
+    }
+}
+
 TEST(Session, AStepInPortionsTakesItsControlsAtTheirTimes) {
     const Script script{{0.25, control::Nudge{{1, 0}}}, {0.5, control::Nudge{{0, 1}}}};
     Session whole = session_on("reference", flight("[0, -9.81]")),

@@ -61,7 +61,7 @@ class Scripted final : public World {
     void apply(const Control&) override {}
     BallNumber add(const Ball&) override { return 0; }
     bool remove(BallNumber) override { return false; }
-    [[nodiscard]] double time() const override { return state_.clock.time; }
+    [[nodiscard]] Clock clock() const override { return state_.clock; }
     [[nodiscard]] std::span<const Ball> balls() const override { return state_.balls; }
     [[nodiscard]] std::span<const PartState> parts() const override { return {}; }
     [[nodiscard]] std::span<const Event> events() const override { return {}; }
