@@ -52,6 +52,8 @@ void Islands::solve(double time) {
         Particle& particle = sim_.particles[i];
         if (!sim_.hot[i].in_island || sim_.hot[i].lost) continue;
         if ((particle.frozen || (sim_.hot[i].creeps && !particle.jammed)) && particle.motion.until > time) {
+            // A frozen ball may be held for less than a tick.
+            sim_.tick_at = std::min(sim_.tick_at, particle.motion.until);
             sim_.any_in_island = true;
             any_creeps_ = any_creeps_ || sim_.hot[i].creeps;
             continue;

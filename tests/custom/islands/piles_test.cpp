@@ -1,5 +1,7 @@
 // Heaps come to rest where they should, and only there, and gain no energy from overlap.
 
+#include <random>
+
 #include <gtest/gtest.h>
 
 #include "custom/scenes.hpp"
@@ -115,6 +117,41 @@ TEST(Piles, HeapsOfMixedSizesFallAsleep) {
             SCOPED_TRACE(testing::Message() << "friction " << friction << " restitution " << restitution);
             expect_rest(*make_world(pit(120, false, friction, restitution)), 20);
         }
+}
+
+/// Balls of 20 to 40 mm that fall in a box, from rows with random speeds of up to 1.4 m/s.
+Scene falling_rows(int balls, unsigned seed) {
+    std::mt19937 random(seed);
+    const auto between = [&](double from, double to) { return from + (to - from) * random() / 0x1p32; };
+    Scene scene = empty_scene({0, -g});
+    scene.rest_speed = 0;
+    scene.materials[0] = {"ball", 0, 0, 0};
+    add_part(scene, {shape::Polyline{{{-0.5, 9}, {-0.5, 0}, {0.5, 0}, {0.5, 9}}, false}}, {"", 0, 0, 0});
+    for (int i = 0; i < balls; ++i) {
+        const double radius = between(0.02, 0.04);
+        add_ball(scene, {-0.44 + 0.125 * (i % 8), 0.1 + 0.125 * (i / 8)}, {between(-1, 1), between(-1, 1)},
+                 radius, 1000 * radius * radius);
+    }
+    return scene;
+}
+
+// Nothing bounces, and no impact is too slow to be one: balls that fall on a heap have impacts without end
+// and are held, many at a time, for less than a tick.
+TEST(Piles, BallsWithoutBounceOverlapLittleWhileTheyFall) {
+    for (const unsigned seed : {1U, 2U, 3U}) {
+        const auto world = make_world(falling_rows(200, seed));
+        double deepest = 0;
+        while (world->time() < 1.5) {
+            world->step(1.0 / 240);
+            for (const Contact& contact : world->contacts()) {
+                double smaller = find_ball(world->balls(), contact.ball)->radius;
+                if (contact.other.is_ball)
+                    smaller = std::min(smaller, find_ball(world->balls(), contact.other.index)->radius);
+                deepest = std::max(deepest, -contact.separation / smaller);
+            }
+        }
+        EXPECT_LT(deepest, 0.04) << "seed " << seed;
+    }
 }
 
 TEST(Piles, FiftyInAVFallAsleep) {
