@@ -136,6 +136,7 @@ bool CustomWorld::resume(const State& state) {
     if (!state.origin || !continuous_) return false;
     load(*state.origin);
     if (!continuous_->resume(state.clock, balls_, record_)) return false;
+    table_.look_at(state.next_look);  // looks of the launcher begin no window
     State reached = save();
     reached.origin = state.origin;
     return reached == state;

@@ -116,6 +116,8 @@ class Table {
     };
     std::optional<Launched> launch(std::span<const Ball> balls);
     [[nodiscard]] bool launch_waiting() const { return !state_.launches.empty(); }
+    /// Sets when the launcher looks next, s.
+    void look_at(double time) { state_.next_look = time; }
 
     [[nodiscard]] State save(std::span<const Ball> balls) const;
     /// Removes what a state says of balls that are not in it and of gates that are open, and a memory of
