@@ -116,8 +116,7 @@ void Predictions::predict_features(BallIndex i, double time, Vec2 from) {
         if (sim_.hot[i].in_island && rests_on(i, feature, turning.pose(time), time)) continue;
         if (turning.rate_at(time) == 0 && particle.tangent_faces.above(feature, turning.pose(time))) continue;
         ++sim_.record->statistics.narrow_tests;
-        const double last = std::min(
-            {particle.next_time, sim_.end, particle.on_tick_path ? particle.motion.until : sim_.end});
+        const double last = std::min(particle.next_time, end);
         offer(i, time_of_impact(feature, turning, path, ball.radius, time, last, &sim_.search_steps),
               EventType::feature, f);
     }
