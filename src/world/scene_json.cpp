@@ -82,7 +82,7 @@ class SceneWriter {
                   {"damping", scene_.damping},
                   {"rest_speed", scene_.rest_speed},
                   {"balls", Json::array()},
-                  {"parts", Json::array()}};
+                  {"parts", parts()}};
         if (!scene_.name.empty()) json["name"] = scene_.name;
         for (std::size_t i = 1; i < scene_.materials.size(); ++i) {
             const Material& material = scene_.materials[i];
@@ -97,7 +97,6 @@ class SceneWriter {
             one["spin"] = ball.spin;
             json["balls"].push_back(std::move(one));
         }
-        for (const Part& part : scene_.parts) json["parts"].push_back(part_json(part));
         if (scene_.launcher) json["launcher"] = launcher(*scene_.launcher);
         if (scene_.rules) json["rules"] = rules(*scene_.rules);
         if (scene_.camera) json["camera"] = scene_box(*scene_.camera);
@@ -105,6 +104,12 @@ class SceneWriter {
             for (const auto& [name, value] : settings)
                 json["recommend"][engine][name] = recommended(engine, value);
         return json;
+    }
+    [[nodiscard]] Json table() const {
+        return {{"bounds", scene_box(scene_.bounds)},
+                {"lost", scene_.keep_lost},
+                {"layers", scene_.layers},
+                {"parts", parts()}};
     }
 
   private:
@@ -127,6 +132,11 @@ class SceneWriter {
         Json json{{"radius", ball.radius}, {"mass", ball.mass}};
         add_common(json, ball);
         return json;
+    }
+    [[nodiscard]] Json parts() const {
+        Json all = Json::array();
+        for (const Part& part : scene_.parts) all.push_back(part_json(part));
+        return all;
     }
     [[nodiscard]] Json part_json(const Part& part) const {
         Json json{{"name", part.name}, {"shape", std::visit(ShapeJson{}, part.shape.is)}};
@@ -202,6 +212,10 @@ class SceneWriter {
 
 std::string to_json(const Scene& scene) {
     return json_text(SceneWriter(scene).document());
+}
+
+std::string table_text(const Scene& scene) {
+    return json_text(SceneWriter(scene).table());
 }
 
 }  // namespace flipside

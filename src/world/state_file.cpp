@@ -3,6 +3,9 @@
 #include <algorithm>
 
 #include "world/ball_json.hpp"
+#include "world/fnv1a.hpp"
+#include "world/number_text.hpp"
+#include "world/scene_json.hpp"
 #include "world/schema.hpp"
 #include "world/surface.hpp"
 #include "world/table.hpp"
@@ -90,6 +93,14 @@ std::string bytes_of(std::string_view digits) {
     for (std::size_t i = 0; i + 1 < digits.size(); i += 2)
         bytes += static_cast<char>(hex_digits.find(digits[i]) << 4U | hex_digits.find(digits[i + 1]));
     return bytes;
+}
+
+/// Tells a table from another one of the same name.
+std::string fingerprint(const Scene& scene) {
+    const std::uint64_t hash = fnv1a(table_text(scene));
+    std::string bytes;
+    for (int shift = 56; shift >= 0; shift -= 8) bytes += static_cast<char>(hash >> shift);
+    return hex(bytes);
 }
 
 bool is_gate(const Part& part) {
@@ -197,11 +208,37 @@ Json document_of(const State& state, const Scene& scene) {
     return json;
 }
 
-State read_state(const Node& root, const SceneNames& names) {
-    const Scene& scene = names.scene();
+/// A state of another table would lose its balls, or have them in walls.
+void require_table(const Node& root, const Scene& scene) {
     if (root.text("scene") != scene.name)
         root.fail("scene", "is a state of " + in_quotes(root.text("scene")) + "; allowed is one of " +
                                in_quotes(scene.name));
+    if (root.has("table") && root.text("table") != fingerprint(scene))
+        root.fail("table", "is a state of another " + in_quotes(scene.name) +
+                               ", with other bounds, layers or parts; allowed is one of the same table, made "
+                               "with the same --balls");
+}
+
+/// All that can be said of files from before there were fingerprints.
+void require_within_bounds(const Node& root, const State& state, const Scene& scene) {
+    std::vector<BallNumber> lost = state.reported_lost;
+    std::ranges::sort(lost);
+    const auto [min, max] = scene.bounds;
+    for (std::size_t i = 0; i < state.balls.size(); ++i) {
+        const Ball& ball = state.balls[i];
+        if (scene.bounds.contains(ball.position) || std::ranges::binary_search(lost, ball.number)) continue;
+        root.at("balls").at(i).fail(
+            "position",
+            "is outside the bounds of this scene: a state of another table of its name? allowed: "
+            "x from " +
+                number_text(min.x) + " to " + number_text(max.x) + ", y from " + number_text(min.y) + " to " +
+                number_text(max.y));
+    }
+}
+
+State read_state(const Node& root, const SceneNames& names) {
+    const Scene& scene = names.scene();
+    require_table(root, scene);
     State state;
     state.clock = read_clock(root);
     state.next_number = static_cast<BallNumber>(root.integer("next_number"));
@@ -248,13 +285,18 @@ State read_state(const Node& root, const SceneNames& names) {
 }  // namespace
 
 std::string to_json(const State& state, const Scene& scene) {
-    return json_text(document_of(state, scene)) + "\n";
+    Json json = document_of(state, scene);
+    json["table"] = fingerprint(scene);
+    return json_text(json) + "\n";
 }
 
 State parse_state(std::string_view text, const std::string& file, const Scene& scene) {
     const Json document = parse_json(text, file);
     check_form(document, state_schema, file);
-    return read_state(Node(document, file), SceneNames(scene));
+    const Node root(document, file);
+    State state = read_state(root, SceneNames(scene));
+    if (!root.has("table")) require_within_bounds(root, state, scene);
+    return state;
 }
 
 State load_state(const std::filesystem::path& file, const Scene& scene) {

@@ -174,6 +174,16 @@ TEST_F(CommandLine, AHandOverToTheSameEngineIsNoHandOverAtAll) {
     EXPECT_EQ(found, expected);
 }
 
+TEST_F(CommandLine, AStateOfATableOfAnotherSizeIsRefused) {
+    expect_good("run rain --balls 1000 --seconds 0.1 --engine custom --save " + file("s.json"));
+    expect_good("run rain --balls 1000 --seconds 0.1 --engine box2d --from " + file("s.json"));
+    expect_refused("run rain --seconds 0.1 --engine custom --from " + file("s.json"), 2, "s.json: /table: ");
+    expect_refused("trace rain --at 1 --engine custom --from " + file("s.json"), 2, "s.json: /table: ");
+    expect_refused("certify rain --out " + file("c.json") + " --from " + file("s.json"), 2,
+                   "s.json: /table: ");
+    EXPECT_FALSE(fs::exists(file("c.json")));
+}
+
 TEST_F(CommandLine, AComparisonSaysWhereTheEnginesPart) {
     const Result result =
         flipside("compare pinball --engines custom,box2d --seconds 10 --json " + file("c.json"));

@@ -95,6 +95,9 @@ TEST(StateFile, BadOnesAreRefusedWithTheirPlace) {
     const Bad all[] = {
         {"/format", "flipside-scene/1", "/format", "flipside-state/1"},
         {"/scene", "another", "/scene", "is a state of \"another\"; allowed is one of \"everything\""},
+        {"/table", "0123456789abcdef", "/table",
+         "of another \"everything\", with other bounds, layers or parts"},
+        {"/table", "x", "/table", "x"},
         {"/colour", 1, "/colour", "unknown key"},
         {"/time", -1, "/time", "from 0"},
         {"/time", nullptr, "/time", "is null"},
@@ -153,6 +156,41 @@ TEST(StateFile, BadOnesAreRefusedWithTheirPlace) {
         expect_error(error_of([&] { (void)parse_state(text.dump(), "state.json", scene); }),
                      "state.json: " + bad.error_at + ": ", bad.says);
     }
+}
+
+TEST(StateFile, IsOfOneTableNotOfAllWithItsName) {
+    const Scene scene = scene_with_everything();
+    const std::string text = to_json(a_state(0.25), scene);
+    const auto refusal = [&](const auto& change) {
+        Scene other = scene;
+        change(other);
+        return error_of([&] { (void)parse_state(text, "state.json", other); });
+    };
+    for (const std::string& error : {
+             refusal([](Scene& other) { other.bounds.max.x = 0.5; }),
+             refusal([](Scene& other) { other.keep_lost = true; }),
+             refusal([](Scene& other) { other.layers.emplace_back("upper"); }),
+             refusal([](Scene& other) { std::get<motion::Turn>(other.parts[2].motion).rate = 4; }),
+             refusal([](Scene& other) { std::get<shape::Segment>(other.parts[0].shape.is).a.y = -0.9; }),
+             refusal([](Scene& other) { other.parts.pop_back(); }),
+         })
+        expect_error(error, "state.json: /table: ", "allowed is one of the same table");
+    const std::string accepted = refusal([](Scene& other) {
+        other.gravity = {0, 3}, other.damping = 1, other.materials[1].restitution = 0, other.balls.clear();
+    });
+    EXPECT_EQ(accepted, "no error");
+}
+
+TEST(StateFile, FromBeforeTablesHadFingerprintsMustLieInTheBounds) {
+    const Scene scene = scene_with_everything();
+    auto old = nlohmann::json::parse(to_json(a_state(0.25), scene));
+    old.erase("table");
+    (void)parse_state(old.dump(), "old.json", scene);
+    old["balls"][1]["position"] = {5, 0};  // was reported lost
+    (void)parse_state(old.dump(), "old.json", scene);
+    old["balls"][0]["position"] = {0, 5};
+    expect_error(error_of([&] { (void)parse_state(old.dump(), "old.json", scene); }),
+                 "old.json: /balls/0/position: ", "x from -1 to 1, y from -1 to 1");
 }
 
 }  // namespace

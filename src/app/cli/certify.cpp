@@ -45,7 +45,9 @@ void add_certify(CLI::App& program, Action& chosen) {
         "Run a scene on the reference and write a certificate of it, for flipside_check_certificate");
     options->add_to(command, "K=V");
     options->add_seconds(command);
-    command.add_option("--from", options->from, "Start from a state that `run --save` wrote, on any engine")
+    command
+        .add_option("--from", options->from,
+                    "Start from a state of the same table that `run --save` wrote, on any engine")
         ->type_name("STATE");
     command.add_option("--out", options->out, "The certificate (see assets/certificate.schema.json)")
         ->required()

@@ -108,7 +108,9 @@ void add_run(CLI::App& program, Action& chosen) {
     command.add_option("--engine", options->engine, "The engine (see `flipside engines`)")
         ->required()
         ->type_name("E");
-    command.add_option("--from", options->from, "Start from a state that --save wrote, on any engine")
+    command
+        .add_option("--from", options->from,
+                    "Start from a state of the same table that --save wrote, on any engine")
         ->type_name("STATE");
     command.add_option("--out", options->out, "Trajectory: time,ball,x,y,vx,vy,angle,spin")->type_name("CSV");
     command.add_option("--every", options->every, "Sample the trajectory every N steps (default 1)")

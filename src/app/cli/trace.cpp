@@ -87,7 +87,9 @@ void add_trace(CLI::App& program, Action& chosen) {
     command.add_option("--ball", options->ball, "Only what concerns this ball")
         ->check(whole_number_from(0, std::numeric_limits<BallNumber>::max()))
         ->type_name("K");
-    command.add_option("--from", options->from, "Start from a state that `run --save` wrote, on any engine")
+    command
+        .add_option("--from", options->from,
+                    "Start from a state of the same table that `run --save` wrote, on any engine")
         ->type_name("STATE");
     command.add_option("--json", options->json, "Write it to a file as JSON instead")->type_name("FILE");
     command.callback([options, &chosen] { chosen = [options] { return trace(*options); }; });

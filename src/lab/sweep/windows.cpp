@@ -7,6 +7,7 @@
 #include <set>
 
 #include "lab/session/session.hpp"
+#include "world/fnv1a.hpp"
 #include "world/refusal.hpp"
 
 namespace flipside::lab::sweep {
@@ -204,13 +205,9 @@ void follow(const BlockPlan& plan, const std::shared_ptr<const Scene>& scene, co
     }
 }
 
-/// A seed for each block of each variant (FNV-1a over what names it).
+/// A seed for each block of each variant.
 std::uint64_t seed_of(const BlockPlan& plan) {
-    std::uint64_t hash = 14695981039346656037U;
-    const std::string text =
-        plan.variant.name + '/' + std::to_string(plan.index) + '/' + std::to_string(plan.seed);
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
-    return hash;
+    return fnv1a(plan.variant.name + '/' + std::to_string(plan.index) + '/' + std::to_string(plan.seed));
 }
 
 }  // namespace
