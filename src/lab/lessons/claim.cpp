@@ -5,8 +5,6 @@
 #include <iterator>
 #include <string_view>
 
-#include <muParser.h>
-
 #include "lab/contenders/engines.hpp"
 #include "lab/lessons/brute_force_gap.hpp"
 #include "lab/session/session.hpp"
@@ -160,15 +158,6 @@ class RunMeasure {
     std::vector<BallAtPart> touching_;
 };
 
-/// muParser knows numbers, names, arithmetic, comparisons and functions, and can do nothing but compute.
-mu::Parser parser_of(const std::string& statement, Figures& figures) {
-    mu::Parser parser;
-    parser.DefineNameChars("0123456789_.abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
-    for (auto& [name, value] : figures) parser.DefineVar(name, &value);
-    parser.SetExpr(statement);
-    return parser;
-}
-
 }  // namespace
 
 Figures measure(const Claim& claim) {
@@ -193,18 +182,16 @@ std::vector<Verified> verify(const Claim& claim, const Figures& figures, const s
     std::vector<Verified> all;
     for (std::size_t i = 0; i < claim.holds.size(); ++i) {
         const std::string& statement = claim.holds[i];
-        Figures values = figures;  // a statement may not change what the next one sees
-        Verified& one = all.emplace_back(Verified{statement, false, {}});
         try {
-            mu::Parser parser = parser_of(statement, values);
-            one.holds = parser.Eval() != 0;
-            for (const auto& [name, value] : parser.GetUsedVar())
+            const Judgement judgement = judge(statement, figures);
+            Verified& one = all.emplace_back(Verified{statement, judgement.holds, {}});
+            for (const std::string& name : judgement.figures)
                 one.measured += (one.measured.empty() ? "" : ", ") + name + " = " + brief(figures.at(name)) +
                                 std::string(unit_of_figure(name));
-        } catch (const mu::ParserError& error) {
+        } catch (const BadStatement& error) {
             throw InputError(file, "/claim/holds/" + std::to_string(i),
-                             in_quotes(statement) + ": " + error.GetMsg() +
-                                 "; it takes a comparison of figures: " +
+                             in_quotes(statement) + ": " + error.what() +
+                                 "; allowed are comparisons, joined by && and ||, of figures: " +
                                  names_of(figures, [](const auto& figure) { return figure.first; }));
         }
     }

@@ -1,15 +1,12 @@
 #pragma once
 /// Runs the claims of a lesson and reports whether they are true.
 
-#include <map>
 #include <string>
 
 #include "lab/lessons/lesson.hpp"
+#include "lab/lessons/statement.hpp"
 
 namespace flipside::lab {
-
-/// By name: "NAME.pair_tests".
-using Figures = std::map<std::string, double, std::less<>>;
 
 struct Verified {
     std::string statement;  ///< one of Claim::holds
