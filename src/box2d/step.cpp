@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "box2d/misfit.hpp"
 #include "box2d/world.hpp"
 
 namespace flipside::box2d {
@@ -50,6 +51,8 @@ void Box2dWorld::make_step(double dt) {
 
 void Box2dWorld::launch() {
     while (const auto launched = table_.launch(balls_)) {
+        if (const auto found = misfit(launched->ball, units_))
+            throw Refusal("box2d: the " + std::string(found->key) + " of a launched ball " + found->problem);
         if (!launched->existing) {
             balls_.push_back(table_.numbered(launched->ball));
             add_body(balls_.back());

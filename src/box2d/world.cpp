@@ -2,23 +2,20 @@
 
 #include <box2d/b2_circle_shape.h>
 
+#include "box2d/misfit.hpp"
 #include "box2d/shapes.hpp"
-#include "world/input_error.hpp"
+#include "world/scene_file.hpp"
 #include "world/surface.hpp"
 
 namespace flipside::box2d {
 
 namespace {
 
-/// Box2D squares lengths and speeds in float, and stops the program at what is not finite then.
-void require_fits(const Ball& ball, const Units& units) {
-    constexpr double most = 1e15;
-    const auto fits = [&](Vec2 v) { return units.scale * length(v) < most; };
-    if (!fits(ball.position - units.origin) || !fits(ball.velocity) || !fits({ball.radius, 0}) ||
-        !(std::abs(ball.spin) < most) || !(std::abs(ball.angle) < most) || !(ball.mass < most) ||
-        !(ball.mass > 1 / most) || !(units.distance(ball.radius) > 0))
-        throw InputError("box2d: ball " + std::to_string(ball.number) +
-                         " is too large, small, heavy, light, fast or far away for single precision");
+/// Restored balls have their pointers in the state's file, without its name.
+void require_all_fit(const std::vector<Ball>& balls, const Units& units) {
+    for (std::size_t i = 0; i < balls.size(); ++i)
+        if (const auto found = misfit(balls[i], units))
+            throw InputError("/balls/" + std::to_string(i) + '/' + found->key + ": " + found->problem);
 }
 
 Vec2 center(const Box& box) {
@@ -33,7 +30,9 @@ Box2dWorld::Box2dWorld(std::shared_ptr<const Scene> scene, const Options& option
       table_(std::move(scene)),
       balls_(table_.scene().balls),
       rules_(table_, balls_, units_) {
-    for (const Ball& ball : balls_) require_fits(ball, units_);
+    for (const Ball& ball : balls_)
+        if (const auto found = misfit(ball, units_))
+            throw ball_error(table_.scene(), ball.number, found->key, found->problem);
     for (PartIndex i = 0; i < table_.scene().parts.size(); ++i) {
         const Part& part = table_.scene().parts[i];
         if (Table::moves(part)) moving_.push_back(i);
@@ -135,7 +134,8 @@ std::size_t Box2dWorld::place_of(BallNumber number) const {
 }
 
 BallNumber Box2dWorld::add(const Ball& ball) {
-    require_fits(ball, units_);
+    if (const auto found = misfit(ball, units_))
+        throw InputError("the " + std::string(found->key) + " of the new ball " + found->problem);
     balls_.push_back(table_.numbered(ball));
     add_body(balls_.back());
     find_pairs();
@@ -173,7 +173,7 @@ void Box2dWorld::apply(const Control& control) {
 }
 
 void Box2dWorld::restore(const State& state) {
-    for (const Ball& ball : state.balls) require_fits(ball, units_);
+    require_all_fit(state.balls, units_);
     guard_.forget();
     table_.restore(state);
     balls_ = state.balls;

@@ -146,6 +146,8 @@ struct Scene {
     std::optional<Box> camera;  ///< view of the window; the bounds if empty
     /// Recommended settings: engine → setting → value as on the command line. "run" holds "dt".
     std::map<std::string, std::map<std::string, std::string>> recommend;
+    /// Where the scene was read, for messages: "FILE: " and the pointer to it in that file.
+    std::string place;
     /// Where they were read, for messages: "FILE: /recommend".
     std::string recommended_in = "/recommend";
     /// The scene file that it was read from, as JSON in one line; null for a scene that was made otherwise.

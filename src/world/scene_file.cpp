@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "world/crowding.hpp"
-#include "world/input_error.hpp"
 #include "world/scene_reader.hpp"
 #include "world/schema.hpp"
 
@@ -99,6 +98,7 @@ Scene read_scene(const Node& root) {
     check_form(root, scene_schema);
     Scene scene;
     scene.document = std::make_shared<const std::string>(json_text(root.json()));
+    scene.place = root.file() + ": " + root.pointer();
     SceneReader reader(scene);
     scene.name = root.text("name");
     scene.about = root.text("about");
@@ -119,7 +119,7 @@ Scene read_scene(const Node& root) {
     if (root.has("camera")) scene.camera = read_box(root.at("camera"));
     if (root.has("recommend")) {
         const Node recommend = root.at("recommend");
-        scene.recommended_in = recommend.file() + ": " + recommend.pointer();
+        scene.recommended_in = scene.place + "/recommend";
         for (const auto& engine : recommend.json().items())
             for (const auto& setting : engine.value().items())
                 scene.recommend[engine.key()][setting.key()] = setting_text(setting.value());
@@ -134,6 +134,16 @@ Box read_box(const Node& node) {
     if (!(box.min.x < box.max.x && box.min.y < box.max.y))
         node.fail("min is not below max; allowed: min less than max in x and in y");
     return box;
+}
+
+InputError ball_error(const Scene& scene, BallNumber ball, const std::string& key,
+                      const std::string& problem) {
+    const std::string number = std::to_string(ball);
+    const Json document = scene.document ? Json::parse(*scene.document) : Json::object();
+    if (ball < document.value("balls", Json::array()).size())
+        return InputError(scene.place + "/balls/" + number + '/' + key + ": " + problem);
+    const std::string generated = scene.document ? scene.place + "/generate: " : "";
+    return InputError(generated + "the " + key + " of ball " + number + ' ' + problem);
 }
 
 Scene parse_scene(std::string_view text, const std::string& file) {

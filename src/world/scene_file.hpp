@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "world/input_error.hpp"
 #include "world/json_file.hpp"
 #include "world/scene.hpp"
 
@@ -21,5 +22,10 @@ namespace flipside {
 /// The same scene with its generated field (see "generate" in the schema) made for `count` balls.
 /// Throws InputError where the scene generates no field.
 [[nodiscard]] Scene load_scene(const std::filesystem::path& file, int count);
+
+/// What is wrong with a ball of the start, by the pointer to that key of it in the scene's file; with a
+/// generated one, by its number. `problem` begins with "is".
+[[nodiscard]] InputError ball_error(const Scene& scene, BallNumber ball, const std::string& key,
+                                    const std::string& problem);
 
 }  // namespace flipside

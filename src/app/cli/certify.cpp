@@ -3,7 +3,6 @@
 #include "app/cli/run_options.hpp"
 #include "lab/certificates/certificate.hpp"
 #include "lab/files/whole_file.hpp"
-#include "world/state_file.hpp"
 #include "world/trace.hpp"
 
 namespace flipside::app {
@@ -24,7 +23,7 @@ int write_certificate(const CertifyOptions& options) {
     std::vector<lab::SettingChange> changes = {{&engine, "precision", "113"}};
     for (auto& change : lab::parse_changes(options.settings, used)) changes.push_back(std::move(change));
     lab::Session session(scene, engine, lab::settings_for(engine, *scene, changes));
-    if (!options.from.empty()) session.restore(load_state(options.from, *scene));
+    restore_from(options.from, session);
     const lab::Timeline timeline(session.world().time(), options.seconds, options.step(*scene));
     const Script script = options.load_script(*scene);
     lab::WholeFile file(options.out);

@@ -38,7 +38,7 @@ lab::Session make_session(const SingleRunOptions& options, const std::shared_ptr
     const Engine* const used[] = {&engine};
     const auto changes = lab::parse_changes(options.settings, used);
     lab::Session session(scene, engine, lab::settings_for(engine, *scene, changes));
-    if (!options.from.empty()) session.restore(load_state(options.from, *scene));
+    restore_from(options.from, session);
     return session;
 }
 

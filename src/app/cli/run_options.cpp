@@ -5,8 +5,10 @@
 #include "app/cli/output.hpp"
 #include "lab/contenders/recommended.hpp"
 #include "lab/files/assets.hpp"
+#include "world/input_error.hpp"
 #include "world/scene_file.hpp"
 #include "world/script_file.hpp"
+#include "world/state_file.hpp"
 
 namespace flipside::app {
 
@@ -33,6 +35,16 @@ CLI::Validator number_from(double min, double max) {
 
 CLI::Validator whole_number_from(std::int64_t min, std::int64_t max) {
     return within(min, max, "whole number");
+}
+
+void restore_from(const std::string& file, lab::Session& session) {
+    if (file.empty()) return;
+    const State state = load_state(file, session.scene());
+    try {
+        session.restore(state);
+    } catch (const InputError& error) {  // that the engine cannot hold
+        throw InputError(file + ": " + error.what());
+    }
 }
 
 CLI::Option* add_contenders(CLI::App& command, std::vector<std::string>& contenders) {

@@ -12,6 +12,7 @@
 
 #include "app/cli/distinct_files.hpp"
 #include "lab/contenders/engines.hpp"
+#include "lab/session/session.hpp"
 
 namespace flipside::app {
 
@@ -33,6 +34,9 @@ struct RunOptions {
     /// Says on stderr when it takes the one beside the scene.
     [[nodiscard]] Script load_script(const Scene& loaded) const;
 };
+
+/// Puts the session into the state of that file; "" is none.
+void restore_from(const std::string& file, lab::Session& session);
 
 /// --contender, repeated; where several run together.
 CLI::Option* add_contenders(CLI::App& command, std::vector<std::string>& contenders);

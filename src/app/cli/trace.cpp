@@ -9,7 +9,6 @@
 #include "lab/session/traced_step.hpp"
 #include "world/input_error.hpp"
 #include "world/json_file.hpp"
-#include "world/state_file.hpp"
 
 namespace flipside::app {
 
@@ -41,7 +40,7 @@ int trace(const TraceOptions& options) {
     const Engine* const used[] = {&engine};
     lab::Session session(scene, engine,
                          lab::settings_for(engine, *scene, lab::parse_changes(options.settings, used)));
-    if (!options.from.empty()) session.restore(load_state(options.from, *scene));
+    restore_from(options.from, session);
     const double start = session.world().time();
     if (options.at < start)
         throw InputError("--at " + brief(options.at) + ": the state is of " + brief(start) +

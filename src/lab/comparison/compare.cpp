@@ -45,7 +45,8 @@ Comparison compare(CompareInput input, const std::function<void(double)>& watch)
     std::vector<Session> sessions;
     std::vector<double> energy_first;
     for (const Contender& contender : result.input.contenders) {
-        sessions.emplace_back(result.input.scene, *contender.engine, contender.settings);
+        sessions.emplace_back(result.input.scene, *contender.engine, contender.settings,
+                              WithoutWorld::refuse_steps);
         energy_first.push_back(energy(sessions.back().world(), *result.input.scene));
         result.runs.push_back({contender, {}, {}});
     }
