@@ -174,6 +174,24 @@ TEST_F(CommandLine, AHandOverToTheSameEngineIsNoHandOverAtAll) {
     EXPECT_EQ(found, expected);
 }
 
+TEST_F(CommandLine, SettingsWithoutEffectAreToldAndTheRunIsMade) {
+    const auto told = [&](const std::string& arguments) {
+        const Result result = flipside(arguments);
+        EXPECT_EQ(result.code, 0) << arguments << result.err;
+        return result.err;
+    };
+    const std::string note = ": motion_iterations has no effect here, only with solver simple\n";
+    const std::string set = " --set motion_iterations=8", custom = " --seconds 0.1 --engine custom";
+    EXPECT_EQ(told("run drop" + custom + set), "flipside: custom" + note);
+    EXPECT_EQ(told("run drop" + custom + set + " --set solver=simple"), "");
+    EXPECT_EQ(told("trace drop --at 0 --engine custom" + set), "flipside: custom" + note);
+    EXPECT_EQ(told("compare drop --seconds 0.1 --set custom.motion_iterations=8 --contender a=custom "
+                   "--contender b=custom,solver=simple"),
+              "flipside: a" + note);
+    EXPECT_EQ(told("compare drop --seconds 0.1 --contender a=custom,motion_iterations=8 --contender b=box2d"),
+              "flipside: a" + note);
+}
+
 TEST_F(CommandLine, AStateOfATableOfAnotherSizeIsRefused) {
     expect_good("run rain --balls 1000 --seconds 0.1 --engine custom --save " + file("s.json"));
     expect_good("run rain --balls 1000 --seconds 0.1 --engine box2d --from " + file("s.json"));

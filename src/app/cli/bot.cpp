@@ -29,9 +29,7 @@ bots::Request bot_request(const BotOptions& options) {
     bots::require_playable(*scene);
     const Engine& engine = lab::engine_named(options.engine);
     lab::require_known_engines(*scene);
-    const Engine* const used[] = {&engine};
-    const auto changes = lab::parse_changes(options.settings, used);
-    return {scene, &engine, lab::settings_for(engine, *scene, changes),
+    return {scene, &engine, settings_with(options.settings, engine, *scene),
             options.dt.empty() ? lab::step_for(*scene) : lab::parse_step(options.dt)};
 }
 

@@ -6,6 +6,7 @@
 #include "app/cli/output.hpp"
 #include "app/cli/output_file.hpp"
 #include "app/cli/progress.hpp"
+#include "app/cli/run_options.hpp"
 #include "lab/cases/case.hpp"
 #include "lab/cases/stability_map.hpp"
 #include "lab/contenders/engines.hpp"
@@ -87,7 +88,9 @@ std::vector<lab::SettingChange> changes_of(const CasesOptions& options) {
 lab::CaseInput input_of(const CasesOptions& options, std::span<const lab::SettingChange> changes) {
     const double dt = lab::parse_step(options.dt);
     const lab::ContenderRequest request = lab::plain_contender(lab::engine_named(options.engine));
-    return {lab::contender_for(request, Scene{}, dt, changes), dt, options.quick, {}};
+    lab::CaseInput input{lab::contender_for(request, Scene{}, dt, changes), dt, options.quick, {}};
+    note_idle(input.contender, changes);
+    return input;
 }
 
 int map_stability(const CasesOptions& options) {

@@ -35,9 +35,7 @@ struct SingleRunOptions : RunOptions {
 
 lab::Session make_session(const SingleRunOptions& options, const std::shared_ptr<const Scene>& scene) {
     const Engine& engine = lab::engine_named(options.engine);
-    const Engine* const used[] = {&engine};
-    const auto changes = lab::parse_changes(options.settings, used);
-    lab::Session session(scene, engine, lab::settings_for(engine, *scene, changes));
+    lab::Session session(scene, engine, settings_with(options.settings, engine, *scene));
     restore_from(options.from, session);
     return session;
 }

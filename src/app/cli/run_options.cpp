@@ -37,6 +37,22 @@ CLI::Validator whole_number_from(std::int64_t min, std::int64_t max) {
     return within(min, max, "whole number");
 }
 
+void note_idle(const lab::Contender& contender, std::span<const lab::SettingChange> changes) {
+    for (const lab::SettingChange& change : changes) {
+        if (change.engine != contender.engine) continue;
+        const std::string when = contender.settings.idle(change.name);
+        if (!when.empty()) say(contender.name + ": " + change.name + " has no effect here, " + when);
+    }
+}
+
+Settings settings_with(const std::vector<std::string>& texts, const Engine& engine, const Scene& scene) {
+    const Engine* const used[] = {&engine};
+    const auto changes = lab::parse_changes(texts, used);
+    Settings settings = lab::settings_for(engine, scene, changes);
+    note_idle({&engine, settings, std::string(engine.name)}, changes);
+    return settings;
+}
+
 void restore_from(const std::string& file, lab::Session& session) {
     if (file.empty()) return;
     const State state = load_state(file, session.scene());

@@ -5,12 +5,14 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "app/cli/distinct_files.hpp"
+#include "lab/contenders/contender.hpp"
 #include "lab/contenders/engines.hpp"
 #include "lab/session/session.hpp"
 
@@ -34,6 +36,12 @@ struct RunOptions {
     /// Says on stderr when it takes the one beside the scene.
     [[nodiscard]] Script load_script(const Scene& loaded) const;
 };
+
+/// Of the engine on that scene, with what --set changes. Says on stderr which changes have no effect.
+[[nodiscard]] Settings settings_with(const std::vector<std::string>& texts, const Engine& engine,
+                                     const Scene& scene);
+/// Says on stderr which of them have no effect with the other settings of the contender.
+void note_idle(const lab::Contender& contender, std::span<const lab::SettingChange> changes);
 
 /// Puts the session into the state of that file; "" is none.
 void restore_from(const std::string& file, lab::Session& session);

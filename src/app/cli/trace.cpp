@@ -37,9 +37,7 @@ int trace(const TraceOptions& options) {
     const Engine& engine = lab::engine_named(options.engine);
     require_distinct(files);
     const auto scene = options.load();
-    const Engine* const used[] = {&engine};
-    lab::Session session(scene, engine,
-                         lab::settings_for(engine, *scene, lab::parse_changes(options.settings, used)));
+    lab::Session session(scene, engine, settings_with(options.settings, engine, *scene));
     restore_from(options.from, session);
     const double start = session.world().time();
     if (options.at < start)
