@@ -54,11 +54,39 @@ void require_words(const std::vector<std::string>& arguments) {
     }
 }
 
+bool has_empty_item(const std::string& list, char delimiter) {
+    return list.starts_with(delimiter) || list.ends_with(delimiter) ||
+           list.find({delimiter, delimiter}) != std::string::npos;
+}
+
+/// CLI11 leaves empty items of lists out. `arguments` begin with the command.
+void require_items(const CLI::App& program, const std::vector<std::string>& arguments) {
+    const auto named = program.get_subcommands(
+        [&](const CLI::App* command) { return command->get_name() == arguments.front(); });
+    if (named.empty()) return;
+    const CLI::Option* option = nullptr;  // whose values come
+    for (const std::string& argument : arguments) {
+        std::string value = argument;
+        if (argument.starts_with("--")) {
+            const std::size_t equals = argument.find('=');
+            option = named.front()->get_option_no_throw(argument.substr(0, equals));
+            value = equals == std::string::npos ? "" : argument.substr(equals + 1);
+        }
+        if (option == nullptr || value.empty()) continue;
+        const char delimiter = option->get_delimiter();
+        if (delimiter != '\0' && has_empty_item(value, delimiter))
+            throw InputError(option->get_name() + ": '" + value +
+                             "' has an empty item; allowed are items with a text, as A,B");
+        if (!option->get_allow_extra_args()) option = nullptr;
+    }
+}
+
 /// Sets `chosen` to what the arguments ask for; --help and --version among them.
 void parse(CLI::App& program, app::Action& chosen, std::vector<std::string> arguments) {
     require_words(arguments);
     try {
         arguments = with_command(program, std::move(arguments));
+        require_items(program, arguments);
         std::ranges::reverse(arguments);  // as CLI11 takes them
         program.parse(arguments);
     } catch (const CLI::Success& asked) {

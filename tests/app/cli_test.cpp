@@ -328,6 +328,11 @@ TEST_F(CommandLine, NothingThatIsAskedForIsIgnored) {
     expect_refused("cases --map map.csv 1", 2, "it is given alone or with --engine, --set");
     expect_refused("sweep --contenders custom-simple,custom-simple --out " + file("sweep"), 2, "there twice");
     EXPECT_FALSE(fs::exists(file("sweep")));
+    expect_refused("run drop --engine custom --every 5", 2, "--every requires --out");
+    for (const std::string list : {"custom,,box2d", "custom,box2d,", ",custom"}) {
+        expect_refused("compare drop --engines " + list, 2, "--engines: '" + list + "' has an empty item");
+        expect_refused("sweep --out " + file("sweep") + " --contenders=" + list, 2, "has an empty item");
+    }
     // As an unset variable of a shell gives them.
     expect_refused("run drop --engine custom --seconds 1 --save ''", 2, "argument 8 is empty (--save)");
     expect_refused("run drop --engine custom --seconds 1 --from=", 2, "argument 7 is empty (--from=)");

@@ -112,6 +112,7 @@ void add_run(CLI::App& program, Action& chosen) {
         ->type_name("STATE");
     command.add_option("--out", options->out, "Trajectory: time,ball,x,y,vx,vy,angle,spin")->type_name("CSV");
     command.add_option("--every", options->every, "Sample the trajectory every N steps (default 1)")
+        ->needs("--out")
         ->check(whole_number_from(1, 1'000'000'000))
         ->type_name("N");
     command.add_option("--events", options->events, "Events: time,kind,ball,other,x,y,nx,ny,speed,impulse")
