@@ -341,10 +341,21 @@ TEST_F(CommandLine, NothingThatIsAskedForIsIgnored) {
 
 TEST_F(CommandLine, WholeNumbersAreWrittenInDigits) {
     const std::string run = "run drop --engine custom --seconds 1 --every ";
-    for (const char* every : {"1.5", "1e3", "0", "-1", "12345678901234567890"})
+    for (const char* every : {"1.5", "1e3", "0", "-1", "12345678901234567890", "0x10", "010"})
         expect_refused(run + every, 2, "it takes a whole number from 1 to 1000000000");
     expect_refused("trace drop --engine custom --ball -1", 2, "a whole number from 0 to 4294967295");
     expect_refused("hunt --engine custom --out x --seed 1e3", 2, "a whole number from 0 to 1000000000000");
+}
+
+TEST_F(CommandLine, NumbersAreDecimalAndTimesNotTooShortForAStep) {
+    for (const char* seconds : {"0x10", "1e8", "-1", "inf", "nan", "1s", "1,5"})
+        expect_refused("run drop --engine custom --seconds " + std::string(seconds), 2,
+                       "it takes a number from 0 to 10000000");
+    expect_refused("run drop --engine custom --seconds 1e-12 --out " + file("t.csv"), 2,
+                   "it takes 0, or a number from 1e-08");
+    EXPECT_FALSE(fs::exists(file("t.csv")));
+    expect_good("run drop --engine custom --seconds 1e-8 --out " + file("t.csv"));
+    EXPECT_EQ(rows_of(file("t.csv")).back().at("time"), "1e-08");
 }
 
 TEST_F(CommandLine, AnInterruptLeavesNoFile) {

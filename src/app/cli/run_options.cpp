@@ -1,5 +1,6 @@
 #include "app/cli/run_options.hpp"
 
+#include <charconv>
 #include <iomanip>
 
 #include "app/cli/output.hpp"
@@ -14,11 +15,20 @@ namespace flipside::app {
 
 namespace {
 
+/// In decimal digits: CLI11 would read "0x10" as 16, and "010" as 8.
+template <class Number>
+std::optional<Number> number_of(const std::string& text) {
+    Number value{};
+    const char* const end = text.data() + text.size();
+    const auto [read, error] = std::from_chars(text.data(), end, value);
+    const bool octal = std::is_integral_v<Number> && text.size() > 1 && text[0] == '0';
+    return error == std::errc{} && read == end && !octal ? std::optional(value) : std::nullopt;
+}
+
 template <class Number>
 CLI::Validator within(Number min, Number max, const char* what) {
     const auto check = [=](const std::string& text) -> std::string {
-        Number value{};
-        if (CLI::detail::lexical_cast(text, value) && value >= min && value <= max) return "";
+        if (const auto value = number_of<Number>(text); value && *value >= min && *value <= max) return "";
         std::ostringstream problem;
         problem << std::setprecision(16) << "'" << text << "' is not allowed; it takes a " << what << " from "
                 << min << " to " << max;
@@ -99,8 +109,16 @@ void RunOptions::add_to(CLI::App& command, const std::string& setting_form) {
 }
 
 void RunOptions::add_seconds(CLI::App& command) {
+    // What is shorter than a billionth of the longest step makes no step (timeline.hpp).
+    constexpr double shortest = 1e-8;
+    const auto is_a_time = [](const std::string& text) -> std::string {
+        const double value = number_of<double>(text).value_or(0);
+        if (value == 0 || value >= shortest) return "";
+        return "'" + text + "' is not allowed; it takes 0, or a number from 1e-08";
+    };
     command.add_option("--seconds", seconds, "How long, s (default 10)")
         ->check(number_from(0, 1e7))
+        ->check(is_a_time)
         ->type_name("T");
 }
 
