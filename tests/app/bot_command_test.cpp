@@ -35,6 +35,12 @@ TEST_F(CommandLine, TheBotsGamesAreReplaysToTheBit) {
     expect_refused("bot pinball --engine custom --games 2 --seed 2 --replays " + file("new/games"), 2,
                    "game-3.flipside-replay");
     EXPECT_EQ(text_of(file("new/games/game-3.flipside-replay")), before);
+    expect_refused("bot pinball --engine custom --games 1 --out " + file("x") + " --replays " + file("x"), 2,
+                   "which is written too");
+    expect_refused("bot pinball --engine custom --games 1 --out " + file("x/game-1.flipside-replay") +
+                       " --replays " + file("x"),
+                   2, "game-1.flipside-replay");
+    EXPECT_FALSE(fs::exists(file("x")));
     expect_refused("bot pinball --engine custom --games 1 --seed 9 --replays " + file("new/games") +
                        " --out " + file("new/games/game-9.flipside-replay"),
                    2, "game-9.flipside-replay");

@@ -71,11 +71,13 @@ void require_new_replays(const BotOptions& options) {
 
 int play_games(const BotOptions& options) {
     bots::Request request = bot_request(options);
-    require_distinct({{{"the scene", lab::scene_file(options.scene)}}, {{"--out", options.out}}, true});
+    require_distinct({{{"the scene", lab::scene_file(options.scene)}},
+                      {{"--out", options.out}, {"--replays", options.replays}},
+                      true});
     if (!options.replays.empty()) {
+        require_new_replays(options);
         lab::make_folder(options.replays);
         request.replays = options.replays;
-        require_new_replays(options);
     }
     OutputFile table(options.out);
     std::vector<bots::Played> games;
