@@ -19,7 +19,8 @@ TEST_F(CommandLine, ABudgetOfAHuntIsANumberOfRounds) {
         return std::distance(fs::directory_iterator(folder / name / "rounds"), {});
     };
     EXPECT_EQ(rounds_of(" --seconds 0.001"), 1);
-    EXPECT_EQ(rounds_of(" --seconds 100 --rounds 2"), 2);
+    expect_refused(small_hunt + file("both") + " --seconds 50 --rounds 1", 2, "--rounds excludes --seconds");
+    EXPECT_FALSE(fs::exists(file("both")));
 }
 
 TEST_F(CommandLine, WhatAHuntFoundIsShownAgain) {

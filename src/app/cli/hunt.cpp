@@ -132,13 +132,6 @@ void add_hunt(CLI::App& program, Action& chosen) {
             "or time (tests per ball and step, which take it)")
         ->capture_default_str()
         ->type_name("GOAL");
-    command
-        .add_option(
-            "--seconds", options->seconds,
-            "In place of --rounds, as many as this gives at a nominal 2 ms a scene, s (30 ms with error); "
-            "the real time may be a tenth of it or seven times as much")
-        ->check(number_from(1e-3, 1e6))
-        ->type_name("BUDGET");
     command.add_option("--length", options->length, "Length of each run, s (default 1)")
         ->check(number_from(1e-3, 60))
         ->type_name("T");
@@ -157,6 +150,14 @@ void add_hunt(CLI::App& program, Action& chosen) {
                     "Rounds, each from other random scenes (default 4, or by --seconds)")
         ->check(whole_number_from(1, most_rounds))
         ->type_name("N");
+    command
+        .add_option(
+            "--seconds", options->seconds,
+            "In place of --rounds, as many as this gives at a nominal 2 ms a scene, s (30 ms with error); "
+            "the real time may be a tenth of it or seven times as much")
+        ->excludes("--rounds")
+        ->check(number_from(1e-3, 1e6))
+        ->type_name("BUDGET");
     command.add_option("--shard", options->shard, "Only the K-th of N parts; in any order, at the same time")
         ->type_name("K/N");
     command.add_option("--seed", options->seed, "Of the scenes (default 1)")
