@@ -45,11 +45,13 @@ std::string keys(const Json& object) {
     return text;
 }
 
-/// " from MIN to MAX" as far as there are limits.
+/// " from MIN to MAX" or " above MIN, up to MAX", as far as there are limits.
 std::string limits(const Json& schema, const char* least, const char* most) {
     std::string text;
+    const bool above = schema.contains("exclusiveMinimum");
     if (schema.contains(least)) text += " from " + schema[least].dump();
-    if (schema.contains(most)) text += " to " + schema[most].dump();
+    if (above) text += " above " + schema["exclusiveMinimum"].dump();
+    if (schema.contains(most)) text += (above ? ", up to " : " to ") + schema[most].dump();
     return text;
 }
 
