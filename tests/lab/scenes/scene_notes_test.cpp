@@ -31,6 +31,20 @@ TEST(SceneNotes, NameBallsThatStartWhereTheyCanNotBe) {
     EXPECT_EQ(notes_on(scene), expected);
 }
 
+TEST(SceneNotes, NameLayersThatNothingIsOn) {
+    Scene scene = empty_scene();
+    scene.bounds = {{0, 0}, {2, 2}};
+    scene.layers = {"default", "upper", "lower", "uper"};
+    Part ramp{"ramp", 0, {shape::Circle{{1, 1}, 0.3}}, {}};
+    ramp.layer = 2;
+    ramp.collides_with = 8;
+    scene.parts = {ramp};
+    scene.balls = {ball(0, {0.5, 0.5})};
+    scene.balls[0].layer = 4;
+    EXPECT_EQ(notes_on(scene),
+              std::vector<std::string>{"nothing is on layer 'uper', which a collides_with names"});
+}
+
 TEST(SceneNotes, LeaveOutWhatDoesNotMeet) {
     Scene scene = empty_scene();
     scene.bounds = {{0, 0}, {2, 2}};
