@@ -94,15 +94,23 @@ int replay_file(const ReplayOptions& options) {
     require_distinct({{{"the replay", options.file}},
                       {{"--frames", film.frames}, {"--video", film.video}, {"--sound", film.sound}}});
     const bool films = !film.frames.empty() || !film.video.empty() || !film.sound.empty();
-    if (!films && (film.part.from > 0 || film.part.to))
-        throw InputError(
-            "--from and --to take a part for a film: --frames, --video or --sound says of what sort");
     const lab::Replay replay = lab::load_replay(options.file);
     if (films)
         return make_film(replay, options.engine.empty() ? nullptr : &lab::engine_named(options.engine),
                          options);
     return options.engine.empty() ? check_replay(replay)
                                   : play_on_another(replay, lab::engine_named(options.engine));
+}
+
+/// Throws where something is said of a film that is not asked for: nothing is ignored.
+void require_film(const CLI::App& command) {
+    const auto is_given = [&](const char* option) { return command.get_option(option)->count() > 0; };
+    if (is_given("--frames") || is_given("--video") || is_given("--sound")) return;
+    for (const char* option :
+         {"--from", "--to", "--fps", "--view", "--show", "--no-artwork", "--width", "--height"})
+        if (is_given(option))
+            throw InputError(std::string(option) +
+                             " is said of a film: --frames, --video or --sound asks for one");
 }
 
 }  // namespace
@@ -139,7 +147,10 @@ void add_replay(CLI::App& program, Action& chosen) {
         ->type_name("A,B,...");
     command.add_flag("!--no-artwork", film.look.artwork, "Parts and balls alone, on a plain ground");
     add_size(command, film.width, film.height);
-    command.callback([options, &chosen] { chosen = [options] { return replay_file(*options); }; });
+    command.callback([options, &command, &chosen] {
+        require_film(command);
+        chosen = [options] { return replay_file(*options); };
+    });
 }
 
 }  // namespace flipside::app

@@ -87,7 +87,10 @@ TEST_F(FilmCommand, WritesAPartOfTheGame) {
     const std::string sound = text_of(file("part/sound.wav"));
     EXPECT_TRUE(sound.substr(44) == text_of(file("whole/sound.wav")).substr(44 + 4 * 3 * 4410, 4 * 5 * 4410));
 
-    expect_refused(how + "--from 0.3", 2, "--frames, --video or --sound");
+    for (const char* of_a_film : {"--from 0.3", "--to 0.3", "--fps 10", "--view single", "--show boxes",
+                                  "--no-artwork", "--width 400", "--height 400"})
+        expect_refused("replay '" + game + "' " + of_a_film, 2,
+                       "is said of a film: --frames, --video or --sound asks for one");
     const std::string refused = how + "--sound " + file("x.wav");
     expect_refused(refused + " --from -1", 2, "a number from 0");
     expect_refused(refused + " --to 1.5", 2, "from 0 to 1 s, its end");
