@@ -29,6 +29,8 @@ TEST_F(CommandLine, WhatAHuntFoundIsShownAgain) {
     const Result shown = flipside(replay + " --length 0.2");
     EXPECT_EQ(shown.code, 0) << shown.err;
     EXPECT_NE(text_of(file("hunted/worst.json")).find("--length 0.2 --contender"), std::string::npos);
+    for (const char* of_a_search : {"--scenes 3", "--rounds 3", "--seed 3", "--shard 1/2"})
+        expect_refused(replay + ' ' + of_a_search, 2, "excludes --replay");
     // As the files of earlier hunts say it.
     EXPECT_EQ(flipside(replay + " --seconds 0.2").out, shown.out);
 }

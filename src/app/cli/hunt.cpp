@@ -168,6 +168,10 @@ void add_hunt(CLI::App& program, Action& chosen) {
                     "Folder of what is found; what is finished there is not done again")
         ->type_name("DIR");
     command.add_option("--replay", options->replay, "Instead of a hunt: how bad it is on this scene")
+        ->excludes("--scenes")
+        ->excludes("--rounds")
+        ->excludes("--seed")
+        ->excludes("--shard")
         ->type_name("SCENE");
     command.callback([options, &chosen] { chosen = [options] { return hunt(*options); }; });
 }
