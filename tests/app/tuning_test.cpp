@@ -39,6 +39,7 @@ TEST_F(TuningCommand, RefusesWhatMakesNoSense) {
     expect_refused(tune("--shard 1/2"), 2, "--shard");
     expect_refused(tune("--contenders box2d"), 2, "--contenders");
     expect_refused(tune("--every-window"), 2, "--every-window");
+    expect_refused(tune("--engine " + file("none.so")), 2, "--engine excludes --tune");
     EXPECT_FALSE(fs::exists(file("a")));
     EXPECT_FALSE(fs::exists(file("tuned")));
 }

@@ -194,6 +194,7 @@ void add_sweep(CLI::App& program, Action& chosen) {
                     "Instead of a sweep, search this engine's cheapest settings and step for each scene")
         ->excludes("--contenders")
         ->excludes("--contender")
+        ->excludes("--engine")
         ->excludes("--shard")
         ->excludes(every_window)
         ->type_name("ENGINE");
