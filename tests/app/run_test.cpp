@@ -95,6 +95,26 @@ TEST(Run, KeepsTheNumbersOfItsLastStepWhileTheTableStandsStill) {
     EXPECT_EQ(run.rates().step_seconds, run.numbers().back().cost);
 }
 
+TEST(Run, StepsThatAreTracedDoNotCountInWhatAStepCosts) {
+    auto run = run_of_doubter();
+    for (int i = 0; i < 2; ++i) EXPECT_TRUE(run.step_within(0.125, {}, 1));
+    run.refresh(0.25);
+    const double cost = run.step_cost(), rate = run.rates().step_seconds;
+    Trace trace;
+    run.trace(&trace);
+    EXPECT_TRUE(run.step_within(0.125, {}, 1));
+    run.trace(nullptr);
+    run.refresh(0);
+    EXPECT_FALSE(run.numbers().back().timed());
+    EXPECT_EQ(run.step_cost(), cost);
+    EXPECT_EQ(run.rates().step_seconds, rate);
+    EXPECT_EQ(run.rates().pair_tests_per_step, 7);
+    EXPECT_TRUE(run.step_within(0.125, {}, 1));
+    run.refresh(0);
+    EXPECT_TRUE(run.numbers().back().timed());
+    EXPECT_EQ(run.rates().step_seconds, run.numbers().back().cost);
+}
+
 TEST(Claim, FadesWithTheDigitsFromSureToTheHorizon) {
     EXPECT_EQ(claim(0), 1);
     EXPECT_EQ(claim(1e-9), 1);

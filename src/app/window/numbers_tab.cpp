@@ -113,8 +113,11 @@ void detection(const Stage& stage) {
         [](const Run& run) { return whole(run.rates().narrow_tests); });
     row(stage, "Collisions/s", "Impacts per second of your time",
         [](const Run& run) { return whole(run.rates().impacts); });
-    row(stage, "Time per step", "CPU time that the engine takes for one step",
-        [](const Run& run) { return engineering(run.rates().step_seconds, "s"); });
+    row(stage, "Time per step",
+        "CPU time that the engine takes for one step; a step looked into does not count", [](const Run& run) {
+            const double seconds = run.rates().step_seconds;
+            return seconds > 0 ? engineering(seconds, "s") : std::string("–");
+        });
     ImGui::EndTable();
 }
 

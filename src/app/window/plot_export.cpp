@@ -54,8 +54,12 @@ void write_numbers(std::ostream& out, const Stage& stage) {
                                       ? distance_at(stage, run.name(), base, numbers.time)
                                       : std::nullopt;
             lab::CsvRow row;
-            row.add(std::string_view(run.name())).add(run.engine().name).add(numbers.time).add(numbers.cost);
-            row.add(std::string_view(stages_in_words(statistics))).add(numbers.energy);
+            row.add(std::string_view(run.name())).add(run.engine().name).add(numbers.time);
+            if (numbers.timed())
+                row.add(numbers.cost).add(std::string_view(stages_in_words(statistics)));
+            else
+                row.add(std::string_view()).add(std::string_view());
+            row.add(numbers.energy);
             row.add(std::uint64_t{numbers.balls}).add(statistics.asleep);
             if (statistics.counts_pair_tests)
                 row.add(statistics.pair_tests);

@@ -106,7 +106,7 @@ Plot cost_plot(const Stage& stage) {
         const auto& stages = run.session().world().statistics().stages;
         for (std::size_t i = 0; i < stages.size() && !stages[i].name.empty(); ++i) {
             Curve curve = curve_of(run, "s", in_seconds, [i](const StepNumbers& numbers) {
-                return numbers.statistics.stages[i].seconds;
+                return numbers.timed() ? numbers.statistics.stages[i].seconds : not_a_number;
             });
             curve.name = stages[i].name;
             curve.color = stage_colours[i % std::size(stage_colours)];

@@ -1,6 +1,7 @@
 #include "app/window/run.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -119,14 +120,28 @@ void Run::go_on_from_here() {
 
 void Run::count_from_here() {
     spent_ = session_.totals().step_seconds;
+    timed_ = {};
     counted_ = session_.totals();
+}
+
+void Run::trace(Trace* trace) {
+    traced_ = trace != nullptr;
+    session_.world().trace(trace);
+}
+
+double Run::take_cost() {
+    const double before = std::exchange(spent_, session_.totals().step_seconds);
+    if (traced_) return std::numeric_limits<double>::quiet_NaN();
+    const double cost = spent_ - before;
+    step_cost_ = step_cost_ == 0 ? cost : step_cost_ + 0.05 * (cost - step_cost_);
+    ++timed_.steps;
+    timed_.seconds += cost;
+    return cost;
 }
 
 void Run::observe_step() {
     events_.insert(events_.end(), session_.events().begin(), session_.events().end());
-    const double cost = session_.totals().step_seconds - spent_;
-    spent_ += cost;
-    step_cost_ = step_cost_ == 0 ? cost : step_cost_ + 0.05 * (cost - step_cost_);
+    const double cost = take_cost();
     traces_.observe(session_.events(), session_.world().balls(), session_.world().time());
     impacts_.observe(session_.events(), session_.world().balls());
     measure_energy(false);
@@ -233,12 +248,13 @@ void Run::refresh(double running) {
     if (steps > 0) {
         rates_.pair_tests_per_step = pair_tests / steps;
         rates_.narrow_tests_per_step = narrow_tests / steps;
-        rates_.step_seconds = (now.step_seconds - counted_.step_seconds) / steps;
     } else if (const StepNumbers* shown = numbers_at(numbers_, session_.world().time())) {
         rates_.pair_tests_per_step = static_cast<double>(shown->statistics.pair_tests);
         rates_.narrow_tests_per_step = static_cast<double>(shown->statistics.narrow_tests);
-        rates_.step_seconds = shown->cost;
+        if (shown->timed()) rates_.step_seconds = shown->cost;
     }
+    if (timed_.steps > 0) rates_.step_seconds = timed_.seconds / static_cast<double>(timed_.steps);
+    timed_ = {};
     counted_ = now;
 }
 

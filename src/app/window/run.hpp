@@ -24,7 +24,7 @@ namespace flipside::app {
 struct Rates {
     double pair_tests = 0, narrow_tests = 0, impacts = 0;  ///< per wall second
     double pair_tests_per_step = 0, narrow_tests_per_step = 0;
-    double step_seconds = 0;   ///< CPU time per step
+    double step_seconds = 0;   ///< CPU time per step that was not traced; 0: none yet
     std::size_t overlaps = 0;  ///< balls at another ball's exact position
 };
 
@@ -46,7 +46,8 @@ class Run {
     /// run began. False where it has ended, or has halted, before that.
     bool follow(lab::ReplaySteps& replay, double time);
     /// Whatever its world does in a step is written there from now on; null: nowhere.
-    void trace(Trace* trace) { session_.world().trace(trace); }
+    /// Those steps do not count in what a step costs.
+    void trace(Trace* trace);
     /// A span has begun and not ended.
     [[nodiscard]] bool under_way() const { return session_.under_way() || done_ > 0; }
     /// What the player does, as far as the rules permit it; false if they do not.
@@ -110,6 +111,8 @@ class Run {
     void record_change();
     /// Sums and rates go on from the session as it is.
     void count_from_here();
+    /// Of the step that is done, s; not a number where it was traced.
+    [[nodiscard]] double take_cost();
     void measure_energy(bool start_anew);
     void measure_uncertainty();
 
@@ -132,7 +135,12 @@ class Run {
     std::deque<Sample> baselines_;  ///< of energy_before_, since when
     std::size_t balls_ = 0;
     double step_cost_ = 0;
-    double spent_ = 0;  ///< CPU time on all steps that are done, s
+    bool traced_ = false;  ///< from now on
+    double spent_ = 0;     ///< CPU time on all steps that are done, s
+    struct {
+        std::uint64_t steps = 0;
+        double seconds = 0;  ///< CPU time
+    } timed_;                ///< since the last refresh
     std::deque<StepNumbers> numbers_;
     std::optional<Halt> halt_;
     std::deque<Sample> uncertainty_;
