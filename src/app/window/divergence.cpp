@@ -34,7 +34,10 @@ std::string Divergence::parted_on(const Scene& scene) const {
 
 std::string name_of_parting(const lab::Parting& parting, const Scene& scene) {
     const auto& [time, ball, index, first, second] = parting;
-    return lab::name_of_other(first && first->time == time ? *first : *second, scene);
+    const Event& event = first && first->time == time ? *first : *second;
+    // Files call it "ball:5".
+    return event.other.is_ball ? "ball " + std::to_string(event.other.index)
+                               : lab::name_of_other(event, scene);
 }
 
 }  // namespace flipside::app
