@@ -40,6 +40,26 @@ TEST(Words, BallsAreCountedAsPeopleCount) {
     EXPECT_EQ(balls_in_words(1200, 0), "1,200 balls");
 }
 
+TEST(Words, WhatRoundsToZeroHasNoSign) {
+    EXPECT_EQ(with_unit(-0.0004, 3, "m/s"), "0.000 m/s");
+    EXPECT_EQ(with_unit(-0.0005001, 3, "m/s"), "−0.001 m/s");
+    EXPECT_EQ(with_unit(1e-9, 1, "", true), "0.0");
+    EXPECT_EQ(with_unit(0.25, 2, "m/s", true), "+0.25 m/s");
+}
+
+TEST(Words, LinesBreakBetweenWordsAndNeverInANumberOrBeforeItsUnit) {
+    using Lines = std::vector<std::string>;
+    const auto letters = [](std::size_t most) {
+        return [most](const std::string& words) { return words.size() <= most; };
+    };
+    EXPECT_EQ(in_lines("it has 0.7786 J.", letters(11)), (Lines{"it has", "0.7786 J."}));
+    EXPECT_EQ(in_lines("a 12.5 m/s b", letters(8)), (Lines{"a", "12.5 m/s", "b"}));
+    EXPECT_EQ(in_lines("in 2 steps", letters(4)), (Lines{"in 2", "step", "s"}));
+    EXPECT_EQ(in_lines("one  two\n\nthree", letters(8)), (Lines{"one  two", "", "three"}));
+    EXPECT_EQ(in_lines("µµµ", letters(5)), (Lines{"µµ", "µ"}));
+    EXPECT_EQ(in_lines("", letters(5)), Lines{""});
+}
+
 TEST(Words, AreShortenedByWholeLettersToWhatFits) {
     const auto bytes = [](std::size_t most) {
         return [most](const std::string& words) { return words.size() <= most; };

@@ -69,9 +69,7 @@ void draw_help(const Rect& place, const KeyLines& lines, ControlPlaces& places) 
                 ImGui::TableNextColumn();
                 ImGui::TextUnformatted(lines[i].first.c_str());
                 ImGui::TableNextColumn();
-                ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-                ImGui::TextWrapped("%s", lines[i].second.c_str());
-                ImGui::PopStyleColor();
+                wrapped(lines[i].second, colour::quiet);
                 note(places, "help: " + lines[i].first);
             }
         ImGui::EndTable();

@@ -13,26 +13,19 @@ namespace flipside::app {
 namespace {
 
 void write(std::string_view words, sf::Color color) {
-    const std::string shown = printable(words);
-    ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(color));
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(shown.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
+    wrapped(printable(words), color);
 }
 
 /// A button as wide as the column that wraps its words.
 bool wide_button(const std::string& words, ControlPlaces& places) {
-    const float room = ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().FramePadding.x;
-    const ImVec2 size = ImGui::CalcTextSize(words.c_str(), nullptr, false, room);
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const ImVec2 padding = ImGui::GetStyle().FramePadding;
-    const bool pressed =
-        ImGui::Button(("##" + words).c_str(), {ImGui::GetContentRegionAvail().x, size.y + 2 * padding.y});
+    const ImVec2 padding = ImGui::GetStyle().FramePadding, corner = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const std::string shown = broken(words, width - 2 * padding.x);
+    const float height = ImGui::CalcTextSize(shown.c_str()).y + 2 * padding.y;
+    const bool pressed = ImGui::Button(("##" + words).c_str(), {width, height});
     note(places, words);
-    ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), ImGui::GetFontSize(),
-                                        {corner.x + padding.x, corner.y + padding.y},
-                                        ImGui::GetColorU32(ImGuiCol_Text), words.c_str(), nullptr, room);
+    ImGui::GetWindowDrawList()->AddText({corner.x + padding.x, corner.y + padding.y},
+                                        ImGui::GetColorU32(ImGuiCol_Text), shown.c_str());
     return pressed;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 #include <SFML/System/String.hpp>
@@ -58,15 +57,8 @@ double Lettering::line_height(Type type) const {
 }
 
 std::vector<std::string> Lettering::lines(std::string_view utf8, Type type, double room) const {
-    std::vector<std::string> lines;
-    std::istringstream words{std::string(utf8)};
-    for (std::string word; words >> word;) {
-        if (!lines.empty() && width(lines.back() + ' ' + word, type) <= room)
-            lines.back() += ' ' + word;
-        else
-            lines.push_back(word);
-    }
-    return lines;
+    if (utf8.empty()) return {};
+    return in_lines(utf8, [&](const std::string& words) { return width(words, type) <= room; });
 }
 
 std::string Lettering::cut(std::string_view utf8, Type type, double room) const {

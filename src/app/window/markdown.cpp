@@ -4,6 +4,7 @@
 #include <md4c.h>
 
 #include "app/window/panel_parts.hpp"
+#include "app/window/words.hpp"
 #include "world/printable.hpp"
 
 namespace flipside::app {
@@ -91,7 +92,7 @@ void draw_runs(const std::vector<TextRun>& runs, float indent) {
                 rest.remove_prefix(1);
                 continue;
             }
-            const std::string_view word = rest.substr(0, rest.find(' '));
+            const std::string_view word = rest.substr(0, end_of_word(rest));
             rest.remove_prefix(word.size());
             const float width = ImGui::CalcTextSize(word.data(), word.data() + word.size()).x;
             const float at = x + (gap && !first ? space : 0);
@@ -136,19 +137,16 @@ void draw_markdown(const std::vector<TextBlock>& blocks) {
                 break;
             case TextBlock::Kind::item: {
                 const std::string mark = block.number > 0 ? std::to_string(block.number) + "." : "·";
+                const float left = ImGui::GetCursorPosX();
                 ImGui::TextUnformatted(mark.c_str());
                 ImGui::SameLine(0, 0);
-                ImGui::SetCursorPosX(ImGui::GetStyle().WindowPadding.x);
+                ImGui::SetCursorPosX(left);
                 draw_runs(block.runs, 1.4F * step);
                 break;
             }
             case TextBlock::Kind::code:
-                ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(colour::cells));
-                ImGui::PushTextWrapPos(0);
                 for (const TextRun& run : block.runs)
-                    if (run.words != "\n") ImGui::TextUnformatted(run.words.c_str());
-                ImGui::PopTextWrapPos();
-                ImGui::PopStyleColor();
+                    if (run.words != "\n") wrapped(run.words, colour::cells);
         }
         ImGui::Dummy({0, 0.25F * step});
     }

@@ -29,9 +29,7 @@ void Notice::pass(double seconds) {
 void draw_notice(Notice& notice, ControlPlaces& places) {
     notice.pass(ImGui::GetIO().DeltaTime);
     if (notice.empty()) return;
-    ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(notice.is_trouble() ? colour::warning : colour::text));
-    ImGui::TextWrapped("%s", printable(notice.words()).c_str());
-    ImGui::PopStyleColor();
+    wrapped(printable(notice.words()), notice.is_trouble() ? colour::warning : colour::text);
     const bool read = ImGui::SmallButton("I see");
     note(places, "I see");
     if (read) notice.clear();

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,22 +15,32 @@ namespace {
 
 using Value = std::function<std::string(const Run&)>;
 
+void flush_right(const std::string& line) {
+    const float slack = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(line.c_str()).x;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, slack));
+    ImGui::TextUnformatted(line.c_str());
+}
+
 /// Broken between words; a word for which there is no room is cut, and the tooltip has all of it.
 void value_in_cell(const std::string& text) {
     const float room = ImGui::GetContentRegionAvail().x;
-    const float slack = room - ImGui::CalcTextSize(text.c_str()).x;
-    if (slack > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + slack);
-    std::istringstream words(text);
-    std::string shown;
-    for (std::string word; words >> word;) shown += (shown.empty() ? "" : " ") + cut(word, room);
-    ImGui::TextWrapped("%s", shown.c_str());
-    if (shown != text) tooltip(text);
+    const auto fits = [room](const std::string& line) { return ImGui::CalcTextSize(line.c_str()).x <= room; };
+    std::string words;
+    for (std::string_view rest = text; !rest.empty();) {
+        const std::string word(rest.substr(0, end_of_word(rest)));
+        rest.remove_prefix(std::min(rest.size(), word.size() + 1));
+        words += (words.empty() ? "" : " ") + cut(word, room);
+    }
+    ImGui::BeginGroup();
+    for (const std::string& line : in_lines(words, fits)) flush_right(line);
+    ImGui::EndGroup();
+    if (words != text) tooltip(text);
 }
 
 /// One line: what it is, and its value for each run.
 void row(const Stage& stage, const char* words, const char* meaning, const Value& value) {
     ImGui::TableNextColumn();
-    ImGui::TextWrapped("%s", words);
+    wrapped(words);
     tooltip(meaning);
     for (const Run& run : stage.runs()) {
         ImGui::TableNextColumn();
@@ -68,9 +77,7 @@ bool begin_table(const Stage& stage, const char* id) {
         ImGui::TableNextColumn();
         ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(colour_of(run)));
         for (const std::string& line : name_in_lines(run.name(), ImGui::GetContentRegionAvail().x)) {
-            const float slack = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(line.c_str()).x;
-            ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, slack));
-            ImGui::TextUnformatted(line.c_str());
+            flush_right(line);
         }
         ImGui::PopStyleColor();
         tooltip(run.name());

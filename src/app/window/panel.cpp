@@ -61,11 +61,10 @@ void frame_of_keys(const Rect& place) {
     const ImVec2 corner = imgui_vector(place.x + 1, place.y + 1),
                  end = imgui_vector(place.x + place.width - 1, place.y + place.height - 1);
     ImGui::GetForegroundDrawList()->AddRect(corner, end, ImGui::GetColorU32(imgui_color(colour::lit)));
-    ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(colour::lit));
-    ImGui::TextWrapped(
+    wrapped(
         "Keys work these controls: arrows move, Space uses one, Enter types a value. Esc goes back to the "
-        "table.");
-    ImGui::PopStyleColor();
+        "table.",
+        colour::lit);
 }
 
 }  // namespace

@@ -27,9 +27,7 @@ void tooltip(std::string_view words) {
         ImGui::SetNextWindowPos({corner.x, corner.y - gap}, ImGuiCond_Always, {0, 1});
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1);  // of what is disabled too
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(20 * ImGui::GetFontSize());
-    ImGui::TextUnformatted(words.data(), words.data() + words.size());
-    ImGui::PopTextWrapPos();
+    ImGui::TextUnformatted(broken(words, 20 * ImGui::GetFontSize()).c_str());
     ImGui::EndTooltip();
     ImGui::PopStyleVar();
 }
@@ -37,6 +35,23 @@ void tooltip(std::string_view words) {
 std::string cut(std::string words, float room) {
     return shortened(std::move(words),
                      [room](const std::string& kept) { return ImGui::CalcTextSize(kept.c_str()).x <= room; });
+}
+
+std::string broken(std::string_view words, float room) {
+    const auto fits = [room](const std::string& line) { return ImGui::CalcTextSize(line.c_str()).x <= room; };
+    std::string text;
+    for (const std::string& line : in_lines(words, fits)) text += (text.empty() ? "" : "\n") + line;
+    return text;
+}
+
+void wrapped(std::string_view words) {
+    ImGui::TextUnformatted(broken(words, ImGui::GetContentRegionAvail().x).c_str());
+}
+
+void wrapped(std::string_view words, sf::Color color) {
+    ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(color));
+    wrapped(words);
+    ImGui::PopStyleColor();
 }
 
 void note(ControlPlaces& places, const std::string& label) {

@@ -26,6 +26,11 @@ inline constexpr ImGuiWindowFlags docked =
 void tooltip(std::string_view words);
 /// As it is shown in a line with so much room, px: with an ellipsis where that is too little for all of it.
 [[nodiscard]] std::string cut(std::string words, float room);
+/// In lines with so much room, px (words.hpp).
+[[nodiscard]] std::string broken(std::string_view words, float room);
+/// In the lines that the rest of the column has room for.
+void wrapped(std::string_view words);
+void wrapped(std::string_view words, sf::Color color);
 /// Notes where the last item is, if it is to be seen.
 void note(ControlPlaces& places, const std::string& label);
 /// A foldable region; true while it is open.

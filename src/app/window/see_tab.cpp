@@ -61,7 +61,7 @@ void legend(const Panel& panel) {
                                                   IM_COL32(c.r, c.g, c.b, c.a), 0.2F * size);
         ImGui::Indent(indent);
         const std::string words = std::string(show_specs[i].label) + ": " + std::string(show_specs[i].about);
-        ImGui::TextWrapped("%s", words.c_str());
+        wrapped(words);
         ImGui::Unindent(indent);
     }
 }
@@ -100,7 +100,7 @@ void plots(const Panel& panel) {
 
 void mute(const Panel& panel) {
     panel.toggle("Mute", panel.controls.muted, "No sound (Q)");
-    if (!panel.controls.has_sound) ImGui::TextWrapped("No device to play sound was found at the start");
+    if (!panel.controls.has_sound) wrapped("No device to play sound was found at the start");
 }
 
 }  // namespace
@@ -113,7 +113,7 @@ void draw_see_tab(const Panel& panel) {
             "Chart on the ground: the first line is where a ball's centre lies as it touches, each one\n"
             "on is a radius farther. Shadows, trails and sparks; overlays dim it");
         if (panel.controls.look.artwork && panel.controls.artwork_left_out)
-            ImGui::TextWrapped("Artwork is left out for now: drawing takes too long");
+            wrapped("Artwork is left out for now: drawing takes too long");
         panel.toggle("Random colours", panel.controls.look.random_colours,
                      "Tint each ball, to tell them apart");
     }

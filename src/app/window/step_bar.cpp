@@ -14,14 +14,6 @@ namespace flipside::app {
 
 namespace {
 
-void text(std::string_view words, sf::Color color) {
-    ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(color));
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(words.data(), words.data() + words.size());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
-}
-
 /// "position_before" as people write it.
 std::string spaced(std::string_view name) {
     std::string words(name);
@@ -67,11 +59,11 @@ struct StepBar {
         }
         const std::string where = "stage " + std::to_string(microscope.at() + 1) + " of " +
                                   std::to_string(microscope.stages().size());
-        text(where, colour::quiet);
+        wrapped(where, colour::quiet);
         const std::string keys = ".  next    ,  back    [ ]  items    Shift .  whole step    I  close";
         ImGui::SameLine();
         if (ImGui::GetContentRegionAvail().x > width_of(keys))
-            text(keys, colour::quiet);
+            wrapped(keys, colour::quiet);
         else
             ImGui::NewLine();
     }
@@ -127,12 +119,12 @@ struct StepBar {
         if (microscope.item() < now.items.size()) {
             const TraceItem& item = now.items[microscope.item()];
             for (const char* name : {"formula", "filled"})
-                if (const TraceValue* value = item.find(name)) text(in_brief(*value), colour::lit);
+                if (const TraceValue* value = item.find(name)) wrapped(in_brief(*value), colour::lit);
             for (const auto& [name, value] : item.fields)
                 if (name != "formula" && name != "filled")
-                    text(spaced(name) + "  " + measured(name, value), colour::text);
+                    wrapped(spaced(name) + "  " + measured(name, value), colour::text);
         }
-        text(now.where, colour::quiet);
+        wrapped(now.where, colour::quiet);
         ImGui::EndChild();
     }
 };
@@ -161,14 +153,14 @@ void draw_step_bar(const Rect& place, Stage& stage, Microscope& microscope, Cont
     ImGui::Begin("step bar", nullptr, docked);
     const StepBar bar{stage, microscope, places};
     if (!microscope.shows(stage)) {
-        text("Inside a step:  .  takes the next one and stops at its first stage;  I  closes this.",
-             colour::text);
+        wrapped("Inside a step:  .  takes the next one and stops at its first stage;  I  closes this.",
+                colour::text);
         ImGui::End();
         return;
     }
     bar.engines();
     bar.stages();
-    text(printable(microscope.stage().says), colour::text);
+    wrapped(printable(microscope.stage().says), colour::text);
     const double room = ImGui::GetContentRegionAvail().x;
     bar.items(std::floor(0.55 * room));
     ImGui::SameLine();

@@ -22,7 +22,9 @@ std::string points_in_words(long points) {
 std::string with_unit(double value, int digits, const std::string& unit, bool sign) {
     char number[64];
     std::snprintf(number, sizeof number, "%.*f", digits, std::abs(value));
-    const std::string minus = value < 0 ? "−" : sign ? "+" : "";
+    // What rounds to zero has no sign.
+    const bool zero = std::string_view(number).find_first_of("123456789in") == std::string_view::npos;
+    const std::string minus = zero ? "" : value < 0 ? "−" : sign ? "+" : "";
     return minus + number + (unit.empty() ? "" : " " + unit);
 }
 
@@ -71,6 +73,83 @@ std::string balls_in_words(std::size_t balls, std::size_t asleep) {
     std::string words = grouped(balls) + (balls == 1 ? " ball" : " balls");
     if (asleep > 0) words += ", " + grouped(asleep) + " asleep";
     return words;
+}
+
+namespace {
+
+/// "m/s", "µs", "N·s", "mJ", "%", also with punctuation behind it.
+bool is_unit(std::string_view word) {
+    while (!word.empty() && std::string_view(".,;:!?)").find(word.back()) != std::string_view::npos)
+        word.remove_suffix(1);
+    constexpr std::string_view units[] = {"m", "s", "J", "g", "r", "Hz", "N", "N·s", "rad", "px", "%", "×"};
+    constexpr std::string_view prefixes[] = {"", "p", "n", "µ", "m", "k"};
+    for (const std::string_view unit : units)
+        for (const std::string_view prefix : prefixes) {
+            if (!word.starts_with(prefix) || !word.substr(prefix.size()).starts_with(unit)) continue;
+            const std::string_view rest = word.substr(prefix.size() + unit.size());
+            if (rest.empty() || rest.front() == '/' || rest == "²" || rest == "³") return true;
+        }
+    return false;
+}
+
+/// As many bytes of a text as fit, whole letters and at least one.
+std::size_t fitting(std::string_view text, const std::function<bool(const std::string&)>& fits) {
+    const auto after = [text](std::size_t at) {
+        for (++at; at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0U) == 0x80U;) ++at;
+        return at;
+    };
+    std::size_t end = after(0);
+    while (end < text.size() && fits(std::string(text.substr(0, after(end))))) end = after(end);
+    return end;
+}
+
+/// The same of a text without line ends.
+void break_line(std::string_view text, const std::function<bool(const std::string&)>& fits,
+                std::vector<std::string>& lines) {
+    std::string line;
+    bool begun = false;
+    while (!text.empty()) {
+        const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
+        const std::string gap(text.substr(0, begin));
+        text.remove_prefix(begin);
+        std::string_view word = text.substr(0, end_of_word(text));
+        text.remove_prefix(word.size());
+        if (!begun || fits(line + gap + std::string(word))) {
+            line += gap + std::string(word);
+        } else {
+            lines.push_back(std::move(line));
+            line = word;
+        }
+        begun = true;
+        while (!fits(line)) {
+            const std::size_t end = fitting(line, fits);
+            if (end == line.size()) break;
+            lines.push_back(line.substr(0, end));
+            line.erase(0, end);
+        }
+    }
+    lines.push_back(std::move(line));
+}
+
+}  // namespace
+
+std::size_t end_of_word(std::string_view text) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    if (end == 0 || end == text.size() || text[end - 1] < '0' || text[end - 1] > '9') return end;
+    const std::string_view rest = text.substr(end + 1);
+    const std::string_view next = rest.substr(0, rest.find(' '));
+    return is_unit(next) ? end + 1 + next.size() : end;
+}
+
+std::vector<std::string> in_lines(std::string_view text,
+                                  const std::function<bool(const std::string&)>& fits) {
+    std::vector<std::string> lines;
+    for (;;) {
+        const std::size_t end = text.find('\n');
+        break_line(text.substr(0, end), fits, lines);
+        if (end == std::string_view::npos) return lines;
+        text.remove_prefix(end + 1);
+    }
 }
 
 std::string shortened(std::string words, const std::function<bool(const std::string&)>& fits) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace flipside::app {
 
@@ -26,6 +27,11 @@ namespace flipside::app {
 [[nodiscard]] std::string step_in_words(double dt);
 /// "1 ball", "11 balls, 2 asleep", "no balls".
 [[nodiscard]] std::string balls_in_words(std::size_t balls, std::size_t asleep);
+/// Where the first word of a text ends that begins with one. A number and its unit are one word: "0.7786 J".
+[[nodiscard]] std::size_t end_of_word(std::string_view text);
+/// In lines that fit, broken between words; only a word that does not fit alone is broken between letters.
+[[nodiscard]] std::vector<std::string> in_lines(std::string_view text,
+                                                const std::function<bool(const std::string&)>& fits);
 /// As much of a text in UTF-8 as `fits`, with an ellipsis behind it where that is not all.
 [[nodiscard]] std::string shortened(std::string words, const std::function<bool(const std::string&)>& fits);
 

@@ -6,6 +6,7 @@
 
 #include "app/window/browser/thumbnail.hpp"
 #include "app/window/panel_parts.hpp"
+#include "app/window/words.hpp"
 #include "lab/files/assets.hpp"
 #include "world/input_error.hpp"
 #include "world/json_file.hpp"
@@ -46,17 +47,15 @@ std::vector<fs::path> scenes_in(const fs::path& folder) {
 void write_lines(ImDrawList& list, ImVec2 at, float room, float bottom, const std::string& words,
                  ImU32 color) {
     const float height = ImGui::GetFontSize();
-    for (std::size_t begin = 0; begin < words.size() && at.y + height <= bottom; at.y += height) {
-        const bool last = at.y + 2 * height > bottom;
-        std::size_t end = std::min(words.find(' ', begin), words.size());
-        for (std::size_t next = end; !last && next < words.size();) {
-            next = std::min(words.find(' ', next + 1), words.size());
-            if (ImGui::CalcTextSize(words.data() + begin, words.data() + next).x > room) break;
-            end = next;
-        }
-        if (last) end = words.size();
-        list.AddText(at, color, cut(words.substr(begin, end - begin), room).c_str());
-        begin = end + 1;
+    const auto fits = [room](const std::string& line) { return ImGui::CalcTextSize(line.c_str()).x <= room; };
+    std::vector<std::string> lines = in_lines(words, fits);
+    for (std::size_t i = 0; i < lines.size() && at.y + height <= bottom; ++i, at.y += height) {
+        if (at.y + 2 * height > bottom)
+            while (i + 1 < lines.size()) {
+                lines[i] += ' ' + lines[i + 1];
+                lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+            }
+        list.AddText(at, color, cut(lines[i], room).c_str());
     }
 }
 
@@ -220,11 +219,7 @@ std::optional<std::string> SceneBrowser::draw(const Rect& window, const Letterin
     ImGui::SameLine(ImGui::GetContentRegionMax().x - 4 * ImGui::GetFontSize());
     if (ImGui::Button("Back")) close();
     note(places, "Back");
-    if (!warning_.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(colour::warning));
-        ImGui::TextWrapped("%s", printable(warning_).c_str());
-        ImGui::PopStyleColor();
-    }
+    if (!warning_.empty()) wrapped(printable(warning_), colour::warning);
     ImGui::BeginChild("cards", {0, 0}, false);
     draw_cards(places);
     ImGui::EndChild();

@@ -205,11 +205,9 @@ void generated_note(const lab::Draft& draft, ControlPlaces& places) {
     const std::size_t balls = draft.scene()->balls.size() - draft.sketch().balls.size();
     const std::size_t parts = draft.scene()->parts.size() - draft.sketch().parts.size();
     if (draft.problem() || balls + parts == 0) return;
-    ImGui::TextWrapped(
-        "%zu balls and %zu parts, drawn pale, are generated. They cannot be picked: their number and size "
-        "are "
-        "under \"generate\" in the file.",
-        balls, parts);
+    wrapped(std::to_string(balls) + " balls and " + std::to_string(parts) +
+            " parts, drawn pale, are generated. They cannot be picked: their number and size are under "
+            "\"generate\" in the file.");
     note(places, "generated");
 }
 
@@ -219,8 +217,7 @@ void several_things(const Editor& editor, ControlPlaces& places) {
     ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[1]);
     ImGui::Text("%zu things", editor.selection().size());
     ImGui::PopFont();
-    ImGui::TextWrapped(
-        "They are moved, copied and deleted together. Shift and a click picks one more, or one less.");
+    wrapped("They are moved, copied and deleted together. Shift and a click picks one more, or one less.");
     note(places, "several things");
 }
 

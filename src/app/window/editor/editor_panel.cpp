@@ -149,7 +149,7 @@ void EditorPanel::choose_name(const Editor& editor, std::string why) {
 }
 
 void EditorPanel::draw_save_as(Editor& editor, WindowControls& controls, ControlPlaces& places) {
-    if (!why_.empty()) ImGui::TextWrapped("%s", why_.c_str());
+    if (!why_.empty()) wrapped(why_);
     ImGui::TextUnformatted("File");
     ImGui::SetNextItemWidth(-1);
     if (std::exchange(begins_, false)) ImGui::SetKeyboardFocusHere();
@@ -161,7 +161,7 @@ void EditorPanel::draw_save_as(Editor& editor, WindowControls& controls, Control
     const bool taken = obstacle != lab::SaveObstacle::none;
     if (taken) {
         ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(colour::warning));
-        ImGui::TextWrapped("There is such a file already.");
+        wrapped("There is such a file already.");
         ImGui::PopStyleColor();
     }
     const bool pressed =
