@@ -13,23 +13,34 @@ ImVec4 imgui_color(sf::Color c) {
     return ImGui::ColorConvertU32ToFloat4(IM_COL32(c.r, c.g, c.b, c.a));
 }
 
-void tooltip(std::string_view words) {
-    if (words.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-    // Never over the rows that follow.
-    const ImVec2 corner = ImGui::GetItemRectMin(), end = ImGui::GetItemRectMax(),
-                 window = ImGui::GetWindowPos();
-    const float gap = 0.4F * ImGui::GetFontSize(), height = ImGui::GetIO().DisplaySize.y;
-    const bool low = corner.y > 0.6F * height;
-    if (ImGui::GetWindowHeight() > 0.9F * height)
-        ImGui::SetNextWindowPos({window.x - gap, low ? end.y : corner.y}, ImGuiCond_Always,
-                                {1, low ? 1.0F : 0.0F});
-    else
-        ImGui::SetNextWindowPos({corner.x, corner.y - gap}, ImGuiCond_Always, {0, 1});
+namespace {
+
+/// Beside the column where that has room, so that it hides none of its rows; else above the item or below it,
+/// and never out of the window.
+void show_tooltip(std::string_view words, ImVec2 corner, ImVec2 end) {
+    const std::string text = broken(words, 20 * ImGui::GetFontSize());
+    const ImVec2 display = ImGui::GetIO().DisplaySize, padding = ImGui::GetStyle().WindowPadding,
+                 lines = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 size{lines.x + 2 * padding.x, lines.y + 2 * padding.y};
+    const float gap = 0.4F * ImGui::GetFontSize();
+    const float beside = ImGui::GetWindowPos().x - padding.x - gap - size.x;
+    const bool column = beside >= 0 && ImGui::GetWindowHeight() > 0.4F * display.y;
+    const float above = corner.y - gap - size.y, below = end.y + gap;
+    const float x = column ? beside : corner.x, y = column ? corner.y : above >= 0 ? above : below;
+    ImGui::SetNextWindowPos({std::clamp(x, 0.0F, std::max(0.0F, display.x - size.x)),
+                             std::clamp(y, 0.0F, std::max(0.0F, display.y - size.y))});
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1);  // of what is disabled too
     ImGui::BeginTooltip();
-    ImGui::TextUnformatted(broken(words, 20 * ImGui::GetFontSize()).c_str());
+    ImGui::TextUnformatted(text.c_str());
     ImGui::EndTooltip();
     ImGui::PopStyleVar();
+}
+
+}  // namespace
+
+void tooltip(std::string_view words) {
+    if (!words.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        show_tooltip(words, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
 }
 
 std::string cut(std::string words, float room) {
@@ -54,6 +65,23 @@ void wrapped(std::string_view words, sf::Color color) {
     ImGui::PopStyleColor();
 }
 
+void verdict_mark(bool right) {
+    const float size = ImGui::GetFontSize();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const auto at = [&](float x, float y) { return ImVec2{corner.x + x * size, corner.y + y * size}; };
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImU32 color = ImGui::GetColorU32(imgui_color(right ? colour::text : colour::warning));
+    const float thick = 0.12F * size;
+    if (right) {
+        const ImVec2 tick[] = {at(0.2F, 0.55F), at(0.42F, 0.78F), at(0.82F, 0.25F)};
+        list.AddPolyline(tick, 3, color, 0, thick);
+    } else {
+        list.AddLine(at(0.25F, 0.3F), at(0.75F, 0.8F), color, thick);
+        list.AddLine(at(0.75F, 0.3F), at(0.25F, 0.8F), color, thick);
+    }
+    ImGui::Dummy({size, size});
+}
+
 void note(ControlPlaces& places, const std::string& label) {
     const ImVec2 min = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
     // Its middle, where a click would go; an edge alone may be in sight.
@@ -71,7 +99,10 @@ void label(std::string_view words, std::string_view meaning) {
     const float left = ImGui::GetCursorPosX();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(words.data(), words.data() + words.size());
-    tooltip(meaning);
+    const ImVec2 corner = ImGui::GetItemRectMin(),
+                 end{ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x, ImGui::GetItemRectMax().y};
+    if (!meaning.empty() && ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(corner, end))
+        show_tooltip(meaning, corner, end);
     const float begin = std::max(0.44F * ImGui::GetContentRegionMax().x,
                                  left + ImGui::GetItemRectSize().x + ImGui::GetStyle().ItemSpacing.x);
     ImGui::SameLine(begin);

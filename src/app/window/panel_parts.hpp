@@ -31,11 +31,13 @@ void tooltip(std::string_view words);
 /// In the lines that the rest of the column has room for.
 void wrapped(std::string_view words);
 void wrapped(std::string_view words, sf::Color color);
+/// A check mark or a cross, as wide as a letter is high.
+void verdict_mark(bool right);
 /// Notes where the last item is, if it is to be seen.
 void note(ControlPlaces& places, const std::string& label);
 /// A foldable region; true while it is open.
 bool region(const char* title, bool open = true);
-/// The label of the control that follows, which gets the rest of the line.
+/// The label of the control that follows, which gets the rest of the line. `meaning` is told over both.
 void label(std::string_view words, std::string_view meaning);
 /// With the value beside it, where no grab hides it; a click with Ctrl opens a field to type it into.
 /// `format` as in printf.
