@@ -79,9 +79,9 @@ class WindowTest : public testing::Test {
             for (Json before; !state["controls"].contains(control) && state["controls"] != before;) {
                 before = state["controls"];
                 const Json panel = state["layout"]["panel"];
-                window->xdotool("mousemove " + std::to_string(panel[0].get<int>() + 4) + ' ' +
-                                std::to_string(panel[1].get<int>() + panel[3].get<int>() / 2) + " click " +
-                                wheel);
+                window->xdotool("mousemove " + std::to_string(panel[0].get<int>() + panel[2].get<int>() / 2) +
+                                ' ' + std::to_string(panel[1].get<int>() + panel[3].get<int>() / 2) +
+                                " click " + wheel);
                 state = settled();
             }
     }

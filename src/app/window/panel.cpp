@@ -1,5 +1,6 @@
 #include "app/window/panel.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/window/panel_tabs.hpp"
@@ -8,7 +9,7 @@ namespace flipside::app {
 
 namespace {
 
-bool tab(const Panel& panel, const char* words, bool wanted = false) {
+bool tab(const Panel& panel, const char* words, bool wanted) {
     const bool open = ImGui::BeginTabItem(words, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
     note(panel.places, words);
     return open;
@@ -33,26 +34,22 @@ void tabs(const Panel& panel, const Load& load) {
     const bool open = ImGui::BeginTabBar("tabs");
     ImGui::PopStyleVar(2);
     if (!open) return;
-    if (tab(panel, "Lesson", std::exchange(controls.lesson_wanted, false))) {
-        panel.lessons.draw(panel.stage, controls, panel.places);
+    // The tabs stay in sight whatever is scrolled below them.
+    const auto page = [&](const char* words, bool wanted, const auto& draw) {
+        if (!tab(panel, words, wanted)) return;
+        const float least = 8 * ImGui::GetTextLineHeightWithSpacing();
+        ImGui::BeginChild(words, {0, std::max(least, ImGui::GetContentRegionAvail().y)}, false,
+                          ImGuiWindowFlags_NavFlattened);
+        draw();
+        ImGui::EndChild();
         ImGui::EndTabItem();
-    }
-    if (tab(panel, "Table", std::exchange(controls.table_wanted, false))) {
-        draw_table_tab(panel);
-        ImGui::EndTabItem();
-    }
-    if (tab(panel, "See")) {
-        draw_see_tab(panel);
-        ImGui::EndTabItem();
-    }
-    if (tab(panel, "Engines")) {
-        draw_engines_tab(panel);
-        ImGui::EndTabItem();
-    }
-    if (tab(panel, "Numbers")) {
-        draw_numbers_tab(panel, load);
-        ImGui::EndTabItem();
-    }
+    };
+    page("Lesson", std::exchange(controls.lesson_wanted, false),
+         [&] { panel.lessons.draw(panel.stage, controls, panel.places); });
+    page("Table", std::exchange(controls.table_wanted, false), [&] { draw_table_tab(panel); });
+    page("See", false, [&] { draw_see_tab(panel); });
+    page("Engines", false, [&] { draw_engines_tab(panel); });
+    page("Numbers", false, [&] { draw_numbers_tab(panel, load); });
     ImGui::EndTabBar();
 }
 
