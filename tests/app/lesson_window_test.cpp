@@ -41,6 +41,21 @@ TEST_F(LessonWindow, AStrangerFollowsTheFirstLessonToItsEnd) {
     EXPECT_EQ(state["step_bar"], before["step_bar"]);
 }
 
+TEST_F(LessonWindow, WhatWorksALessonStaysInSightWhileItsTextIsScrolled) {
+    open("pinball", "split", "custom", {"--lesson", "9", "--height", "640"});
+    window->wait("the lesson", [](const Json& s) { return s.contains("lesson"); });
+    Json state = settled();
+    const Json panel = state["layout"]["panel"];
+    for (int i = 0; i < 2; ++i) {
+        for (const char* control : {"Lesson", "All lessons", "Begin again", "Back", "Next", "Check it"})
+            EXPECT_TRUE(state["controls"].contains(control)) << control;
+        window->xdotool("mousemove " + std::to_string(panel[0].get<int>() + panel[2].get<int>() / 2) + ' ' +
+                        std::to_string(panel[1].get<int>() + panel[3].get<int>() / 2) +
+                        " click --repeat 30 5");
+        state = settled();
+    }
+}
+
 TEST_F(LessonWindow, ALessonChoosesItsViewAndItsPlotsAndGivesThemBack) {
     open("pinball", "split", "custom", {"--lesson", "19"});
     Json state = window->wait("the lesson", [](const Json& s) { return s.contains("lesson"); });

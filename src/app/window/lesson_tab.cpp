@@ -1,7 +1,9 @@
 #include "app/window/lesson_tab.hpp"
 
 #include <algorithm>
+#include <utility>
 
+#include "app/window/claim_words.hpp"
 #include "app/window/panel_parts.hpp"
 #include "lab/process/failure.hpp"
 #include "world/input_error.hpp"
@@ -70,6 +72,7 @@ void Lessons::close(WindowControls& controls) {
 void Lessons::check() {
     try {
         checked_ = lab::verify(lesson_->claim, lab::measure(lesson_->claim), file_.string());
+        result_wanted_ = true;
     } catch (const Refusal& refusal) {
         trouble_ = refusal.what();
     } catch (const std::runtime_error& error) {
@@ -88,9 +91,11 @@ const std::vector<lab::Lesson>& Lessons::all() {
     return all_;
 }
 
-const lab::Lesson* Lessons::next() {
+const lab::Lesson* Lessons::beside(std::ptrdiff_t places) {
     const auto at = std::ranges::find(all(), lesson_->name, &lab::Lesson::name);
-    return at == all_.end() || at + 1 == all_.end() ? nullptr : &*(at + 1);
+    const std::ptrdiff_t other = at - all_.begin() + places;
+    const bool there = at != all_.end() && other >= 0 && other < std::ssize(all_);
+    return there ? &all_[static_cast<std::size_t>(other)] : nullptr;
 }
 
 void Lessons::go_to(const lab::Lesson& lesson, Stage& stage, WindowControls& controls) {
@@ -141,21 +146,27 @@ void Lessons::draw_list(Stage& stage, WindowControls& controls, ControlPlaces& p
     if (chosen) go_to(*chosen, stage, controls);
 }
 
+/// What works the lesson stays in sight; its text between is scrolled.
 void Lessons::draw_open(Stage& stage, WindowControls& controls, ControlPlaces& places) {
-    const bool leaves = ImGui::Button("All lessons");
-    note(places, "All lessons");
+    const auto pressed = [&](const char* words) {
+        const bool now = ImGui::Button(words);
+        note(places, words);
+        return now;
+    };
+    const bool leaves = pressed("All lessons");
     ImGui::SameLine();
-    const bool again = ImGui::Button("Begin again");
-    note(places, "Begin again");
-    const lab::Lesson* after = next();
-    bool goes_on = false;
-    if (after) {
-        ImGui::SameLine();
-        goes_on = ImGui::Button("Next");
-        tooltip(after->title);
-        note(places, "Next");
-    }
-    ImGui::Dummy({0, 4});
+    const bool again = pressed("Begin again");
+    const lab::Lesson* chosen = nullptr;
+    for (const auto& [words, way] : {std::pair("Back", -1), std::pair("Next", 1)})
+        if (const lab::Lesson* other = beside(way)) {
+            ImGui::SameLine();
+            if (pressed(words)) chosen = other;
+            tooltip(other->title);
+        }
+    const float least = 6 * ImGui::GetTextLineHeightWithSpacing(),
+                room = ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeightWithSpacing();
+    ImGui::BeginChild(lesson_->name.c_str(), {0, std::max(least, room)}, false,
+                      ImGuiWindowFlags_NavFlattened);
     draw_markdown(text_);
     if (!lesson_->task.empty()) {
         write("Do", colour::quiet);
@@ -163,9 +174,12 @@ void Lessons::draw_open(Stage& stage, WindowControls& controls, ControlPlaces& p
         ImGui::Dummy({0, 4});
     }
     if (lesson_->question) draw_question(places);
-    draw_claim(places);
+    draw_claim();
+    ImGui::EndChild();
+    if (pressed("Check it")) check();
+    tooltip("Makes the runs behind what the lesson claims, now and here");
     if (leaves) return close(controls);
-    if (goes_on) return go_to(*after, stage, controls);
+    if (chosen) return go_to(lab::Lesson(*chosen), stage, controls);
     if (again) go_to(lab::Lesson(*lesson_), stage, controls);
 }
 
@@ -187,16 +201,25 @@ void Lessons::draw_question(ControlPlaces& places) {
     ImGui::Dummy({0, 4});
 }
 
-void Lessons::draw_claim(ControlPlaces& places) {
+void Lessons::draw_claim() {
     write("What this lesson claims", colour::quiet);
     write(lesson_->claim.says, colour::text);
-    if (ImGui::Button("Check it")) check();
-    note(places, "Check it");
-    tooltip("Makes the runs behind it, now and here");
     if (!checked_) return;
-    for (const lab::Verified& one : *checked_)
-        write((one.holds ? "holds:  " : "does not hold:  ") + one.statement + "   (" + one.measured + ")",
-              one.holds ? engine_colour("reference") : colour::warning);
+    const bool one_run = lesson_->claim.runs.size() == 1;
+    ImGui::Dummy({0, 4});
+    write(std::ranges::all_of(*checked_, &lab::Verified::holds) ? "Checked now: it holds"
+                                                                : "Checked now: it does not hold",
+          colour::lit);
+    for (const lab::Verified& one : *checked_) {
+        verdict_mark(one.holds);
+        ImGui::SameLine();
+        ImGui::BeginGroup();
+        write((one.holds ? "" : "not so: ") + claim_in_words(one.statement, one_run),
+              one.holds ? colour::text : colour::warning);
+        for (const std::string& figure : measured_in_words(one, one_run)) write(figure, colour::quiet);
+        ImGui::EndGroup();
+    }
+    if (std::exchange(result_wanted_, false)) ImGui::SetScrollHereY(1);
 }
 
 }  // namespace flipside::app

@@ -30,8 +30,8 @@ class Lessons {
     [[nodiscard]] const std::optional<std::vector<lab::Verified>>& checked() const { return checked_; }
     /// The lessons there are, or what is wrong with them.
     [[nodiscard]] const std::vector<lab::Lesson>& all();
-    /// The one after the open one, or null.
-    [[nodiscard]] const lab::Lesson* next();
+    /// The one so many places after the open one, or null.
+    [[nodiscard]] const lab::Lesson* beside(std::ptrdiff_t places);
 
     void draw(Stage& stage, WindowControls& controls, ControlPlaces& places);
 
@@ -40,7 +40,7 @@ class Lessons {
     void draw_list(Stage& stage, WindowControls& controls, ControlPlaces& places);
     void draw_open(Stage& stage, WindowControls& controls, ControlPlaces& places);
     void draw_question(ControlPlaces& places);
-    void draw_claim(ControlPlaces& places);
+    void draw_claim();
     void go_to(const lab::Lesson& lesson, Stage& stage, WindowControls& controls);
 
     std::vector<lab::Lesson> all_;
@@ -50,6 +50,7 @@ class Lessons {
     std::vector<TextBlock> text_;
     std::optional<std::size_t> answer_;
     std::optional<std::vector<lab::Verified>> checked_;
+    bool result_wanted_ = false;  ///< in sight
     std::string trouble_;
     Shows shows_before_;
     bool bar_before_ = false, paused_before_ = false;
