@@ -48,6 +48,19 @@ std::string cut(std::string words, float room) {
                      [room](const std::string& kept) { return ImGui::CalcTextSize(kept.c_str()).x <= room; });
 }
 
+std::vector<std::string> name_in_lines(const std::string& name, float room) {
+    std::vector<std::string> lines{name};
+    while (ImGui::CalcTextSize(lines.back().c_str()).x > room) {
+        const std::size_t at = lines.back().find('-');
+        if (at == std::string::npos || at + 1 == lines.back().size()) break;
+        std::string rest = lines.back().substr(at + 1);
+        lines.back().resize(at + 1);
+        lines.push_back(std::move(rest));
+    }
+    for (std::string& line : lines) line = cut(line, room);
+    return lines;
+}
+
 std::string broken(std::string_view words, float room) {
     const auto fits = [room](const std::string& line) { return ImGui::CalcTextSize(line.c_str()).x <= room; };
     std::string text;
@@ -66,11 +79,15 @@ void wrapped(std::string_view words, sf::Color color) {
 }
 
 void verdict_mark(bool right) {
+    draw_verdict(ImGui::GetCursorScreenPos(), right);
+    ImGui::Dummy({ImGui::GetFontSize(), ImGui::GetFontSize()});
+}
+
+void draw_verdict(ImVec2 corner, bool right) {
     const float size = ImGui::GetFontSize();
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
     const auto at = [&](float x, float y) { return ImVec2{corner.x + x * size, corner.y + y * size}; };
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImU32 color = ImGui::GetColorU32(imgui_color(right ? colour::text : colour::warning));
+    const ImU32 color = ImGui::GetColorU32(imgui_color(right ? colour::text : colour::lit));
     const float thick = 0.12F * size;
     if (right) {
         const ImVec2 tick[] = {at(0.2F, 0.55F), at(0.42F, 0.78F), at(0.82F, 0.25F)};
@@ -79,7 +96,6 @@ void verdict_mark(bool right) {
         list.AddLine(at(0.25F, 0.3F), at(0.75F, 0.8F), color, thick);
         list.AddLine(at(0.75F, 0.3F), at(0.25F, 0.8F), color, thick);
     }
-    ImGui::Dummy({size, size});
 }
 
 void note(ControlPlaces& places, const std::string& label) {

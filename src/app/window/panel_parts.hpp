@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <SFML/Graphics/Color.hpp>
 #include <imgui.h>
@@ -26,12 +27,16 @@ inline constexpr ImGuiWindowFlags docked =
 void tooltip(std::string_view words);
 /// As it is shown in a line with so much room, px: with an ellipsis where that is too little for all of it.
 [[nodiscard]] std::string cut(std::string words, float room);
+/// A contender's name for which there is no room, px, is broken behind its hyphens: "box2d-cold" and
+/// "box2d-warm" differ at their ends.
+[[nodiscard]] std::vector<std::string> name_in_lines(const std::string& name, float room);
 /// In lines with so much room, px (words.hpp).
 [[nodiscard]] std::string broken(std::string_view words, float room);
 /// In the lines that the rest of the column has room for.
 void wrapped(std::string_view words);
 void wrapped(std::string_view words, sf::Color color);
-/// A check mark or a cross, as wide as a letter is high.
+/// A check mark or a cross, as wide as a letter is high, with its upper left corner there, or as an item.
+void draw_verdict(ImVec2 corner, bool right);
 void verdict_mark(bool right);
 /// Notes where the last item is, if it is to be seen.
 void note(ControlPlaces& places, const std::string& label);
