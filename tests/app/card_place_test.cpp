@@ -20,10 +20,10 @@ TEST(CardPlace, GoesOutOfTheWayAndStaysThere) {
     EXPECT_EQ(place.put({100, 50}, panes, window, {}), (Rect{500, 450, 100, 50}));
 }
 
-TEST(CardPlace, TakesTheWindowsCornerWhereThatCoversLess) {
+TEST(CardPlace, CoversABallRatherThanTheControls) {
     CardPlace place;
     const Rect spots[] = {{0, 100, 100, 400}, {450, 100, 100, 400}};
-    EXPECT_EQ(place.put({220, 350}, panes, window, spots), (Rect{580, 250, 220, 350}));
+    EXPECT_EQ(place.put({220, 350}, panes, window, spots), (Rect{380, 100, 220, 350}));
 }
 
 TEST(CardPlace, TakesTheLeastOfWhatItCannotAvoid) {

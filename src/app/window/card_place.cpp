@@ -24,7 +24,7 @@ Rect CardPlace::put(Vec2 size, const Rect& panes, const Rect& window, std::span<
     if (moved_) return place_ = at(*moved_);
     const double right = panes.x + panes.width - size.x, low = panes.y + panes.height - size.y;
     const std::array corners{Vec2{right, panes.y}, Vec2{right, low}, Vec2{panes.x, panes.y},
-                             Vec2{panes.x, low}, Vec2{window.width, window.height}};
+                             Vec2{panes.x, low}};
     const auto covered = [&](int corner) {
         double area = 0;
         for (const Rect& spot : watched) area += overlap(at(corners[static_cast<std::size_t>(corner)]), spot);

@@ -11,9 +11,9 @@ namespace flipside::app {
 
 class CardPlace {
   public:
-    /// For a card of that size, all in px of the window and the card within it. It stays in its corner as
-    /// long as it covers none of `watched`, or no other corner, of the panes or at last of the window, is
-    /// better.
+    /// For a card of that size, all in px of the window and the card within it. It stays in its corner of the
+    /// panes as long as it covers none of `watched`, or no other corner is better; it never goes over the
+    /// controls for that.
     Rect put(Vec2 size, const Rect& panes, const Rect& window, std::span<const Rect> watched);
     /// It stays there from now on.
     void move_to(Vec2 place) { moved_ = place; }
