@@ -56,6 +56,19 @@ TEST_F(Advice, SaysWhoPlaysOnWhereOneGameIsOver) {
     EXPECT_EQ(in_pane(stage, 1), "");
 }
 
+TEST_F(Advice, OfAnEmptySceneSaysHowABallComesOntoIt) {
+    constexpr std::string_view head =
+        R"({"format": "flipside-scene/1", "name": "bare", "bounds": {"min": [0, 0], "max": [1, 1]}, )";
+    std::ofstream(folder / "bare.json") << head << R"("parts": []})";
+    std::ofstream(folder / "one.json") << head << R"("parts": [],
+        "balls": [{"position": [0.5, 0.5], "radius": 0.1, "mass": 1}]})";
+    const Stage bare((folder / "bare.json").string(), "custom", View::single, {}, {});
+    EXPECT_EQ(in_pane(bare, 0), "No balls: Ctrl and a click add one");
+    Stage one((folder / "one.json").string(), "custom", View::single, {}, {});
+    one.clear();
+    EXPECT_EQ(in_pane(one, 0), "No balls: R to restart");
+}
+
 TEST_F(Advice, SaysBothOnOneTable) {
     Stage stage = stage_of(View::overlay);
     play(stage, 1);

@@ -32,7 +32,9 @@ std::optional<CaptionWords> advice(std::span<const Run> shown, const Stage& stag
     if (!over.empty()) return CaptionWords{"Game over for " + over, goes_on};
     const lab::Session& session = front.session();
     if (!session.world().balls().empty()) return std::nullopt;
-    if (!session.scene().launcher) return CaptionWords{"No balls", "R to restart"};
+    if (!session.scene().launcher)
+        return CaptionWords{"No balls",
+                            session.scene().balls.empty() ? "Ctrl and a click add one" : "R to restart"};
     if (!session.game().permits(control::Launch{}, {}) || !session.world().save().launches.empty())
         return std::nullopt;
     return launch_in_words(session);
