@@ -195,12 +195,22 @@ TEST(Stage, TakingUpAgainStartsTheReferenceFromTheFirstOfTheOthers) {
     for (int i = 0; i < 30; ++i) stage.step();
     ASSERT_EQ(engines_of(stage), (Names{"box2d", "custom", "reference"}));
     const Vec2 other = stage.runs()[1].session().world().balls()[0].position;
+    ASSERT_TRUE(stage.can_take_up());
     stage.take_up();
     EXPECT_EQ(stage.runs()[2].session().world().balls()[0].position,
               stage.runs()[0].session().world().balls()[0].position);
     EXPECT_EQ(stage.runs()[1].session().world().balls()[0].position, other);
     EXPECT_TRUE(between(stage, "box2d", "reference").history().empty());
     EXPECT_FALSE(between(stage, "box2d", "custom").history().empty());
+}
+
+TEST(Stage, NothingIsTakenUpWithoutAReferenceOrWithoutAnotherRun) {
+    Stage stage = stage_of(View::split, "box2d");
+    EXPECT_FALSE(stage.can_take_up());
+    EXPECT_NE(stage.guide(), nullptr);
+    const Stage alone("box", "custom", View::single, {}, {}, {"reference=reference"});
+    EXPECT_FALSE(alone.can_take_up());
+    EXPECT_EQ(alone.guide(), nullptr);
 }
 
 TEST(Stage, WaitsForTheReferenceWithAllItsRunsAndWithWhatIsPressed) {

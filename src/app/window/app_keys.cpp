@@ -84,6 +84,7 @@ void App::act(Action action) {
             if (!stage_.show_reference(!stage_.reference())) controls_.notice = no_room;
             break;
         case Action::take_up:
+            if (!stage_.can_take_up()) controls_.notice.tell(stage_.guide() ? no_reference : no_guide);
             stage_.take_up();
             break;
         case Action::next_view:

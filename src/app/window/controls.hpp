@@ -41,6 +41,9 @@ struct WindowControls {
 
 inline constexpr std::string_view no_place = "There is no free place for a ball";
 inline constexpr std::string_view no_ball_picked = "Pick a ball first: click it, or O";
+inline constexpr std::string_view no_reference = "There is no reference to take up: E shows it";
+inline constexpr std::string_view no_guide =
+    "Only the reference is on show: there is no other to take its state from";
 inline constexpr std::string_view no_room = "There is room for four panes: take one away first";
 
 /// How busy the program is, over the last second.

@@ -244,6 +244,12 @@ const Run* Stage::guide() const {
     return at == runs_.end() ? nullptr : &*at;
 }
 
+bool Stage::can_take_up() const {
+    return guide() != nullptr && std::ranges::any_of(runs_, [](const Run& run) {
+               return run.halt() || is_reference(run.engine());
+           });
+}
+
 void Stage::take_up() {
     go_on_from_here();
     const Run* from = guide();

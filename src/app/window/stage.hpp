@@ -52,6 +52,8 @@ class Stage {
     bool show_reference(bool on);
     /// The reference, and any run that has halted, goes on from the state of the guide.
     void take_up();
+    /// Whether there is such a run, and a guide.
+    [[nodiscard]] bool can_take_up() const;
     /// Where take_up goes on from: the first run that has not halted and is not the reference, if any.
     [[nodiscard]] const Run* guide() const;
     void step() { static_cast<void>(step_within(dt_, std::numeric_limits<double>::infinity())); }
