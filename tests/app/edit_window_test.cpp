@@ -339,6 +339,11 @@ TEST_F(EditWindow, UnsavedDrawingsAreNotLostAtOnce) {
     window->wait("the table", [](const Json& s) { return s["edit"].is_null(); });
     window->key("F4");
     edit("what was drawn", [](const Json& e) { return e["unsaved"] == true; });
+    window->key("ctrl+s");
+    edit("the file", [](const Json& e) { return e["unsaved"] == false; });
+    window->wait("no warning any more", [](const Json& s) {
+        return s["notice"].get<std::string>().find("not saved") == std::string::npos;
+    });
 }
 
 /// Of what is picked; "" of what is no part.

@@ -71,6 +71,7 @@ class App {
     void let_keys_go();
     bool take_for_drawing(const sf::Event& event);
     [[nodiscard]] bool may_discard(const std::string& to_do);
+    void forget_question();
     void advance(double seconds);
     void touch(const sf::Event& event);
     void inspect();
@@ -110,6 +111,7 @@ class App {
     EditorPanel editor_panel_;
     SceneBrowser browser_;
     std::string discarding_;  ///< what was asked for that would discard what is drawn, and that
+    std::string question_;    ///< the notice that asks about it
     Camera camera_;
     Layout layout_;
     ControlPlaces places_;

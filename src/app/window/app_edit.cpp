@@ -20,7 +20,7 @@ bool App::may_discard(const std::string& to_do) {
     const std::string asked =
         editor_.unsaved() ? to_do + ": " + editor_.draft().document().text() : std::string();
     if (asked.empty() || discarding_ == asked) {
-        discarding_.clear();
+        forget_question();
         return true;
     }
     discarding_ = asked;
@@ -28,7 +28,15 @@ bool App::may_discard(const std::string& to_do) {
                        "\" is not saved. Save it (Ctrl S), or do the same again to give it up.";
     controls_.panel_open = true;  // where it is to be read
     browser_.warn(controls_.notice.words());
+    question_ = controls_.notice.words();
     return false;
+}
+
+/// What is saved or given up is not asked about any more.
+void App::forget_question() {
+    discarding_.clear();
+    if (!question_.empty() && controls_.notice.words() == question_) controls_.notice.clear();
+    question_.clear();
 }
 
 void App::close() {
@@ -124,6 +132,7 @@ void App::arrange_edit() {
 
 void App::draw_edit() {
     places_ = {};
+    if (!editor_.unsaved()) forget_question();
     const EditorPanel::Wish wish = editor_panel_.draw(layout_.panel, editor_, controls_, places_);
     arrange_edit();
     if (!controls_.panel_open) draw_notice_on(layout_.panes.back(), controls_.notice, places_);
