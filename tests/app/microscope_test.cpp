@@ -50,6 +50,12 @@ TEST(StepBar, GivesNumbersTheirUnits) {
               "ball 0  next time 0.3968 s  separation −28.3 mm  impulse 400 mN·s  overlap yes");
 }
 
+TEST(StepBar, WhatSaysItselfWhatItIsHasNoNameBeforeIt) {
+    TraceItem item{"path", {}};
+    item.with("ball", 3U).with("way", "free flight").with("answer", "impact");
+    EXPECT_EQ(in_one_line(item), "path  ball 3  free flight  impact");
+}
+
 TEST_F(MicroscopeWindow, WalksEveryStageOfAStepOnEveryEngineForthAndBack) {
     open_inside("box", "split", {"--set", "custom.solver=simple"});
     const std::pair<const char*, std::vector<std::string>> engines[] = {{"custom", {"solver=simple"}},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "app/window/contender_colour.hpp"
 #include "app/window/panel_parts.hpp"
@@ -19,6 +20,11 @@ std::string spaced(std::string_view name) {
     std::string words(name);
     std::ranges::replace(words, '_', ' ');
     return words;
+}
+
+/// What stands before a value; some say themselves what they are: "free flight", "impact".
+std::string titled(std::string_view name) {
+    return name == "way" || name == "answer" ? "" : spaced(name) + " ";
 }
 
 /// Lengths and impulses with the prefix that suits, as everywhere else in the window.
@@ -59,31 +65,58 @@ struct StepBar {
         }
         const std::string where = "stage " + std::to_string(microscope.at() + 1) + " of " +
                                   std::to_string(microscope.stages().size());
+        if (ImGui::GetContentRegionAvail().x < width_of(where)) ImGui::NewLine();
         wrapped(where, colour::quiet);
-        const std::string keys = ".  next    ,  back    [ ]  items    Shift .  whole step    I  close";
-        ImGui::SameLine();
-        if (ImGui::GetContentRegionAvail().x > width_of(keys))
+        // As many of the keys as have room, the first ones first.
+        for (const char* keys : {".  next", ",  back", "[ ]  items", "Shift .  whole step", "I  close"}) {
+            ImGui::SameLine();
+            if (ImGui::GetContentRegionAvail().x < width_of(keys)) {
+                ImGui::NewLine();
+                break;
+            }
             wrapped(keys, colour::quiet);
-        else
-            ImGui::NewLine();
+        }
     }
-    /// Those around the current one, as many as go into a line.
+    /// All of them in a line: as many as have room with their names, those around the current one first, and
+    /// the others with their numbers. Where not even numbers have room, those around it.
     void stages() const {
+        const auto& all = microscope.stages();
         const sf::Color color = colour_of(stage.runs()[microscope.run()]);
-        const auto words = [&](std::size_t i) {
-            return std::to_string(i + 1) + "  " + microscope.stages()[i].name;
+        const std::size_t at = microscope.at();
+        const auto words = [&](std::size_t i, bool named) {
+            return std::to_string(i + 1) + (named ? "  " + all[i].name : "");
         };
-        double room = ImGui::GetContentRegionAvail().x - width_of(words(microscope.at()));
-        std::size_t first = microscope.at(), end = first + 1;
-        for (int before = 0; before < 2 && first > 0 && room > width_of(words(first - 1)); ++before)
-            room -= width_of(words(--first));
-        for (; end < microscope.stages().size() && room > width_of(words(end)); ++end)
-            room -= width_of(words(end));
-        for (; first > 0 && room > width_of(words(first - 1));) room -= width_of(words(--first));
+        const auto width = [&](std::size_t i, bool named) { return width_of(words(i, named)); };
+        double room = ImGui::GetContentRegionAvail().x - width(at, true);
+        const auto takes = [&room](double more) {
+            const bool fits = more <= room;
+            if (fits) room -= more;
+            return fits;
+        };
+        std::size_t first = at, end = at + 1;
+        for (bool after = true, before = true; after || before;) {
+            after = end < all.size() && takes(width(end, false));
+            end += after ? 1 : 0;
+            before = first > 0 && takes(width(first - 1, false));
+            first -= before ? 1 : 0;
+        }
+        std::vector<bool> named(all.size(), false);
+        named[at] = true;
+        const auto has_name = [&](std::size_t i) {
+            const bool fits = takes(width(i, true) - width(i, false));
+            named[i] = fits;
+            return fits;
+        };
+        for (std::size_t away = 1; away < all.size(); ++away) {
+            if (at + away < end && !has_name(at + away)) break;
+            if (at >= first + away && !has_name(at - away)) break;
+        }
         for (std::size_t i = first; i < end; ++i) {
             if (i > first) ImGui::SameLine();
-            if (chip(words(i), i == microscope.at(), color)) microscope.to_stage(i);
-            tooltip(microscope.stages()[i].says);
+            ImGui::PushID(static_cast<int>(i));
+            if (chip(words(i, named[i]), i == at, color)) microscope.to_stage(i);
+            ImGui::PopID();
+            tooltip(all[i].name + ": " + all[i].says);
             note(places, "stage " + std::to_string(i + 1));
         }
     }
@@ -122,7 +155,7 @@ struct StepBar {
                 if (const TraceValue* value = item.find(name)) wrapped(in_brief(*value), colour::lit);
             for (const auto& [name, value] : item.fields)
                 if (name != "formula" && name != "filled")
-                    wrapped(spaced(name) + "  " + measured(name, value), colour::text);
+                    wrapped(titled(name) + measured(name, value), colour::text);
         }
         wrapped(now.where, colour::quiet);
         ImGui::EndChild();
@@ -141,7 +174,7 @@ std::string in_one_line(const TraceItem& item) {
             "listed", "decides",    "speed", "impulse", "residual",  "levels", "leaves"};
         if (std::ranges::find(told, name) != std::end(told))
             // Of a ball "ball 0" says all that "ball  ball 0" does.
-            line += (first && name == item.kind ? "" : "  " + spaced(name)) + " " + measured(name, value);
+            line += (first && name == item.kind ? " " : "  " + titled(name)) + measured(name, value);
         first = false;
     }
     return line;

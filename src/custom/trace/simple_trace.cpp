@@ -213,8 +213,8 @@ void SimpleTrace::end_round() {
                     std::to_string(overlapping_) + " with an overlap.";
     stage().says = overlapping_ == 0
                        ? "Nothing overlaps: there is nothing to answer, and no further iteration."
-                       : counted(static_cast<std::uint64_t>(overlapping_), "answer") + ": " +
-                             counted(static_cast<std::uint64_t>(impacts_), "impact") + ", " +
+                       : counted(static_cast<std::uint64_t>(overlapping_), "overlap") +
+                             " answered: " + counted(static_cast<std::uint64_t>(impacts_), "impact") + ", " +
                              counted(static_cast<std::uint64_t>(resting_), "resting contact") +
                              "; all are pushed out.";
 }
