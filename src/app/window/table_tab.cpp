@@ -56,7 +56,8 @@ void time_controls(const Panel& panel) {
     }
     ImGui::SameLine();
     if (panel.button("Restart", "R")) panel.stage.restart();
-    if (panel.button("Save this game", "As a replay, to play it again to the bit, or to share it (F5)"))
+    if (panel.button(panel.stage.scene().rules ? "Save this game" : "Save this run",
+                     "As a replay, to play it again to the bit, or to share it (F5)"))
         controls.save_wanted = true;
     panel.toggle("Inside a step", controls.bar_open,
                  "Walk through the stages of a step, on any engine: . for the next stage, , for the one "
