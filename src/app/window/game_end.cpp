@@ -23,7 +23,7 @@ std::string parted_in_words(const Stage& stage) {
             parting && (first == nullptr || parting->time < first->first_parting()->time))
             first = &divergence;
     if (first == nullptr) return "The games never parted";
-    return "First parted at " + with_unit(first->first_parting()->time, 2, "s") + " on " +
+    return "Parted at " + with_unit(first->first_parting()->time, 2, "s") + " on " +
            name_of_parting(*first->first_parting(), stage.scene());
 }
 

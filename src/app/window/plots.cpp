@@ -67,8 +67,9 @@ Plot distance_plot(const Stage& stage) {
             if (!base.is_measure_at(sample.time)) sample.value = not_a_number;
         const auto& parting = divergence.parting();
         if (!parting || parting->time > stage.time() || exact) continue;
-        plot.note =
-            "parted at " + with_unit(parting->time, 2, "s") + " on " + divergence.parted_on(stage.scene());
+        const auto& first = divergence.first_parting();
+        plot.note = (first && first->time < parting->time ? "parted again at " : "parted at ") +
+                    with_unit(parting->time, 2, "s") + " on " + divergence.parted_on(stage.scene());
         plot.marks.push_back({parting->time, "", colour::text, true});
     }
     if (exact && stage.runs().size() > 1 && !exact->uncertainty_history().empty()) {
