@@ -100,6 +100,29 @@ TEST(Plots, CompareTheCostOfUnequalStepsPerSimulatedSecond) {
     EXPECT_NEAR(stage.runs()[0].cost_per_second() * (dt / 2), stage.runs()[0].step_cost(), 1e-12);
 }
 
+TEST(Plots, EnergyIsNotJoinedAcrossAChangeOfGravityWhichIsMarked) {
+    Stage stage("drop", "custom", View::split, {}, {});
+    for (int i = 0; i < 6; ++i) stage.step();
+    EXPECT_TRUE(energy_plot(stage).marks.empty());
+    const double off = stage.time();
+    stage.set_gravity(false);
+    for (int i = 0; i < 6; ++i) stage.step();
+    const double on = stage.time();
+    stage.set_gravity(true);
+    for (int i = 0; i < 6; ++i) stage.step();
+    const Plot plot = energy_plot(stage);
+    ASSERT_EQ(plot.marks.size(), 2U);
+    EXPECT_EQ(plot.marks[0].words, "gravity off");
+    EXPECT_EQ(plot.marks[0].time, off);
+    EXPECT_EQ(plot.marks[1].words, "gravity on");
+    EXPECT_EQ(plot.marks[1].time, on);
+    for (const Curve& curve : plot.curves) {
+        const auto pieces = unbroken(curve.samples, 0, stage.time(), 2.5 * stage.dt());
+        ASSERT_EQ(pieces.size(), 3U);
+        for (const auto& piece : pieces) EXPECT_EQ(piece.size(), 6U);
+    }
+}
+
 TEST(Plots, ErrorsEndAtTheHorizonOfTheReference) {
     const lab::Lesson lesson = lab::load_lesson(lab::lesson_file("19"));
     Stage stage("rain", "custom", View::split, {}, {});

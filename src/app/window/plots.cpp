@@ -42,6 +42,25 @@ Curve distance_curve(std::string name, sf::Color color, const std::deque<Sample>
     return {std::move(name), color, {samples.begin(), samples.end()}, "r", in_radii};
 }
 
+/// Ends of the last steps before gravity was another one, s.
+std::vector<double> gravity_changes(const Run& run) {
+    std::vector<double> times;
+    const StepNumbers* last = nullptr;
+    for (const StepNumbers& numbers : run.numbers()) {
+        if (last != nullptr && numbers.gravity != last->gravity) times.push_back(last->time);
+        last = &numbers;
+    }
+    return times;
+}
+
+/// Energy is counted from it, so there is a jump.
+void mark_gravity(Plot& plot, const Run& run) {
+    for (const double time : gravity_changes(run)) {
+        const Vec2 now = numbers_at(run.numbers(), time + 1.5 * run.dt())->gravity;
+        plot.marks.push_back({time, now == Vec2{} ? "gravity off" : "gravity on", colour::text});
+    }
+}
+
 }  // namespace
 
 PlotChoice plots_named(std::string_view name) {
@@ -87,10 +106,16 @@ Plot distance_plot(const Stage& stage) {
 
 Plot energy_plot(const Stage& stage) {
     Plot plot{"Energy", "Energy"};
-    for (const Run& run : stage.runs())
-        plot.curves.push_back(curve_of(run, "J", in_joules, [](const StepNumbers& numbers) {
+    for (const Run& run : stage.runs()) {
+        Curve& curve = plot.curves.emplace_back(curve_of(run, "J", in_joules, [](const StepNumbers& numbers) {
             return numbers.balls > 0 ? numbers.energy : not_a_number;
         }));
+        for (const double time : gravity_changes(run)) {
+            const auto after = std::ranges::upper_bound(curve.samples, time, {}, &Sample::time);
+            curve.samples.insert(after, {time, not_a_number});
+        }
+    }
+    mark_gravity(plot, stage.lead());
     fit(plot, stage.time() - history_seconds, stage.time());
     return plot;
 }

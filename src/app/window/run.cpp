@@ -148,7 +148,7 @@ void Run::observe_step() {
     measure_uncertainty();
     const World& world = session_.world();
     numbers_.push_back({world.time(), energy_, cost, world.statistics(), world.balls().size(),
-                        deepest_overlap(world.contacts()), dt_});
+                        deepest_overlap(world.contacts()), dt_, session_.scene().gravity});
     while (numbers_.front().time < world.time() - lab::Recorder::longest) numbers_.pop_front();
 }
 

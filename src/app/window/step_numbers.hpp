@@ -17,6 +17,7 @@ struct StepNumbers {
     std::size_t balls = 0;
     double deepest = 0;  ///< deepest overlap at the end of the step, m
     double dt = 0;       ///< of the run, s
+    Vec2 gravity;        ///< m/s²
 
     /// To trace a step takes longer than the step, so what it and its stages cost says nothing.
     [[nodiscard]] bool timed() const { return !std::isnan(cost); }
