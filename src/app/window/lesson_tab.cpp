@@ -190,11 +190,16 @@ void Lessons::draw_question(ControlPlaces& places) {
     for (std::size_t i = 0; i < question.answers.size(); ++i) {
         const bool chosen = answer_ == i, right = i == question.right;
         const sf::Color color = !answer_ ? colour::rule
-                                : right  ? blend(colour::rule, engine_colour("reference"), 0.7)
+                                : right  ? blend(colour::rule, colour::text, 0.25)
                                 : chosen ? blend(colour::rule, colour::warning, 0.7)
                                          : colour::rule;
         ImGui::PushStyleColor(ImGuiCol_Button, imgui_color(color));
         if (wide_button(printable(question.answers[i]), places)) answer(i);
+        if (answer_ && (right || chosen)) {
+            const float size = ImGui::GetFontSize();
+            const ImVec2 end = ImGui::GetItemRectMax();
+            draw_verdict(imgui_vector(end.x - 1.3F * size, end.y - 1.2F * size), right);
+        }
         ImGui::PopStyleColor();
     }
     if (answer_) write((*answer_ == question.right ? "Right. " : "No. ") + question.because, colour::text);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 
 #include "app/window/contender_colour.hpp"
@@ -14,16 +15,18 @@ namespace {
 /// Draws what the engine shows of itself.
 class Insides : public Inspector {
   public:
-    Insides(Canvas& canvas, const Camera& camera, const Shows& shows)
-        : canvas_(canvas), camera_(camera), shows_(shows), width_(canvas.scaled(1)) {}
+    /// `own`: in the colour of the engine, where others show themselves on the same table.
+    Insides(Canvas& canvas, const Camera& camera, const Shows& shows, std::optional<sf::Color> own)
+        : canvas_(canvas), camera_(camera), shows_(shows), own_(own), width_(canvas.scaled(1)) {}
 
     [[nodiscard]] bool wants(Topic topic) const override { return has(shows_, show_of(topic)); }
     void box(Topic topic, const Box& box) override { rectangle(box, color_of(topic)); }
     void cell(const Box& box, int count) override {
-        rectangle(box, with_alpha(colour::cells, count > 0 ? 0.8 : 0.3));
+        const sf::Color color = color_of(Topic::cells);
+        rectangle(box, with_alpha(color, count > 0 ? 0.8 : 0.3));
         if (count > 0 && camera_.scale * (box.max.x - box.min.x) > canvas_.scaled(24))
             canvas_.text(camera_.to_pixels({box.min.x, box.max.y}) + Vec2{3, 1}, std::to_string(count),
-                         Type::small, colour::cells);
+                         Type::small, color);
     }
     void pair(Vec2 a, Vec2 b) override { segment(Topic::pairs, a, b); }
     void contact(const Contact& contact) override {
@@ -58,14 +61,14 @@ class Insides : public Inspector {
         }
         return Show::sleep;
     }
-    static sf::Color color_of(Topic topic) {
+    [[nodiscard]] sf::Color color_of(Topic topic) const {
         switch (topic) {
             case Topic::boxes:
-                return colour::boxes;
+                return own_.value_or(colour::boxes);
             case Topic::cells:
-                return colour::cells;
+                return own_.value_or(colour::cells);
             case Topic::pairs:
-                return with_alpha(colour::pairs, 0.7);
+                return with_alpha(own_.value_or(colour::pairs), 0.7);
             case Topic::contacts:
                 return colour::warning;
             case Topic::sleep:
@@ -82,6 +85,7 @@ class Insides : public Inspector {
     Canvas& canvas_;
     const Camera& camera_;
     const Shows& shows_;
+    std::optional<sf::Color> own_;
     double width_;
 };
 
@@ -162,9 +166,9 @@ void draw_overlays(Canvas& canvas, const Camera& camera, const Run& run, const L
     if (has(look.shows, Show::tracks)) draw_tracks(canvas, camera, run);
 }
 
-void draw_marks(Canvas& canvas, const Camera& camera, const Run& run, const Look& look) {
+void draw_marks(Canvas& canvas, const Camera& camera, const Run& run, const Look& look, bool alone) {
     const World& world = run.session().world();
-    Insides insides(canvas, camera, look.shows);
+    Insides insides(canvas, camera, look.shows, alone ? std::nullopt : std::optional(colour_of(run)));
     world.inspect(insides);
     if (has(look.shows, Show::velocity))
         for (const Ball& ball : world.balls())

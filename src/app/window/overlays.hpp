@@ -8,7 +8,7 @@ namespace flipside::app {
 
 /// Below the balls.
 void draw_overlays(Canvas& canvas, const Camera& camera, const Run& run, const Look& look);
-/// Above the balls.
-void draw_marks(Canvas& canvas, const Camera& camera, const Run& run, const Look& look);
+/// Above the balls. `alone`: no other run is on this table; else the engine shows its insides in its colour.
+void draw_marks(Canvas& canvas, const Camera& camera, const Run& run, const Look& look, bool alone);
 
 }  // namespace flipside::app

@@ -92,7 +92,7 @@ void Screen::draw_pane(sf::RenderTarget& target, const Stage& stage, const Rect&
         if (seen(run)) draw_picked(canvas_, camera, balls_of(run), look);
     if (!inside) draw_links_of(runs, camera);
     for (const Run& run : runs)
-        if (seen(run) && over) draw_marks(canvas_, camera, run, look);
+        if (seen(run) && over) draw_marks(canvas_, camera, run, look, alone);
     if (looked_into)
         draw_stage_items(canvas_, camera, inside->stage(), inside->item(), inside->balls(inside->run()),
                          colour_of(stage.runs()[inside->run()]));

@@ -1,5 +1,6 @@
 #include <array>
 #include <string>
+#include <vector>
 
 #include "app/window/contender_colour.hpp"
 #include "app/window/layout.hpp"
@@ -10,32 +11,61 @@ namespace flipside::app {
 
 namespace {
 
-/// As it is drawn; tracks and velocities have the colour of their engine.
-sf::Color legend_colour(Show show, const Stage& stage) {
+/// As it is drawn: in one colour, or in that of every engine on show.
+std::vector<sf::Color> legend_colours(Show show, const Stage& stage) {
+    std::vector<sf::Color> engines;
+    for (const Run& run : stage.runs()) engines.push_back(colour_of(run));
+    // On one table each engine shows its insides in its colour.
+    const bool own = stage.view() == View::overlay && engines.size() > 1;
     switch (show) {
         case Show::contacts:
-            return colour::warning;
+            return {colour::warning};
         case Show::tracks:
         case Show::velocity:
-            return colour_of(stage.runs().front());
+            return engines;
         case Show::tangents:
-            return colour::tangents;
+            return {colour::tangents};
         case Show::pairs:
-            return colour::pairs;
+            return own ? engines : std::vector{colour::pairs};
         case Show::boxes:
-            return colour::boxes;
+            return own ? engines : std::vector{colour::boxes};
         case Show::cells:
-            return colour::cells;
+            return own ? engines : std::vector{colour::cells};
         case Show::sectors:
-            return colour::sectors;
+            return {colour::sectors};
         case Show::hit_points:
         case Show::lights:
         case Show::reticles:
-            return colour::lit;
+            return {colour::lit};
         case Show::sleep:
             break;
     }
-    return colour::quiet;
+    return {colour::quiet};
+}
+
+/// A square of its colours side by side; a dot for what is drawn as one, and a ring with spokes for reticles.
+void swatch(Show show, const std::vector<sf::Color>& colors, ImVec2 corner, float size) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 middle{corner.x + 0.5F * size, corner.y + 0.5F * size};
+    const ImU32 first = ImGui::GetColorU32(imgui_color(colors.front()));
+    if (show == Show::hit_points) return list.AddCircleFilled(middle, 0.32F * size, first);
+    if (show == Show::reticles) {
+        const float thick = 0.12F * size;
+        list.AddCircle(middle, 0.33F * size, first, 0, thick);
+        for (const float way : {-0.5F, 0.5F}) {
+            list.AddLine({middle.x + 0.5F * way * size, middle.y}, {middle.x + way * size, middle.y}, first,
+                         thick);
+            list.AddLine({middle.x, middle.y + 0.5F * way * size}, {middle.x, middle.y + way * size}, first,
+                         thick);
+        }
+        return;
+    }
+    const float stripe = size / static_cast<float>(colors.size());
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        const float left = corner.x + static_cast<float>(i) * stripe;
+        list.AddRectFilled({left, corner.y}, {left + stripe, corner.y + size},
+                           ImGui::GetColorU32(imgui_color(colors[i])));
+    }
 }
 
 void shows(const Panel& panel) {
@@ -55,10 +85,9 @@ void legend(const Panel& panel) {
         if (!panel.controls.look.shows[i]) continue;
         const float size = ImGui::GetFontSize(), indent = 1.5F * size;
         const ImVec2 corner = ImGui::GetCursorScreenPos();
-        const sf::Color c = legend_colour(static_cast<Show>(i), panel.stage);
-        ImGui::GetWindowDrawList()->AddRectFilled({corner.x + 0.2F * size, corner.y + 0.3F * size},
-                                                  {corner.x + 0.9F * size, corner.y + size},
-                                                  IM_COL32(c.r, c.g, c.b, c.a), 0.2F * size);
+        const auto show = static_cast<Show>(i);
+        swatch(show, legend_colours(show, panel.stage), {corner.x + 0.2F * size, corner.y + 0.2F * size},
+               0.7F * size);
         ImGui::Indent(indent);
         const std::string words = std::string(show_specs[i].label) + ": " + std::string(show_specs[i].about);
         wrapped(words);

@@ -22,7 +22,7 @@ inline const sf::Color solid(0x3a, 0x36, 0x31);   ///< inside of solid parts
 inline const sf::Color kicker(0xc9, 0x8b, 0x5a);  ///< rim of an active kicker
 inline const sf::Color lit(0xff, 0xe0, 0x9a);     ///< a part that was just hit
 inline const sf::Color sensor(0x6d, 0x76, 0x82);
-inline const sf::Color boxes(0x4c, 0xc3, 0x6a);
+inline const sf::Color boxes(0xc2, 0xcb, 0xd6);
 inline const sf::Color cells(0xd4, 0x7a, 0xd4);
 inline const sf::Color pairs(0xf0, 0xe4, 0x42);
 inline const sf::Color sectors(0x8f, 0x8c, 0xf5);
