@@ -238,14 +238,21 @@ void draw_plot(Canvas& canvas, const Rect& place, const Plot& plot, const PlotTi
     double wide = 0;
     for (const Level& level : levels)
         wide = std::max(wide, canvas.lettering().width(level.words, Type::small) + canvas.scaled(6));
+    if (2 * wide > place.width) wide = 0;  // the curves come before the words
     const Axes axes{
         {place.x + margin + wide, place.y + top, std::max(1.0, place.width - 2 * margin - wide), height},
         plot,
         span_until(time.now)};
+    double free = place.y + place.height;
     for (const Level& level : levels) {
         const double y = std::round(axes.y(level.value));
-        canvas.text({axes.box.x - canvas.scaled(6), y - 0.55 * line}, level.words, Type::small, colour::quiet,
-                    Align::right);
+        // Below the title, and none over the one below it.
+        const double begin = std::max(y - 0.55 * line, place.y + canvas.scaled(4) + line);
+        if (wide > 0 && begin + 0.9 * line <= free) {
+            canvas.text({axes.box.x - canvas.scaled(6), begin}, level.words, Type::small, colour::quiet,
+                        Align::right);
+            free = begin;
+        }
         canvas.line({axes.box.x, y}, {axes.box.x + axes.box.width, y}, 1, colour::rule);
     }
     draw_time(canvas, axes);

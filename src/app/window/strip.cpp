@@ -1,5 +1,6 @@
 #include "app/window/strip.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/window/panel_parts.hpp"
@@ -36,7 +37,10 @@ void drag_strip(const Layout& layout, double scale, WindowControls& controls, Co
 }
 
 void draw_strip(Canvas& canvas, const Rect& place, const Stage& stage, PlotChoice choice, Vec2 mouse) {
-    const std::vector<Plot> plots = plots_of(choice, stage);
+    std::vector<Plot> plots = plots_of(choice, stage);
+    // In a narrow window the first ones, so that each can be read.
+    const double least = canvas.scaled(140);
+    plots.resize(std::clamp<std::size_t>(static_cast<std::size_t>(place.width / least), 1, plots.size()));
     const PlotTime time{stage.time(), 2.5 * stage.dt(), mouse};
     const double gap = canvas.scaled(6), count = static_cast<double>(plots.size());
     const double width = std::floor((place.width - (count - 1) * gap) / count);
