@@ -80,6 +80,16 @@ TEST(Layout, ThePanesAreTheLargestThing) {
     EXPECT_GT(panes, 0.44 * 1024 * 640);
 }
 
+TEST(Layout, LargeLettersInALowWindowLeaveRoomForTheTables) {
+    const auto lines = [](double height, double scale) {
+        const Layout layout = lay_out(1024, height, scale, {2, 2, 0.5, Column::open, true, true});
+        return lines_of_facts(layout.headers[0].height / scale);
+    };
+    EXPECT_EQ(lines(640, 2), 1);
+    EXPECT_EQ(lines(1280, 2), 4);
+    EXPECT_GT(lay_out(1024, 640, 2, {2, 2, 0.5, Column::open, true, true}).panes[0].height, 80);
+}
+
 TEST(Layout, FoldingThePanelGivesItsRoomToThePanes) {
     const Layout open = lay_out(1280, 800, 1, {2, 2, 0.5, Column::open, false});
     const Layout folded = lay_out(1280, 800, 1, {2, 2, 0.5, Column::folded, false});

@@ -67,8 +67,10 @@ std::vector<std::string> facts(const Canvas& canvas, const Run& run, bool per_se
             lines.push_back(part);
         }
     }
-    for (std::size_t i = 0; i < lines.size(); ++i)
+    for (std::size_t i = 0; i < lines.size(); ++i) {
         lines[i] = canvas.lettering().cut(lines[i], Type::small, rooms[i]);
+        if (lines[i] == "…") lines[i].clear();  // there is no room beside the score
+    }
     return lines;
 }
 
@@ -139,7 +141,7 @@ std::optional<Rect> draw_header(Canvas& canvas, const Rect& place, const Run& ru
         canvas.text({left, y}, "stopped at " + with_unit(halt->time, 2, "s"), Type::small, colour::warning);
         return step;
     }
-    std::vector<double> rooms(static_cast<std::size_t>(lines_of_facts(place.width / canvas.scaled(1))),
+    std::vector<double> rooms(static_cast<std::size_t>(lines_of_facts(place.height / canvas.scaled(1))),
                               right - left);
     rooms.front() = free_below - left;
     for (const std::string& line : facts(canvas, run, per_second, pace, rooms)) {

@@ -11,9 +11,11 @@ namespace {
 constexpr double usual_strip = 120, least_strip = 80, bar_height = 216, scrubber_height = 20,
                  column_width = 332, folded_width = 30, gap = 6;
 
-/// Name and score, and below them what the run does: in more lines where the header is narrow.
-double header_height(double width) {
-    return 39 + 20 * lines_of_facts(width);
+/// More where the header is narrow, as far as a window of that height has room for them, px on an ordinary
+/// display.
+int lines_in_header(double width, double height) {
+    const int wanted = width < 200 ? 4 : width < 260 ? 3 : width < 430 ? 2 : 1;
+    return std::clamp(lines_of_facts(0.2 * height), 1, wanted);
 }
 
 double column_of(Column column, double scale) {
@@ -67,7 +69,9 @@ Layout lay_out(double width, double height, double scale, const LayoutNeeds& nee
         (needs.scrubber ? scrubber + space : 0) + (needs.step_bar ? bar + space : 0) + strip + space;
     const double tables = std::max(1.0, height - below - space);
     const double each = std::max(1.0, std::floor((room - space * (needs.headers - 1)) / needs.headers));
-    const auto head_of = [&](double of_width) { return std::round(scale * header_height(of_width / scale)); };
+    const auto head_of = [&](double of_width) {
+        return std::round(scale * header_height(lines_in_header(of_width / scale, height / scale)));
+    };
     double head = head_of(needs.panes == needs.headers ? room : each);
     Grid grid = best_grid(needs.panes, needs.aspect, room, tables, head, space);
     if (needs.panes == needs.headers && head_of(grid.width) > head) {

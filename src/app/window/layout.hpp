@@ -35,9 +35,13 @@ struct LayoutNeeds {
     double strip = 0;  ///< height of the plots where the user chose one, px on an ordinary display; else 0
 };
 
-/// In a header that would be that wide on an ordinary display, px.
-[[nodiscard]] constexpr int lines_of_facts(double width) {
-    return width < 200 ? 4 : width < 260 ? 3 : width < 430 ? 2 : 1;
+/// Over a pane, px on an ordinary display: name and score, and below them lines of what the run does.
+[[nodiscard]] constexpr double header_height(int lines_of_facts) {
+    return 39 + 20 * lines_of_facts;
+}
+/// In a header of that height.
+[[nodiscard]] constexpr int lines_of_facts(double height) {
+    return static_cast<int>((height - header_height(0)) / (header_height(1) - header_height(0)) + 0.5);
 }
 
 /// In rows and columns so that the table is as large as can be: portrait ones side by side, landscape ones

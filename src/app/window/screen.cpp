@@ -38,7 +38,7 @@ void Screen::draw(sf::RenderTarget& target, const Stage& stage, const Layout& la
                   camera, look, inside);
     const sf::Vector2f all(target.getSize());
     target.setView(sf::View({0, 0, all.x, all.y}));
-    draw_pace(layout.panes.front(), readings);
+    draw_pace(layout.panes.front(), layout.panes.back().x + layout.panes.back().width, readings);
     const Run& costliest = *std::ranges::max_element(runs, {}, &Run::cost_per_second);
     const bool slow = readings.reached < 0.95 * readings.asked;
     steps_.clear();
@@ -129,8 +129,8 @@ void Screen::draw_words(const Stage& stage, const Rect& place, std::span<const R
     if (words) writer.write(*words, colour::text);
 }
 
-/// In the corner: why nothing moves, or moves slowly.
-void Screen::draw_pace(const Rect& place, const Readings& readings) {
+/// In the corner of the first pane: why nothing moves, or moves slowly. Panes end at `right`, px.
+void Screen::draw_pace(const Rect& place, double right, const Readings& readings) {
     const std::string words =
         readings.past > 0 ? "PAUSED  ·  " + with_unit(readings.past, 2, "s") + " back  ·  P goes on from here"
         : readings.paused        ? "PAUSED  ·  P goes on"
@@ -139,7 +139,10 @@ void Screen::draw_pace(const Rect& place, const Readings& readings) {
                                  : "";
     if (words.empty()) return;
     const double pad = canvas_.scaled(6), line = lettering_.line_height(Type::small);
-    const std::vector<std::string> lines = lettering_.lines(words, Type::small, place.width - 4 * pad);
+    std::vector<std::string> lines = lettering_.lines(words, Type::small, place.width - 4 * pad);
+    // In a small pane the beginning says enough, and it may reach over the next one.
+    if (line * static_cast<double>(lines.size()) + 3 * pad > std::max(0.5 * place.height, 2 * line))
+        lines = {lettering_.cut(words.substr(0, words.find("  ·")), Type::small, right - place.x - 4 * pad)};
     double width = 0;
     for (const std::string& words_of_line : lines)
         width = std::max(width, lettering_.width(words_of_line, Type::small));

@@ -57,7 +57,7 @@ class Screen {
                      bool dimmed);
     void draw_links_of(std::span<const Run> runs, const Camera& camera);
     void draw_words(const Stage& stage, const Rect& place, std::span<const Run> runs, const Look& look);
-    void draw_pace(const Rect& place, const Readings& readings);
+    void draw_pace(const Rect& place, double right, const Readings& readings);
     void draw_halt(const Stage& stage, const Rect& place, const Run& run, bool alone);
 
     Lettering lettering_;

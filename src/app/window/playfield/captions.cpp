@@ -111,6 +111,7 @@ void CaptionWriter::write(const CaptionWords& words, sf::Color color) {
     const double title = lettering.line_height(type), detail = lettering.line_height(Type::small);
     const double height =
         title * static_cast<double>(titles.size()) + detail * static_cast<double>(details.size());
+    if (y_ + title > pane_.height) return;  // half a line says nothing
     Vec2 at{std::round(0.5 * pane_.width), std::round(y_)};
     draw_plate(canvas_, at + Vec2{0, 0.5 * height}, width + height, height, words.strength);
     for (const std::string& line : titles) {
