@@ -1,6 +1,7 @@
 #include "app/window/help.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,15 +42,20 @@ void draw_shade(const Rect& place) {
 void draw_help(const Rect& place, const KeyLines& lines, ControlPlaces& places) {
     draw_shade(place);
     const float size = ImGui::GetFontSize();
-    const float of_keys = 7.4F * size,
-                of_meaning = std::min(27 * size, 0.42F * static_cast<float>(place.width) - of_keys);
-    const std::size_t columns = 1.5 * size * static_cast<double>(lines.size() + 4) < place.height ? 1 : 2;
+    const float of_keys = 7.4F * size, beside = 0.42F * static_cast<float>(place.width) - of_keys;
+    // One below the other where they have room for that, or none beside each other.
+    const bool one_column =
+        1.5 * size * static_cast<double>(lines.size() + 4) < place.height || beside < 12 * size;
+    const float of_meaning =
+        std::min(27 * size, one_column ? 0.85F * static_cast<float>(place.width) - of_keys : beside);
+    const std::size_t columns = one_column ? 1 : 2;
     const std::size_t rows = (lines.size() + columns - 1) / columns;
 
     ImGui::SetNextWindowPos(imgui_vector(place.x + place.width / 2, place.y + place.height / 2),
                             ImGuiCond_Always, {0.5F, 0.5F});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {1.2F * size, 0.7F * size});
-    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0.4F * size, 0.06F * size});
+    // Of whole pixels, or else the wheel has half a pixel to go through.
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {std::round(1.2F * size), std::round(0.7F * size)});
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {std::round(0.4F * size), std::round(0.06F * size)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.5F * size);
     // With large letters in a small window the wheel goes through what has no room.
     ImGui::SetNextWindowSizeConstraints({0, 0}, imgui_vector(place.width, place.height));

@@ -138,23 +138,34 @@ void draw_edit_header(Canvas& canvas, const Editor& editor, const Rect& place) {
 void draw_edit_advice(Canvas& canvas, const Editor& editor, const Rect& place) {
     const double pad = canvas.scaled(10);
     const Lettering& letters = canvas.lettering();
-    const double y = place.y + 0.5 * (place.height - letters.line_height(Type::small));
     const auto& problem = editor.draft().problem();
     const std::string words =
         problem ? "Cannot be played yet: " + problem->words : std::string(editor.tool().hint);
-    canvas.text({place.x + pad, y}, letters.cut(words, Type::small, place.width - 2 * pad), Type::small,
-                problem ? colour::warning : colour::quiet);
+    const double line = letters.line_height(Type::small), room = place.width - 2 * pad;
+    std::vector<std::string> lines = letters.lines(words, Type::small, room);
+    const auto most = static_cast<std::size_t>(std::max(1.0, place.height / line));
+    while (lines.size() > most) {
+        const std::string last = lines.back();
+        lines.pop_back();
+        lines.back() = letters.cut(lines.back() + ' ' + last, Type::small, room);
+    }
+    double y = place.y + 0.5 * (place.height - line * static_cast<double>(lines.size()));
+    for (const std::string& text : lines) {
+        canvas.text({place.x + pad, y}, text, Type::small, problem ? colour::warning : colour::quiet);
+        y += line;
+    }
 }
 
 }  // namespace
 
 Layout edit_layout(double width, double height, double scale, bool panel_open) {
     constexpr double column = 332, folded = 30, header = 40, advice = 28, gap = 6;
+    constexpr double narrow = 560, advice_in_lines = 48;
     Layout layout;
     const double panel = std::min(width, std::round(scale * (panel_open ? column : folded)));
     const double space = std::round(scale * gap);
     const double room = std::max(1.0, width - panel - space), head = std::round(scale * header),
-                 foot = std::round(scale * advice);
+                 foot = std::round(scale * (room < scale * narrow ? advice_in_lines : advice));
     layout.panel = {width - panel, 0, panel, height};
     layout.headers = {{0, 0, room, head}};
     layout.panes = {{0, head, room, std::max(1.0, height - head - foot)}};
