@@ -79,7 +79,6 @@ void draw_setting(const Panel& panel, std::size_t index, const SettingSpec& spec
     label(in_words(spec.name), meaning);
     double value = 0;
     const bool changed = edit(spec, settings, value);
-    tooltip(meaning);
     note(panel.places, run.name() + "." + std::string(spec.name));
     ImGui::EndDisabled();
     ImGui::PopID();

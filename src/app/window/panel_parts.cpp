@@ -30,9 +30,7 @@ void show_tooltip(std::string_view words, ImVec2 corner, ImVec2 end) {
     ImGui::SetNextWindowPos({std::clamp(x, 0.0F, std::max(0.0F, display.x - size.x)),
                              std::clamp(y, 0.0F, std::max(0.0F, display.y - size.y))});
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1);  // of what is disabled too
-    ImGui::BeginTooltip();
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::EndTooltip();
+    ImGui::SetTooltip("%s", text.c_str());        // a control's own in place of that of its line
     ImGui::PopStyleVar();
 }
 

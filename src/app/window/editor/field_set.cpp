@@ -38,7 +38,6 @@ void FieldSet::value(const char* id, const std::string& name, double before, con
         editor_.draft().set(path, written);
     }
     end_where_done();
-    tooltip(spec.meaning);
     note(places_, name);
 }
 
@@ -70,7 +69,6 @@ bool FieldSet::typed_text(const char* name, const char* meaning, std::string& te
     // Every letter counts at once, and all of them are one step: each begins from what was there before.
     if (changed) editor_.draft().revert_step();
     end_where_done();
-    tooltip(meaning);
     note(places_, name);
     return changed;
 }
