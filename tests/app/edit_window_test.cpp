@@ -339,8 +339,8 @@ TEST_F(EditWindow, UnsavedDrawingsAreNotLostAtOnce) {
     window->wait("the table", [](const Json& s) { return s["edit"].is_null(); });
     window->key("F4");
     edit("what was drawn", [](const Json& e) { return e["unsaved"] == true; });
-    window->key("ctrl+s");
-    edit("the file", [](const Json& e) { return e["unsaved"] == false; });
+    window->key("ctrl+z");
+    edit("the file as it is", [](const Json& e) { return e["unsaved"] == false; });
     window->wait("no warning any more", [](const Json& s) {
         return s["notice"].get<std::string>().find("not saved") == std::string::npos;
     });
