@@ -122,7 +122,9 @@ TEST(Piles, HeapsOfMixedSizesFallAsleep) {
 /// Balls of 20 to 40 mm that fall in a box, from rows with random speeds of up to 1.4 m/s.
 Scene falling_rows(int balls, unsigned seed) {
     std::mt19937 random(seed);
-    const auto between = [&](double from, double to) { return from + (to - from) * random() / 0x1p32; };
+    const auto between = [&](double from, double to) {
+        return from + (to - from) * static_cast<double>(random()) / 0x1p32;
+    };
     Scene scene = empty_scene({0, -g});
     scene.rest_speed = 0;
     scene.materials[0] = {"ball", 0, 0, 0};
