@@ -6,6 +6,7 @@
 #include "plugin/engine.hpp"
 #include "plugin/handover.hpp"
 #include "plugin/needs.hpp"
+#include "world/fnv1a.hpp"
 #include "world/input_error.hpp"
 #include "world/printable.hpp"
 #include "world/refusal.hpp"
@@ -28,11 +29,10 @@ std::vector<double> numbers_of(const Settings& settings) {
 
 /// FNV-1a of the balls: what an engine saved is of these and no others.
 std::string fingerprint(std::span<const Ball> balls) {
-    std::uint64_t hash = 0xcbf29ce484222325;
+    std::uint64_t hash = fnv1a({});
     for (const Ball& ball : balls) {
         const flipside_ball bytes = as_c(ball);
-        for (const std::byte byte : std::as_bytes(std::span(&bytes, 1)))
-            hash = (hash ^ static_cast<std::uint64_t>(byte)) * 0x100000001b3;
+        hash = fnv1a({reinterpret_cast<const char*>(&bytes), sizeof bytes}, hash);
     }
     return {reinterpret_cast<const char*>(&hash), sizeof hash};
 }

@@ -148,8 +148,6 @@ struct Scene {
     std::map<std::string, std::map<std::string, std::string>> recommend;
     /// Where the scene was read, for messages: "FILE: " and the pointer to it in that file.
     std::string place;
-    /// Where they were read, for messages: "FILE: /recommend".
-    std::string recommended_in = "/recommend";
     /// The scene file that it was read from, as JSON in one line; null for a scene that was made otherwise.
     /// Whoever changes the scene does not change this.
     std::shared_ptr<const std::string> document;

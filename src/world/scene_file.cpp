@@ -119,7 +119,6 @@ Scene read_scene(const Node& root) {
     if (root.has("camera")) scene.camera = read_box(root.at("camera"));
     if (root.has("recommend")) {
         const Node recommend = root.at("recommend");
-        scene.recommended_in = scene.place + "/recommend";
         for (const auto& engine : recommend.json().items())
             for (const auto& setting : engine.value().items())
                 scene.recommend[engine.key()][setting.key()] = setting_text(setting.value());

@@ -13,7 +13,7 @@ void require_known_engines(const Scene& scene) {
     for (const Engine* engine : engines()) allowed.push_back(engine->name);
     for (const auto& [name, settings] : scene.recommend)
         if (std::ranges::find(allowed, name) == allowed.end())
-            throw InputError(scene.recommended_in + '/' + pointer_token(name) + ": " + in_quotes(name) +
+            throw InputError(scene.place + "/recommend/" + pointer_token(name) + ": " + in_quotes(name) +
                              " is no engine; allowed: " +
                              names_of(allowed, [](std::string_view one) { return std::string(one); }));
 }

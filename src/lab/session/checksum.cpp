@@ -2,15 +2,18 @@
 
 #include <bit>
 
+#include "world/fnv1a.hpp"
+
 namespace flipside::lab {
 
 namespace {
 
-class Fnv1a {
+class Sum {
   public:
     void add(std::uint64_t word) {
-        constexpr std::uint64_t prime = 0x100000001b3;
-        for (int byte = 0; byte < 8; ++byte) sum_ = (sum_ ^ ((word >> (8 * byte)) & 0xff)) * prime;
+        char bytes[8];  // the lowest first, on every machine
+        for (char& byte : bytes) byte = static_cast<char>(word), word >>= 8U;
+        sum_ = fnv1a({bytes, sizeof bytes}, sum_);
     }
     void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
     void add(Vec2 vector) {
@@ -20,13 +23,13 @@ class Fnv1a {
     [[nodiscard]] std::uint64_t sum() const { return sum_; }
 
   private:
-    std::uint64_t sum_ = 0xcbf29ce484222325;
+    std::uint64_t sum_ = fnv1a({});
 };
 
 }  // namespace
 
 std::uint64_t checksum_of(const World& world, const Game& game) {
-    Fnv1a hash;
+    Sum hash;
     hash.add(world.time());
     for (const Ball& ball : world.balls()) {
         hash.add(std::uint64_t{ball.number});

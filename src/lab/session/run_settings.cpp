@@ -14,7 +14,7 @@ constexpr const char* of_the_run = "run";
 
 [[noreturn]] void fail_recommended(const Scene& scene, std::initializer_list<std::string_view> keys,
                                    const std::string& problem) {
-    std::string where = scene.recommended_in;
+    std::string where = scene.place + "/recommend";
     for (const std::string_view key : keys) where += '/' + pointer_token(key);
     throw InputError(where + ": " + problem);
 }
