@@ -27,8 +27,8 @@ void Predictions::enter_cell(BallIndex i) {
     if (sim_.particles[i].cell_exit <= time) sim_.particles[i].cell_exit = never_touch;
     ++batch_;
     predict_loss(i, time);
-    predict_features(i, time, here.position);
     sim_.cells.query_new_neighbours(i, before, [&](BallIndex j) { predict_ball(i, j, time); });
+    predict_features(i, time, here.position);
     schedule(i);
 }
 
@@ -65,10 +65,10 @@ void Predictions::predict_in_batch(BallIndex i, double time) {
     if (sim_.hot[i].lost || sim_.balls[i].asleep || particle.frozen) return forget(i);
     if (!particle.on_tick_path) offer(i, particle.motion.until, EventType::path_end);
     predict_loss(i, time);
-    const Path& path = particle.motion.path;
-    predict_features(i, time, time == path.start ? path.flight.position : path.position(time));
     sim_.hot[i].batch = batch_;
     sim_.cells.query_neighbours(i, [&](BallIndex j) { predict_ball(i, j, time); });
+    const Path& path = particle.motion.path;
+    predict_features(i, time, time == path.start ? path.flight.position : path.position(time));
     schedule(i);
 }
 
