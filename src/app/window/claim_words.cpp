@@ -97,7 +97,7 @@ std::string take_sign(std::string_view& text) {
             text.remove_prefix(sign.size());
             return std::string(words);
         }
-    const std::string other(text.substr(0, 1));
+    std::string other(text.substr(0, 1));
     text.remove_prefix(1);
     return other;
 }

@@ -1,6 +1,7 @@
 #pragma once
 /// Where everything in the window is, in pixels. Nothing overlaps.
 
+#include <cmath>
 #include <vector>
 
 namespace flipside::app {
@@ -40,8 +41,8 @@ struct LayoutNeeds {
     return 39 + 20 * lines_of_facts;
 }
 /// In a header of that height.
-[[nodiscard]] constexpr int lines_of_facts(double height) {
-    return static_cast<int>((height - header_height(0)) / (header_height(1) - header_height(0)) + 0.5);
+[[nodiscard]] inline int lines_of_facts(double height) {
+    return static_cast<int>(std::lround((height - header_height(0)) / (header_height(1) - header_height(0))));
 }
 
 /// In rows and columns so that the table is as large as can be: portrait ones side by side, landscape ones
