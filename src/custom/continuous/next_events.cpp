@@ -72,6 +72,10 @@ void Predictions::predict_in_batch(BallIndex i, double time) {
     schedule(i);
 }
 
+double Predictions::search_end(const Particle& particle) const {
+    return std::min({sim_.end, particle.motion.until, particle.cell_exit, particle.next_time});
+}
+
 void Predictions::schedule(BallIndex i) {
     const Particle& particle = sim_.particles[i];
     if (particle.cell_exit <= particle.next_time)
@@ -116,23 +120,21 @@ void Predictions::predict_features(BallIndex i, double time, Vec2 from) {
         if (sim_.hot[i].in_island && rests_on(i, feature, turning.pose(time), time)) continue;
         if (turning.rate_at(time) == 0 && particle.tangent_faces.above(feature, turning.pose(time))) continue;
         ++sim_.record->statistics.narrow_tests;
-        const double last = std::min(particle.next_time, end);
-        offer(i, time_of_impact(feature, turning, path, ball.radius, time, last, &sim_.search_steps),
+        offer(i,
+              time_of_impact(feature, turning, path, ball.radius, time, search_end(particle),
+                             &sim_.search_steps),
               EventType::feature, f);
     }
     if (may_sense) predict_sensors(i, time, near);
 }
 
-/// Predicts when a ball enters or leaves a sensor, or leaves a gate, if that is before all else that is
-/// predicted so far: a search for more would be repeated after that event.
+/// Predicts when a ball enters or leaves a sensor, or leaves a gate.
 void Predictions::predict_sensors(BallIndex i, double time, std::span<const FeatureIndex> near) {
     const Ball& ball = sim_.balls[i];
     const Particle& particle = sim_.particles[i];
     const auto predict_sensor = [&](PartIndex part, bool inside) {
-        const double last =
-            std::min({sim_.end, particle.motion.until, particle.cell_exit, particle.next_time});
-        offer(i, gates_.sense_time(part, ball, particle.motion.path, time, last, inside), EventType::sensor,
-              part);
+        offer(i, gates_.sense_time(part, ball, particle.motion.path, time, search_end(particle), inside),
+              EventType::sensor, part);
     };
     for (const Sensed& around : gates_.around(ball.number)) predict_sensor(around.part, true);
     for (const Blocked& blocked : sim_.table.blocked())
@@ -215,8 +217,7 @@ void Predictions::predict_loss(BallIndex i, double time) {
     if (bounds.contains(particle.bounds.min) && bounds.contains(particle.bounds.max)) return;
     const auto& reported = sim_.table.reported_lost();
     if (std::ranges::find(reported, ball.number) != reported.end()) return;
-    const double last = std::min({sim_.end, particle.motion.until, particle.next_time, particle.cell_exit});
-    offer(i, first_exit(particle.motion.path, bounds, time, last), EventType::leave_bounds);
+    offer(i, first_exit(particle.motion.path, bounds, time, search_end(particle)), EventType::leave_bounds);
 }
 
 /// Whether two members approach and pass each other no faster than in a resting contact.

@@ -101,6 +101,9 @@ class Predictions {
     void predict_loss(BallIndex i, double time);
     [[nodiscard]] bool slides_to(const Particle& particle, const Ball& ball, const Feature& feature) const;
     [[nodiscard]] bool in_slow_contact(BallIndex i, BallIndex j, double time) const;
+    /// Where a search for an event of the ball ends: what is later comes after an event that is predicted so
+    /// far, or after the ball has left its cell, and is searched then.
+    [[nodiscard]] double search_end(const Particle& particle) const;
     [[nodiscard]] bool rests_on(BallIndex i, const Feature& feature, const Pose& pose, double time) const;
     void note_near(BallIndex i, BallIndex j, double until, double from);
     void offer(BallIndex i, double time, EventType next, std::uint32_t partner = 0,
