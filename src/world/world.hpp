@@ -41,8 +41,8 @@ class World {
 
     [[nodiscard]] virtual Clock clock() const = 0;
     [[nodiscard]] double time() const { return clock().time; }
-    /// Whether balls wait for a free place in the launcher. It is looked at at the start of steps, and not
-    /// more than once between two of its looks (table.hpp).
+    /// Whether balls wait for a free place in the launcher. It looks for one at the start of a step, if its
+    /// next look (table.hpp) is due then.
     [[nodiscard]] virtual bool launch_waiting() const { return false; }
     /// By rising number. Valid until the next call that changes the world.
     [[nodiscard]] virtual std::span<const Ball> balls() const = 0;

@@ -123,7 +123,7 @@ class Judge {
     /// muParser knows numbers, names, arithmetic and functions, and can do nothing but compute.
     double value(Text text) {
         mu::Parser parser;
-        parser.DefineNameChars("0123456789_.abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
+        parser.DefineNameChars(figure_letters);
         for (auto& [name, figure] : figures_) parser.DefineVar(name, &figure);
         parser.SetExpr(std::string(text));
         const double result = parser.Eval();

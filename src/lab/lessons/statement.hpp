@@ -12,6 +12,10 @@ namespace flipside::lab {
 /// By name: "NAME.pair_tests".
 using Figures = std::map<std::string, double, std::less<>>;
 
+/// Of which those names are made.
+inline constexpr const char* figure_letters =
+    "0123456789_.abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+
 /// Says what is wrong with a statement.
 class BadStatement : public std::runtime_error {
     using std::runtime_error::runtime_error;
