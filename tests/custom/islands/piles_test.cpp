@@ -79,6 +79,12 @@ Scene pit(int balls, bool slopes, double friction, double restitution) {
     return scene;
 }
 
+/// Of the two balls in a contact, or of the ball on a part, m.
+double smaller_radius(const Contact& contact, std::span<const Ball> balls) {
+    const double radius = find_ball(balls, contact.ball)->radius;
+    return contact.other.is_ball ? std::min(radius, find_ball(balls, contact.other.index)->radius) : radius;
+}
+
 /// Runs until all balls sleep, and longer. A step may add the energy that lifts all balls out of the deepest
 /// overlap, all steps together a hundredth of the energy that is lost. At the end nothing moves, and no
 /// overlap would keep a ball awake.
@@ -104,11 +110,8 @@ void expect_rest(World& world, double seconds) {
         EXPECT_EQ(world.balls()[i], rest[i]);
         EXPECT_EQ(rest[i].velocity, Vec2{});
     }
-    for (const Contact& contact : world.contacts()) {
-        double smaller = find_ball(rest, contact.ball)->radius;
-        if (contact.other.is_ball) smaller = std::min(smaller, find_ball(rest, contact.other.index)->radius);
-        EXPECT_LE(-contact.separation, squeezed_overlap * smaller);
-    }
+    for (const Contact& contact : world.contacts())
+        EXPECT_LE(-contact.separation, squeezed_overlap * smaller_radius(contact, rest));
 }
 
 TEST(Piles, HeapsOfMixedSizesFallAsleep) {
@@ -145,12 +148,8 @@ TEST(Piles, BallsWithoutBounceOverlapLittleWhileTheyFall) {
         double deepest = 0;
         while (world->time() < 1.5) {
             world->step(1.0 / 240);
-            for (const Contact& contact : world->contacts()) {
-                double smaller = find_ball(world->balls(), contact.ball)->radius;
-                if (contact.other.is_ball)
-                    smaller = std::min(smaller, find_ball(world->balls(), contact.other.index)->radius);
-                deepest = std::max(deepest, -contact.separation / smaller);
-            }
+            for (const Contact& contact : world->contacts())
+                deepest = std::max(deepest, -contact.separation / smaller_radius(contact, world->balls()));
         }
         EXPECT_LT(deepest, 0.04) << "seed " << seed;
     }
