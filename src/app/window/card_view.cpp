@@ -26,10 +26,6 @@ void words(const std::string& text, sf::Color color) {
     ImGui::PopStyleColor();
 }
 
-float width_of_text(const std::string& text) {
-    return ImGui::CalcTextSize(text.c_str()).x;
-}
-
 /// As wide as the name and the widest of the cells, or as its share of `room`, px.
 float width_of_column(const Card& card, const std::string& name, std::size_t column, float room) {
     float width = width_of_text(name), labels = 0;

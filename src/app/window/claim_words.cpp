@@ -11,7 +11,7 @@ namespace {
 
 using Words = std::pair<std::string_view, std::string_view>;
 
-constexpr std::string_view name_letters = "0123456789_.abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+constexpr std::string_view name_letters = lab::figure_letters;
 constexpr std::string_view figures_letters = "0123456789";
 
 std::vector<std::string> parts_of(std::string_view text, std::string_view between) {
@@ -22,12 +22,6 @@ std::vector<std::string> parts_of(std::string_view text, std::string_view betwee
         if (end != std::string_view::npos) text.remove_prefix(end + between.size());
     }
     return parts;
-}
-
-std::string with_spaces(std::string_view name) {
-    std::string words(name);
-    std::ranges::replace(words, '_', ' ');
-    return words;
 }
 
 /// "x0" is of ball 0.

@@ -14,9 +14,7 @@ namespace {
 
 /// "motion_iterations" as people write it.
 std::string in_words(std::string_view name) {
-    std::string words(name);
-    std::ranges::replace(words, '_', ' ');
-    return sentence(words);
+    return sentence(with_spaces(name));
 }
 
 /// A wide range in powers of ten.

@@ -146,7 +146,7 @@ void Lessons::draw_list(Stage& stage, WindowControls& controls, ControlPlaces& p
     if (chosen) go_to(*chosen, stage, controls);
 }
 
-/// What works the lesson stays in sight; its text between is scrolled.
+/// The buttons stay visible; the text between them is scrolled.
 void Lessons::draw_open(Stage& stage, WindowControls& controls, ControlPlaces& places) {
     const auto pressed = [&](const char* words) {
         const bool now = ImGui::Button(words);

@@ -50,7 +50,7 @@ class Lessons {
     std::vector<TextBlock> text_;
     std::optional<std::size_t> answer_;
     std::optional<std::vector<lab::Verified>> checked_;
-    bool result_wanted_ = false;  ///< in sight
+    bool result_wanted_ = false;  ///< visible: the text is to be scrolled there
     std::string trouble_;
     Shows shows_before_;
     bool bar_before_ = false, paused_before_ = false;

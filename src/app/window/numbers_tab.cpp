@@ -48,8 +48,7 @@ class Figures {
         if (beside_) ImGui::SetCursorPosY(top);
         cells([&](const Run& run) {
             const std::string text = value(run), shown = shortened_words(text);
-            const auto fits = [this](const std::string& line) { return width_of(line) <= of_run_ - gap_; };
-            for (const std::string& line : in_lines(shown, fits)) flush_right(line);
+            for (const std::string& line : lines_of(shown, of_run_ - gap_)) flush_right(line);
             return shown == text ? std::string() : text;
         });
         ImGui::SetCursorPosY(std::max(below, ImGui::GetCursorPosY()));
@@ -60,9 +59,8 @@ class Figures {
     static void close_lines() {
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 1});
     }
-    static float width_of(const std::string& words) { return ImGui::CalcTextSize(words.c_str()).x; }
     void flush_right(const std::string& line) const {
-        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, of_run_ - width_of(line)));
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, of_run_ - width_of_text(line)));
         ImGui::TextUnformatted(line.c_str());
     }
     /// A word for which there is no room is cut.

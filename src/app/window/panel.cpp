@@ -34,7 +34,7 @@ void tabs(const Panel& panel, const Load& load) {
     const bool open = ImGui::BeginTabBar("tabs");
     ImGui::PopStyleVar(2);
     if (!open) return;
-    // The tabs stay in sight whatever is scrolled below them.
+    // The tabs stay visible whatever is scrolled below them.
     const auto page = [&](const char* words, bool wanted, const auto& draw) {
         if (!tab(panel, words, wanted)) return;
         const float least = 8 * ImGui::GetTextLineHeightWithSpacing();

@@ -41,14 +41,18 @@ void tooltip(std::string_view words) {
         show_tooltip(words, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
 }
 
+float width_of_text(const std::string& words) {
+    return ImGui::CalcTextSize(words.c_str()).x;
+}
+
 std::string cut(std::string words, float room) {
     return shortened(std::move(words),
-                     [room](const std::string& kept) { return ImGui::CalcTextSize(kept.c_str()).x <= room; });
+                     [room](const std::string& kept) { return width_of_text(kept) <= room; });
 }
 
 std::vector<std::string> name_in_lines(const std::string& name, float room) {
     std::vector<std::string> lines{name};
-    while (ImGui::CalcTextSize(lines.back().c_str()).x > room) {
+    while (width_of_text(lines.back()) > room) {
         const std::size_t at = lines.back().find('-');
         if (at == std::string::npos || at + 1 == lines.back().size()) break;
         std::string rest = lines.back().substr(at + 1);
@@ -59,10 +63,13 @@ std::vector<std::string> name_in_lines(const std::string& name, float room) {
     return lines;
 }
 
+std::vector<std::string> lines_of(std::string_view words, float room) {
+    return in_lines(words, [room](const std::string& line) { return width_of_text(line) <= room; });
+}
+
 std::string broken(std::string_view words, float room) {
-    const auto fits = [room](const std::string& line) { return ImGui::CalcTextSize(line.c_str()).x <= room; };
     std::string text;
-    for (const std::string& line : in_lines(words, fits)) text += (text.empty() ? "" : "\n") + line;
+    for (const std::string& line : lines_of(words, room)) text += (text.empty() ? "" : "\n") + line;
     return text;
 }
 

@@ -25,12 +25,15 @@ inline constexpr ImGuiWindowFlags docked =
 [[nodiscard]] ImVec4 imgui_color(sf::Color color);
 /// Shows `words` beside the column, or above anything else, while the mouse rests on the last item.
 void tooltip(std::string_view words);
+/// In the letters of now, px.
+[[nodiscard]] float width_of_text(const std::string& words);
 /// As it is shown in a line with so much room, px: with an ellipsis where that is too little for all of it.
 [[nodiscard]] std::string cut(std::string words, float room);
 /// A contender's name for which there is no room, px, is broken behind its hyphens: "box2d-cold" and
 /// "box2d-warm" differ at their ends.
 [[nodiscard]] std::vector<std::string> name_in_lines(const std::string& name, float room);
-/// In lines with so much room, px (words.hpp).
+/// In lines with so much room, px (words.hpp); `broken`: in one text.
+[[nodiscard]] std::vector<std::string> lines_of(std::string_view words, float room);
 [[nodiscard]] std::string broken(std::string_view words, float room);
 /// In the lines that the rest of the column has room for.
 void wrapped(std::string_view words);

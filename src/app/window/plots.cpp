@@ -42,23 +42,20 @@ Curve distance_curve(std::string name, sf::Color color, const std::deque<Sample>
     return {std::move(name), color, {samples.begin(), samples.end()}, "r", in_radii};
 }
 
-/// Ends of the last steps before gravity was another one, s.
-std::vector<double> gravity_changes(const Run& run) {
-    std::vector<double> times;
+/// Where gravity became another one.
+struct GravityChange {
+    double time = 0;  ///< s: end of the last step before
+    Vec2 after;       ///< m/s²
+};
+std::vector<GravityChange> gravity_changes(const Run& run) {
+    std::vector<GravityChange> changes;
     const StepNumbers* last = nullptr;
     for (const StepNumbers& numbers : run.numbers()) {
-        if (last != nullptr && numbers.gravity != last->gravity) times.push_back(last->time);
+        if (last != nullptr && numbers.gravity != last->gravity)
+            changes.push_back({last->time, numbers.gravity});
         last = &numbers;
     }
-    return times;
-}
-
-/// Energy is counted from it, so there is a jump.
-void mark_gravity(Plot& plot, const Run& run) {
-    for (const double time : gravity_changes(run)) {
-        const Vec2 now = numbers_at(run.numbers(), time + 1.5 * run.dt())->gravity;
-        plot.marks.push_back({time, now == Vec2{} ? "gravity off" : "gravity on", colour::text});
-    }
+    return changes;
 }
 
 }  // namespace
@@ -110,12 +107,14 @@ Plot energy_plot(const Stage& stage) {
         Curve& curve = plot.curves.emplace_back(curve_of(run, "J", in_joules, [](const StepNumbers& numbers) {
             return numbers.balls > 0 ? numbers.energy : not_a_number;
         }));
-        for (const double time : gravity_changes(run)) {
-            const auto after = std::ranges::upper_bound(curve.samples, time, {}, &Sample::time);
-            curve.samples.insert(after, {time, not_a_number});
+        // Energy is counted from it, so there is a jump.
+        for (const GravityChange& change : gravity_changes(run)) {
+            const auto after = std::ranges::upper_bound(curve.samples, change.time, {}, &Sample::time);
+            curve.samples.insert(after, {change.time, not_a_number});
         }
     }
-    mark_gravity(plot, stage.lead());
+    for (const auto& [time, gravity] : gravity_changes(stage.lead()))
+        plot.marks.push_back({time, gravity == Vec2{} ? "gravity off" : "gravity on", colour::text});
     fit(plot, stage.time() - history_seconds, stage.time());
     return plot;
 }

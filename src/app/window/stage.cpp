@@ -42,6 +42,11 @@ View view_of(lab::LessonView view) {
                                               : View::single;
 }
 
+/// The guide is the first run of which this is not so.
+bool goes_on_from_guide(const Run& run) {
+    return run.halt() || is_reference(run.engine());
+}
+
 }  // namespace
 
 bool is_reference(const Engine& engine) {
@@ -239,22 +244,19 @@ bool Stage::show_reference(bool on) {
 }
 
 const Run* Stage::guide() const {
-    const auto at = std::ranges::find_if(
-        runs_, [](const Run& run) { return !run.halt() && !is_reference(run.engine()); });
+    const auto at = std::ranges::find_if_not(runs_, goes_on_from_guide);
     return at == runs_.end() ? nullptr : &*at;
 }
 
 bool Stage::can_take_up() const {
-    return guide() != nullptr && std::ranges::any_of(runs_, [](const Run& run) {
-               return run.halt() || is_reference(run.engine());
-           });
+    return guide() != nullptr && std::ranges::any_of(runs_, goes_on_from_guide);
 }
 
 void Stage::take_up() {
     go_on_from_here();
     const Run* from = guide();
     for (Run& run : runs_) {
-        if (!from || !(run.halt() || is_reference(run.engine()))) continue;
+        if (!from || !goes_on_from_guide(run)) continue;
         run = taken_up(*from, contenders_[place_of(run)]);
         compare_anew(run.name());
     }

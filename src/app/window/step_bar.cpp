@@ -15,16 +15,9 @@ namespace flipside::app {
 
 namespace {
 
-/// "position_before" as people write it.
-std::string spaced(std::string_view name) {
-    std::string words(name);
-    std::ranges::replace(words, '_', ' ');
-    return words;
-}
-
 /// What stands before a value; some say themselves what they are: "free flight", "impact".
 std::string titled(std::string_view name) {
-    return name == "way" || name == "answer" ? "" : spaced(name) + " ";
+    return name == "way" || name == "answer" ? "" : with_spaces(name) + " ";
 }
 
 /// Lengths and impulses with the prefix that suits, as everywhere else in the window.
@@ -48,8 +41,7 @@ struct StepBar {
         return pressed;
     }
     [[nodiscard]] static double width_of(const std::string& words) {
-        return ImGui::CalcTextSize(words.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x +
-               ImGui::GetStyle().ItemSpacing.x;
+        return width_of_text(words) + 2 * ImGui::GetStyle().FramePadding.x + ImGui::GetStyle().ItemSpacing.x;
     }
     void engines() const {
         for (std::size_t i = 0; i < stage.runs().size(); ++i) {

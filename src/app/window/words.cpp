@@ -68,6 +68,12 @@ std::string step_in_words(double dt) {
     return engineering(dt, "s");
 }
 
+std::string with_spaces(std::string_view name) {
+    std::string words(name);
+    std::ranges::replace(words, '_', ' ');
+    return words;
+}
+
 std::string balls_in_words(std::size_t balls, std::size_t asleep) {
     if (balls == 0) return "no balls";
     std::string words = grouped(balls) + (balls == 1 ? " ball" : " balls");

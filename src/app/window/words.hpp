@@ -25,6 +25,8 @@ namespace flipside::app {
 [[nodiscard]] std::string in_radii(double radii);
 /// A step: "1/60 s", "0.01 s", "1/97 s".
 [[nodiscard]] std::string step_in_words(double dt);
+/// "position_before" as people write it.
+[[nodiscard]] std::string with_spaces(std::string_view name);
 /// "1 ball", "11 balls, 2 asleep", "no balls".
 [[nodiscard]] std::string balls_in_words(std::size_t balls, std::size_t asleep);
 /// Where the first word of a text ends that begins with one. A number and its unit are one word: "0.7786 J".

@@ -6,7 +6,6 @@
 
 #include "app/window/browser/thumbnail.hpp"
 #include "app/window/panel_parts.hpp"
-#include "app/window/words.hpp"
 #include "lab/files/assets.hpp"
 #include "world/input_error.hpp"
 #include "world/json_file.hpp"
@@ -47,8 +46,7 @@ std::vector<fs::path> scenes_in(const fs::path& folder) {
 void write_lines(ImDrawList& list, ImVec2 at, float room, float bottom, const std::string& words,
                  ImU32 color) {
     const float height = ImGui::GetFontSize();
-    const auto fits = [room](const std::string& line) { return ImGui::CalcTextSize(line.c_str()).x <= room; };
-    std::vector<std::string> lines = in_lines(words, fits);
+    std::vector<std::string> lines = lines_of(words, room);
     for (std::size_t i = 0; i < lines.size() && at.y + height <= bottom; ++i, at.y += height) {
         if (at.y + 2 * height > bottom)
             while (i + 1 < lines.size()) {

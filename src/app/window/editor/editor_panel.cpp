@@ -159,11 +159,7 @@ void EditorPanel::draw_save_as(Editor& editor, WindowControls& controls, Control
     const lab::SaveObstacle obstacle =
         typed_.empty() ? lab::SaveObstacle::none : lab::obstacle_to(file, editor.own());
     const bool taken = obstacle != lab::SaveObstacle::none;
-    if (taken) {
-        ImGui::PushStyleColor(ImGuiCol_Text, imgui_color(colour::warning));
-        wrapped("There is such a file already.");
-        ImGui::PopStyleColor();
-    }
+    if (taken) wrapped("There is such a file already.", colour::warning);
     const bool pressed =
         edit_button(places, taken ? "Replace it" : "Save here",
                     taken ? "What is in the file is lost" : "Write the file", 0.5, !typed_.empty());
