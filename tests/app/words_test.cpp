@@ -58,6 +58,9 @@ TEST(Words, LinesBreakBetweenWordsAndNeverInANumberOrBeforeItsUnit) {
     EXPECT_EQ(in_lines("one  two\n\nthree", letters(8)), (Lines{"one  two", "", "three"}));
     EXPECT_EQ(in_lines("µµµ", letters(5)), (Lines{"µµ", "µ"}));
     EXPECT_EQ(in_lines("", letters(5)), Lines{""});
+    EXPECT_EQ(in_lines("one two three four", letters(8), 2), (Lines{"one two", "three…"}));
+    EXPECT_EQ(in_lines("one two", letters(8), 1), Lines{"one two"});
+    EXPECT_EQ(in_lines("one two", letters(8), 0), Lines{});
 }
 
 TEST(Words, AreShortenedByWholeLettersToWhatFits) {

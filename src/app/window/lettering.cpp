@@ -6,7 +6,6 @@
 
 #include <SFML/System/String.hpp>
 
-#include "app/window/words.hpp"
 #include "world/printable.hpp"
 
 namespace flipside::app {
@@ -56,9 +55,11 @@ double Lettering::line_height(Type type) const {
     return font(type).getLineSpacing(pixels(type));
 }
 
-std::vector<std::string> Lettering::lines(std::string_view utf8, Type type, double room) const {
+std::vector<std::string> Lettering::lines(std::string_view utf8, Type type, double room,
+                                          std::size_t most) const {
     if (utf8.empty()) return {};
-    return in_lines(utf8, [&](const std::string& words) { return width(words, type) <= room; });
+    return in_lines(
+        utf8, [&](const std::string& words) { return width(words, type) <= room; }, most);
 }
 
 std::string Lettering::cut(std::string_view utf8, Type type, double room) const {

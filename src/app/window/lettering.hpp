@@ -11,6 +11,7 @@
 #include <SFML/Graphics/VertexArray.hpp>
 
 #include "app/window/theme.hpp"
+#include "app/window/words.hpp"
 #include "world/vec2.hpp"
 
 namespace flipside::app {
@@ -26,8 +27,9 @@ class Lettering {
     /// px.
     [[nodiscard]] double width(std::string_view utf8, Type type) const;
     [[nodiscard]] double line_height(Type type) const;
-    /// Broken between words into lines of at most `room` px; a longer word has a line of its own.
-    [[nodiscard]] std::vector<std::string> lines(std::string_view utf8, Type type, double room) const;
+    /// In lines of at most `room` px (words.hpp); of nothing none.
+    [[nodiscard]] std::vector<std::string> lines(std::string_view utf8, Type type, double room,
+                                                 std::size_t most = any_number) const;
     /// As much of it as `room` px hold, with "…" where the end is missing.
     [[nodiscard]] std::string cut(std::string_view utf8, Type type, double room) const;
     /// Adds the letters' rectangles (triangles, to be drawn with texture(type)). `at` is the top left of

@@ -5,8 +5,6 @@
 #include <cstdio>
 #include <utility>
 
-#include "app/window/words.hpp"
-
 namespace flipside::app {
 
 ImVec4 imgui_color(sf::Color c) {
@@ -63,8 +61,9 @@ std::vector<std::string> name_in_lines(const std::string& name, float room) {
     return lines;
 }
 
-std::vector<std::string> lines_of(std::string_view words, float room) {
-    return in_lines(words, [room](const std::string& line) { return width_of_text(line) <= room; });
+std::vector<std::string> lines_of(std::string_view words, float room, std::size_t most) {
+    return in_lines(
+        words, [room](const std::string& line) { return width_of_text(line) <= room; }, most);
 }
 
 std::string broken(std::string_view words, float room) {

@@ -12,6 +12,7 @@
 #include "app/window/controls.hpp"
 #include "app/window/lesson_tab.hpp"
 #include "app/window/stage.hpp"
+#include "app/window/words.hpp"
 
 namespace flipside::app {
 
@@ -33,7 +34,8 @@ void tooltip(std::string_view words);
 /// "box2d-warm" differ at their ends.
 [[nodiscard]] std::vector<std::string> name_in_lines(const std::string& name, float room);
 /// In lines with so much room, px (words.hpp); `broken`: in one text.
-[[nodiscard]] std::vector<std::string> lines_of(std::string_view words, float room);
+[[nodiscard]] std::vector<std::string> lines_of(std::string_view words, float room,
+                                                std::size_t most = any_number);
 [[nodiscard]] std::string broken(std::string_view words, float room);
 /// In the lines that the rest of the column has room for.
 void wrapped(std::string_view words);

@@ -147,15 +147,20 @@ std::size_t end_of_word(std::string_view text) {
     return is_unit(next) ? end + 1 + next.size() : end;
 }
 
-std::vector<std::string> in_lines(std::string_view text,
-                                  const std::function<bool(const std::string&)>& fits) {
+std::vector<std::string> in_lines(std::string_view text, const std::function<bool(const std::string&)>& fits,
+                                  std::size_t most) {
+    if (most == 0) return {};
     std::vector<std::string> lines;
-    for (;;) {
-        const std::size_t end = text.find('\n');
+    for (std::size_t end = 0; end != std::string_view::npos;) {
+        end = text.find('\n');
         break_line(text.substr(0, end), fits, lines);
-        if (end == std::string_view::npos) return lines;
-        text.remove_prefix(end + 1);
+        if (end != std::string_view::npos) text.remove_prefix(end + 1);
     }
+    if (lines.size() <= most) return lines;
+    for (std::size_t i = most; i < lines.size(); ++i) (lines[most - 1] += ' ') += lines[i];
+    lines.resize(most);
+    lines.back() = shortened(std::move(lines.back()), fits);
+    return lines;
 }
 
 std::string shortened(std::string words, const std::function<bool(const std::string&)>& fits) {

@@ -31,9 +31,12 @@ namespace flipside::app {
 [[nodiscard]] std::string balls_in_words(std::size_t balls, std::size_t asleep);
 /// Where the first word of a text ends that begins with one. A number and its unit are one word: "0.7786 J".
 [[nodiscard]] std::size_t end_of_word(std::string_view text);
+inline constexpr std::size_t any_number = ~std::size_t{0};
 /// In lines that fit, broken between words; only a word that does not fit alone is broken between letters.
+/// What is left for the last of `most` lines is shortened.
 [[nodiscard]] std::vector<std::string> in_lines(std::string_view text,
-                                                const std::function<bool(const std::string&)>& fits);
+                                                const std::function<bool(const std::string&)>& fits,
+                                                std::size_t most = any_number);
 /// As much of a text in UTF-8 as `fits`, with an ellipsis behind it where that is not all.
 [[nodiscard]] std::string shortened(std::string words, const std::function<bool(const std::string&)>& fits);
 

@@ -46,14 +46,10 @@ std::vector<fs::path> scenes_in(const fs::path& folder) {
 void write_lines(ImDrawList& list, ImVec2 at, float room, float bottom, const std::string& words,
                  ImU32 color) {
     const float height = ImGui::GetFontSize();
-    std::vector<std::string> lines = lines_of(words, room);
-    for (std::size_t i = 0; i < lines.size() && at.y + height <= bottom; ++i, at.y += height) {
-        if (at.y + 2 * height > bottom)
-            while (i + 1 < lines.size()) {
-                lines[i] += ' ' + lines[i + 1];
-                lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(i) + 1);
-            }
-        list.AddText(at, color, cut(lines[i], room).c_str());
+    const auto most = static_cast<std::size_t>(std::max(0.0F, (bottom - at.y) / height));
+    for (const std::string& line : lines_of(words, room, most)) {
+        list.AddText(at, color, line.c_str());
+        at.y += height;
     }
 }
 

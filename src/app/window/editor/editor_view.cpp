@@ -142,13 +142,8 @@ void draw_edit_advice(Canvas& canvas, const Editor& editor, const Rect& place) {
     const std::string words =
         problem ? "Cannot be played yet: " + problem->words : std::string(editor.tool().hint);
     const double line = letters.line_height(Type::small), room = place.width - 2 * pad;
-    std::vector<std::string> lines = letters.lines(words, Type::small, room);
     const auto most = static_cast<std::size_t>(std::max(1.0, place.height / line));
-    while (lines.size() > most) {
-        const std::string last = lines.back();
-        lines.pop_back();
-        lines.back() = letters.cut(lines.back() + ' ' + last, Type::small, room);
-    }
+    const std::vector<std::string> lines = letters.lines(words, Type::small, room, most);
     double y = place.y + 0.5 * (place.height - line * static_cast<double>(lines.size()));
     for (const std::string& text : lines) {
         canvas.text({place.x + pad, y}, text, Type::small, problem ? colour::warning : colour::quiet);
