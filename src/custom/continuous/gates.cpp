@@ -71,10 +71,12 @@ double Gates::distance_to(PartIndex part, Vec2 center, double radius, const Pose
 void Gates::settle() {
     for (const PartIndex part : sim_.layout.gates()) {
         const Pose pose = sim_.turnings[part].pose(0);
+        const Box around = bounds_of(sim_.layout.primitive(first_[part]), pose);
         const auto is_near = [&](const Ball& ball) {
             const double out =
                 std::max(gate_clearance * ball.radius, 4 * gap_rounding(ball.position, ball.radius));
-            return layers_meet(ball, sim_.scene.parts[part]) &&
+            return overlap(around, bounds_of(ball.position, ball.radius + out)) &&
+                   layers_meet(ball, sim_.scene.parts[part]) &&
                    distance_to(part, ball.position, ball.radius, pose) < out;
         };
         const auto passes = [&](const Ball& ball) {

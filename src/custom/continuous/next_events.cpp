@@ -111,10 +111,10 @@ void Predictions::predict_features(BallIndex i, double time, Vec2 from) {
     const double sag = path.max_acceleration(end) * duration * duration / 8 + margin;
     for (const FeatureIndex f : near) {
         const Feature& feature = sim_.features[f];
-        may_sense = may_sense || feature.sensor;
-        if (&feature == particle.resting_on || gates_.ignores(feature, ball)) continue;
         const Turning& turning = sim_.turnings[feature.part];
         if (turning.unmoved() && !ball.asleep && clear_of(feature, from, to, ball.radius, sag)) continue;
+        may_sense = may_sense || feature.sensor;
+        if (&feature == particle.resting_on || gates_.ignores(feature, ball)) continue;
         sim_.near[i].part = true;
         if (slides_to(particle, ball, feature)) continue;
         if (sim_.hot[i].in_island && rests_on(i, feature, turning.pose(time), time)) continue;
