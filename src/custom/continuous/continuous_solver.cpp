@@ -194,13 +194,14 @@ void ContinuousSolver::handle_until(double time) {
     }
 }
 
-/// Replaces `balls` by their state at `time`, without lost balls.
+/// Replaces `balls`, those of the window, by their state at `time`, without lost balls.
 void ContinuousSolver::read(double time, std::vector<Ball>& balls) {
-    balls.clear();
+    BallIndex count = 0;
     for (BallIndex i = 0; i < sim_.particles.size(); ++i) {
-        rank_[i] = static_cast<BallIndex>(balls.size());
-        if (!sim_.hot[i].lost) balls.push_back(sim_.ball_at(i, time));
+        rank_[i] = count;
+        if (!sim_.hot[i].lost) sim_.read(i, time, balls[count++]);
     }
+    balls.resize(count);
 }
 
 /// Reads the balls at the end of the window, and updates contacts and sleep.

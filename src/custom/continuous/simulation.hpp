@@ -91,6 +91,8 @@ struct Simulation {
 
     /// The ball at this time on its path, with its true velocity.
     [[nodiscard]] Ball ball_at(BallIndex i, double time) const;
+    /// The same into `ball`, which may be that ball at another time of the window, or any other.
+    void read(BallIndex i, double time, Ball& ball) const;
     /// Moves a ball there.
     void advance_to(BallIndex i, double time) { balls[i] = ball_at(i, time); }
     /// Velocity of a ball that was advanced along its path to this time. The velocity of a member is
