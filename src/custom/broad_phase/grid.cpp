@@ -1,9 +1,6 @@
-// Uniform grid of square cells. A proxy is listed in every cell that its box overlaps: still proxies once,
-// moving ones again in every search. A moving proxy is tested against those that the cells under it listed
-// before it. A box over more than `most_cells_listed` cells is wide: it is in no list and is tested against
-// all others.
+// Uniform grid of square cells. A proxy is listed in the cells under it (quadtree.hpp). But a box over more
+// than `most_cells_listed` cells is wide: it is in no list and is tested against all others.
 //
-// Finding the cells under a box needs its four coordinates once, and counts as one box test.
 // Cost: O(n · cells per box + pairs sharing a cell); wide boxes cost O(n) each.
 // Bentley, Friedman 1979, "Data structures for range searching", 2.3; Ericson 2005, "Real-time collision
 // detection", 7.1.
@@ -47,18 +44,7 @@ class Grid final : public CellBroadPhase {
     static constexpr double most_cells_per_box = 1024;      ///< of fitted cells
     static constexpr std::uint64_t most_cells_listed = 64;  ///< under a box that is listed
 
-    void search() override {
-        remove_moving();
-        fit_cells();
-        while (!wide_.empty() && wide_.back() >= first_moving_) wide_.pop_back();
-        reserve_for(wide_, proxies_.size());
-        for (Handle b = first_moving_; b < proxies_.size(); ++b) insert(b);
-        tests_ += moving();
-    }
-
-    void insert(Handle b) {
-        const CellRange range = cells_under(proxies_[b].box);
-        ranges_.push_back(range);
+    void insert(Handle b, const CellRange& range) override {
         const bool wide = range.count() > most_cells_listed, moves = b >= first_moving_;
         if (wide && moves)
             for (Handle a = 0; a < b; ++a) test(a, b);
@@ -75,20 +61,21 @@ class Grid final : public CellBroadPhase {
         return std::max({cell, std::sqrt(size.x * size.y / most), std::max(size.x, size.y) * 0x1p-16});
     }
 
-    /// Divides the world into cells of this width and lists the still proxies in them.
+    /// Divides the world into cells of this width.
     void divide(double cell) {
         const Vec2 size = world_.max - world_.min;
         const auto cells_along = [&](double length) {
             return static_cast<std::uint32_t>(std::max(1.0, std::ceil(length / cell)));
         };
-        set_cells({cell, cell}, cells_along(size.x), cells_along(size.y));
         wide_.clear();
-        for (Handle i = 0; i < first_moving_; ++i) insert(i);
+        set_cells({cell, cell}, cells_along(size.x), cells_along(size.y));
     }
 
     /// Fits the cells to the median size of the boxes, if their number has changed and the size differs. Few
     /// boxes in a large world get wider cells, since making each cell costs time and memory.
-    void fit_cells() {
+    void fit_cells() override {
+        while (!wide_.empty() && wide_.back() >= first_moving_) wide_.pop_back();
+        reserve_for(wide_, proxies_.size());
         if (!fits_cells_ || fitted_for_ == moving() || moving() == 0) return;
         fitted_for_ = moving();
         sizes_.clear();

@@ -1,12 +1,9 @@
 // The full quadtree in an array: node i has its children at 4i+1 … 4i+4 (below left, below right, above left,
 // above right). So d levels below the root make (4^(d+1)−1)/3 nodes and 4^d leaves, all of one size. A proxy
-// is listed in every leaf that its box overlaps: still proxies once, moving ones again in every search.
-// From the root down, a search goes to the leaves under each moving proxy in turn. There the proxy is tested
-// against those listed before it.
+// is listed in the leaves under it (quadtree.hpp), to which a search goes from the root down.
 //
-// Since all leaves have one size, the leaves under a box follow from its four coordinates; this counts as one
-// box test. Cost: O(n·levels·leaves per box + pairs sharing a leaf). Finkel, Bentley 1974, "Quad trees"; the
-// array form after Samet 1984.
+// Cost: O(n·levels·leaves per box + pairs sharing a leaf). Finkel, Bentley 1974, "Quad trees"; the array form
+// after Samet 1984.
 
 #include "custom/broad_phase/quadtree.hpp"
 
@@ -24,7 +21,6 @@ class Quadtree final : public CellBroadPhase {
           first_leaf_(((1U << (2 * levels_)) - 1) / 3) {
         const std::uint32_t side = 1U << levels_;
         set_cells((world_.max - world_.min) / static_cast<double>(side), side, side);
-        for (Handle i = 0; i < first_moving_; ++i) insert(i);
     }
 
     [[nodiscard]] BroadPhaseFacts facts() const override {
@@ -45,15 +41,8 @@ class Quadtree final : public CellBroadPhase {
     }
 
   private:
-    void search() override {
-        remove_moving();
-        for (Handle b = first_moving_; b < proxies_.size(); ++b) insert(b);
-        tests_ += moving();
-    }
-
-    void insert(Handle b) {
-        ranges_.push_back(cells_under(proxies_[b].box));
-        each_leaf(ranges_[b], [&](Node leaf, std::uint32_t column, std::uint32_t row) {
+    void insert(Handle b, const CellRange& range) override {
+        each_leaf(range, [&](Node leaf, std::uint32_t column, std::uint32_t row) {
             log_visit(b, leaf);
             list(b, leaf - first_leaf_, column, row, leaf);
         });

@@ -11,8 +11,7 @@ constexpr std::size_t few_pairs = 64;
 /// Ratio of the largest radius to the smallest from which one width of cells does not fit all balls.
 constexpr double mixed_sizes = 16;
 
-}  // namespace
-
+/// Name of the broad phase that "auto" chooses.
 std::string_view choose_broad_phase(const Scene& scene, std::size_t still_primitives) {
     const std::size_t balls = scene.balls.size();
     if (!scene.launcher && balls * (balls + still_primitives) <= few_pairs) return "brute";
@@ -20,6 +19,8 @@ std::string_view choose_broad_phase(const Scene& scene, std::size_t still_primit
     if (least != scene.balls.end() && most->radius > mixed_sizes * least->radius) return "adaptive";
     return "grid";
 }
+
+}  // namespace
 
 std::unique_ptr<BroadPhase> make_broad_phase(const Scene& scene, const std::vector<Proxy>& still,
                                              const Settings& settings) {

@@ -24,12 +24,9 @@ inline constexpr BroadPhaseKind broad_phases[] = {
     {"sweep", "sweep and prune", make_sweep},
 };
 
-/// The broad phase of the settings; "auto" chooses one by the scene.
+/// The broad phase of the settings; "auto" chooses one by the scene and the number of still proxies.
 [[nodiscard]] std::unique_ptr<BroadPhase> make_broad_phase(const Scene& scene,
                                                            const std::vector<Proxy>& still,
                                                            const Settings& settings);
-
-/// Name of the broad phase that "auto" chooses.
-[[nodiscard]] std::string_view choose_broad_phase(const Scene& scene, std::size_t still_primitives);
 
 }  // namespace flipside::custom

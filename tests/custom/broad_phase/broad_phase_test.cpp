@@ -262,10 +262,15 @@ TEST(BroadPhase, RegistryNamesWhatItMakes) {
 }
 
 TEST(BroadPhase, AutomaticChoiceFollowsTheScene) {
-    EXPECT_EQ(choose_broad_phase(scene_of({}), 100), "brute");
-    EXPECT_EQ(choose_broad_phase(scene_of({1, 1}), 10), "brute");
-    EXPECT_EQ(choose_broad_phase(scene_of({1, 1}), 100), "grid");
-    EXPECT_EQ(choose_broad_phase(scene_of({1, 100}), 100), "adaptive");
+    const auto chosen = [](std::initializer_list<double> radii, std::size_t still) {
+        Settings settings(engine().settings);
+        settings.set("broad_phase", "auto");
+        return make_broad_phase(scene_of(radii), std::vector<Proxy>(still), settings)->facts().name;
+    };
+    EXPECT_EQ(chosen({}, 100), "brute force");
+    EXPECT_EQ(chosen({1, 1}, 10), "brute force");
+    EXPECT_EQ(chosen({1, 1}, 100), "grid");
+    EXPECT_EQ(chosen({1, 100}, 100), "adaptive quadtree");
     const auto table = test::make_world(scene_of({1, 1}), {{"solver", "simple"}, {"broad_phase", "auto"}});
     table->step(0.01);
     EXPECT_EQ(table->statistics().broad_phase.name, "brute force");
