@@ -16,11 +16,19 @@ struct End {
     Vec2 at, outward;  ///< unit tangent, out of the curve
 };
 
+std::array<End, 2> ends_of(const primitive::Segment& s) {
+    const Vec2 along = unit(s.b - s.a);
+    return {{{s.a, -along}, {s.b, along}}};
+}
+std::array<End, 2> ends_of(const primitive::Arc& a) {
+    const Vec2 from = from_angle(a.from), to = from_angle(a.to);
+    return {{{a.center + a.radius * from, -perp(from)}, {a.center + a.radius * to, perp(to)}}};
+}
+
 /// Visits the elements within joint_distance of `at`; `sorted` is sorted by x.
-template <class T, class Visit>
-void each_at(const std::vector<T>& sorted, Vec2 at, Visit&& visit) {
-    auto it = std::lower_bound(sorted.begin(), sorted.end(), at.x - joint_distance,
-                               [](const T& p, double x) { return p.at.x < x; });
+void each_at(const auto& sorted, Vec2 at, auto&& visit) {
+    const auto x_of = [](const auto& p) { return p.at.x; };
+    auto it = std::ranges::lower_bound(sorted, at.x - joint_distance, {}, x_of);
     for (; it != sorted.end() && it->at.x <= at.x + joint_distance; ++it)
         if (length(it->at - at) <= joint_distance) visit(*it);
 }
@@ -34,19 +42,15 @@ class FeatureBuilder {
             if (scene.parts[primitive.part].sensor || gate_of(scene.parts[primitive.part]) != nullptr)
                 continue;
             if (const auto* point = std::get_if<primitive::Point>(&primitive.is)) points_.push_back(*point);
-            if (const auto* s = std::get_if<primitive::Segment>(&primitive.is)) {
-                const Vec2 along = unit(s->b - s->a);
-                ends_.insert(ends_.end(), {{s->a, -along}, {s->b, along}});
-            }
-            if (const auto* a = std::get_if<primitive::Arc>(&primitive.is)) {
-                const Vec2 from = from_angle(a->from), to = from_angle(a->to);
-                ends_.push_back({a->center + a->radius * from, -perp(from)});
-                ends_.push_back({a->center + a->radius * to, perp(to)});
-            }
+            const auto add_ends = [&](const auto* curve) {
+                if (curve != nullptr) std::ranges::copy(ends_of(*curve), std::back_inserter(ends_));
+            };
+            add_ends(std::get_if<primitive::Segment>(&primitive.is));
+            add_ends(std::get_if<primitive::Arc>(&primitive.is));
         }
-        const auto by_x = [](const auto& a, const auto& b) { return a.at.x < b.at.x; };
-        std::stable_sort(points_.begin(), points_.end(), by_x);
-        std::stable_sort(ends_.begin(), ends_.end(), by_x);
+        const auto x_of = [](const auto& p) { return p.at.x; };
+        std::ranges::stable_sort(points_, {}, x_of);
+        std::ranges::stable_sort(ends_, {}, x_of);
     }
 
     std::vector<Feature> build(std::span<const Primitive> primitives) {
@@ -61,18 +65,25 @@ class FeatureBuilder {
     void operator()(const primitive::Point& p) { add(Circle{p.at, 0}); }
     void operator()(const primitive::Circle& c) { add(Circle{c.center, c.radius}); }
     void operator()(const primitive::Segment& s) {
+        const auto [a, b] = ends_of(s);
+        const bool gate = gate_of(scene_.parts[part_]) != nullptr;
         Line line = face(s.a, s.b);
-        if (gate_of(scene_.parts[part_]) == nullptr) {
-            line.before = extension({s.a, -line.along});
-            line.past = extension({s.b, line.along});
-        }
+        if (!gate) line.before = extension(a), line.past = extension(b);
         add(line);
     }
     void operator()(const primitive::Arc& a) {
-        Arc arc = arc_of(a);
-        arc.before = extension({a.center + a.radius * arc.from, -perp(arc.from)});
-        arc.past = extension({a.center + a.radius * arc.to, perp(arc.to)});
-        add(arc);
+        const double angle = a.to - a.from, half = std::min(angle / 2, std::numbers::pi);
+        const auto [first, last] = ends_of(a);
+        add(Arc{.center = a.center,
+                .radius = a.radius,
+                .from = from_angle(a.from),
+                .to = from_angle(a.to),
+                .middle = from_angle(a.from + half),
+                .half_cosine = math::cos(half),
+                .before = extension(first),
+                .past = extension(last),
+                .wide = angle > std::numbers::pi,
+                .full = angle >= 2 * std::numbers::pi});
     }
     void operator()(const primitive::Polygon& p) {
         for (std::size_t i = 0; i < p.points.size(); ++i) {
@@ -195,20 +206,6 @@ Box turned_about(Vec2 pivot, const Box& box) {
 }
 
 }  // namespace
-
-Arc arc_of(const primitive::Arc& arc) {
-    const double half = std::min((arc.to - arc.from) / 2, std::numbers::pi);
-    return {.center = arc.center,
-            .radius = arc.radius,
-            .from = from_angle(arc.from),
-            .to = from_angle(arc.to),
-            .middle = from_angle(arc.from + half),
-            .half_cosine = math::cos(half),
-            .before = {},
-            .past = {},
-            .wide = arc.to - arc.from > std::numbers::pi,
-            .full = arc.to - arc.from >= 2 * std::numbers::pi};
-}
 
 std::vector<Feature> features_of(std::span<const Primitive> primitives, const Scene& scene) {
     return FeatureBuilder(primitives, scene).build(primitives);

@@ -41,15 +41,16 @@ struct EndExtension {
 
 /// Two-sided straight face.
 struct Line {
-    Vec2 start, along;  ///< unit
-    double length = 0;
+    Vec2 start;         ///< m
+    Vec2 along;         ///< unit
+    double length = 0;  ///< m
     EndExtension before, past;
 };
 
 /// Two-sided arc, anticlockwise between two unit directions.
 struct Arc {
-    Vec2 center;
-    double radius = 0;
+    Vec2 center;        ///< m
+    double radius = 0;  ///< m
     Vec2 from, to;
     Vec2 middle;             ///< unit, half way between them
     double half_cosine = 0;  ///< of the angle from there to either
@@ -60,8 +61,8 @@ struct Arc {
 
 /// The outside of a circle; radius 0 is a point.
 struct Circle {
-    Vec2 center;
-    double radius = 0;
+    Vec2 center;        ///< m
+    double radius = 0;  ///< m
 };
 
 using FeatureIndex = std::uint32_t;
@@ -85,9 +86,9 @@ struct Feature {
 /// How a part turns during a window: at `rate` until `stop`, then not at all. Times are those of the window.
 struct Turning {
     Pose begin;
-    double rate = 0;
-    double stop = 0;
-    double end_angle = 0;  ///< from `stop` on
+    double rate = 0;       ///< rad/s
+    double stop = 0;       ///< s
+    double end_angle = 0;  ///< rad, from `stop` on
 
     [[nodiscard]] bool still() const { return rate == 0; }
     /// Whether the pose is that of the scene file throughout.
@@ -96,10 +97,11 @@ struct Turning {
         return {begin.pivot, time < stop ? begin.angle + rate * time : end_angle};
     }
     [[nodiscard]] double rate_at(double time) const { return time < stop ? rate : 0; }
+    /// Velocity of a point that turns with the part, m/s.
+    [[nodiscard]] Vec2 velocity_at(Vec2 point, double time) const {
+        return cross(rate_at(time), point - begin.pivot);
+    }
 };
-
-/// The feature of an arc, without extensions.
-[[nodiscard]] Arc arc_of(const primitive::Arc& arc);
 
 /// Features in the order of the primitives. Cost: linear, but n log n in the number of ends.
 [[nodiscard]] std::vector<Feature> features_of(std::span<const Primitive> primitives, const Scene& scene);

@@ -94,13 +94,12 @@ struct GapTo {
 /// A gap that stays just above rounding allows only tiny steps. After `sure_steps` of them a minimum length
 /// of the step makes the search end. It can then miss an overlap that lasts less than one step; its depth is
 /// less than K·((t1 − t0)/5000)²/8.
-template <class MovingAt, class GapOf>
-double search(MovingAt&& moving, GapOf&& gap_of, double radius, double rounding, double t0, double t1,
+double search(auto&& moving, auto&& gap_of, double radius, double rounding, double t0, double t1,
               std::uint64_t* steps) {
     constexpr int sure_steps = 5000, all_steps = 2 * sure_steps;  // grazes take about 50
     double t = t0, zero = 0, slide_step = 0, open = never_touch;
     for (int step = 0; step <= all_steps; ++step) {
-        if (steps != nullptr) ++*steps;
+        ++*steps;
         const RelativeMotion q = moving(t);
         Gap gap = gap_of(q);
         if (step == 0 && std::abs(gap.value) <= rounding) zero = gap.value;
@@ -223,15 +222,11 @@ void add_turns(const Series<double>& c, double h, Instants& turns) {
     Instants zeros;
     for (int m = taylor_order; m >= 1; --m) {
         const Series<double> slope = derivative(c, m);
-        const auto is_below = [&](double t) {
-            double sum = 0;
-            for (int k = taylor_order; k >= 0; --k) sum = sum * t + slope[k];
-            return sum < 0;
-        };
-        const Instants bounds = std::exchange(zeros, {});
+        const auto is_below = [&](double t) { return slope[0] + slope.change(t) < 0; };
+        Instants bounds = std::exchange(zeros, {});
+        bounds.add(h);
         double a = 0;
-        for (std::size_t i = 0; i <= bounds.count; ++i) {
-            const double b = i < bounds.count ? bounds.at[i] : h;
+        for (const double b : bounds.all()) {
             const bool below = is_below(a);
             if (below != is_below(b))
                 zeros.add(turning_point([&](double t) { return is_below(t) == below; }, a, b));

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "custom/between.hpp"
+#include "custom/continuous/arc.hpp"
 #include "rapidcheck/gtest.h"
 
 namespace flipside::custom::test {
