@@ -7,9 +7,10 @@
 
 namespace flipside::custom {
 
-/// Parameters of the world for a response.
+/// Parameters of the world for a response. Gravity matters only where contacts are found late: it has
+/// accelerated balls that already overlap a part, and balls since the last search for contacts.
 struct Surroundings {
-    Vec2 gravity;           ///< m/s²
+    Vec2 gravity{};         ///< m/s²
     double rest_speed = 0;  ///< m/s
     /// s: for how long gravity has accelerated the balls since the last search for contacts.
     double gravity_time = 0;

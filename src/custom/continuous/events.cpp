@@ -133,12 +133,12 @@ void Events::hit_feature(BallIndex i, double time) {
     const PartIndex index = feature.part;
     const Part& part = sim_.scene.parts[index];
     const Turning& turning = sim_.turnings[index];
-    const Pose pose = turning.pose(time);
     advance(ball, sim_.particles[i].motion, time);
-    const auto [distance, normal, facing] = closest_point(feature, ball.position, ball.radius, pose);
+    const auto [distance, normal, facing] =
+        closest_point(feature, ball.position, ball.radius, turning.pose(time));
     if (feature.gate && meet_gate(i, index, time)) return restart(i, time);
     const Vec2 point = ball.position - distance * normal;
-    const Vec2 surface = cross(turning.rate_at(time), point - pose.pivot);
+    const Vec2 surface = turning.velocity_at(point, time);
     if (const Vec2 v = sim_.true_velocity(i, time); - dot(v - surface, normal) > sim_.scene.rest_speed)
         ball.velocity = v;
     const Vec2 relative = ball.velocity - surface;
@@ -148,9 +148,8 @@ void Events::hit_feature(BallIndex i, double time) {
         if (closing > 0) ball.velocity += closing * normal;
         return restart(i, time);
     }
-    const Touch touch{point, normal, 0, false};
-    const Impact impact = respond(ball, touch, surface, sim_.layout.mixed(ball, part),
-                                  {sim_.scene.gravity, sim_.scene.rest_speed});
+    const Impact impact = respond(ball, {point, normal}, surface, sim_.layout.mixed(ball, part),
+                                  {.rest_speed = sim_.scene.rest_speed});
     if (impact.happened) {
         ++sim_.record->statistics.impacts;
         if (is_significant(impact, ball)) sim_.particles[i].idle_events = 0;
@@ -225,7 +224,7 @@ bool Events::collide(BallIndex low, BallIndex high, double rest_speed, double ti
     Ball& sleeper = a.asleep ? a : b;
     const double mass = sleeper.mass;
     if (sleeper.asleep) sleeper.mass = INFINITY;
-    const Impact impact = respond(a, b, sim_.layout.mixed(a, b), {sim_.scene.gravity, rest_speed});
+    const Impact impact = respond(a, b, sim_.layout.mixed(a, b), {.rest_speed = rest_speed});
     sleeper.mass = mass;
     if (!impact.happened) return false;
     ++sim_.record->statistics.impacts;

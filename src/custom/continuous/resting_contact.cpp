@@ -267,8 +267,7 @@ RestingContact resting_contact_at(const Feature& feature, const Turning& turning
                                   Vec2 normal, double time, const ExternalForces& external) {
     RestingContact contact{&feature, &turning, normal, {}};
     const Guide guide = guide_of(contact, ball, time);
-    const Vec2 point = ball.position - ball.radius * normal;
-    contact.surface_velocity = cross(guide.rate, point - turning.begin.pivot);
+    contact.surface_velocity = turning.velocity_at(ball.position - ball.radius * normal, time);
     const Vec2 driving = external.gravity - external.drag * ball.velocity;
     const double normal_part = dot(driving, normal);
     contact.tangential = dot(driving, perp(normal));

@@ -94,7 +94,8 @@ double ContactSolver::solve_contact(Contact& contact, double relaxation) {
         contact.impulse.tangent =
             std::max(std::min(before.tangent - relaxation * contact.tangent_mass * slip, most), -most);
     }
-    const ContactImpulse change = contact.impulse - before;
+    const ContactImpulse change{contact.impulse.normal - before.normal,
+                                contact.impulse.tangent - before.tangent};
     apply(contact.normal, change, upper, lower);
     return std::max(std::abs(change.normal), std::abs(change.tangent)) *
            (upper.inverse_mass + lower.inverse_mass);

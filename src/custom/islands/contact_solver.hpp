@@ -25,10 +25,6 @@ namespace flipside::custom {
 /// Impulses between two bodies, N·s on the upper: along the normal, and along perp(normal).
 struct ContactImpulse {
     double normal = 0, tangent = 0;
-
-    friend ContactImpulse operator-(const ContactImpulse& x, const ContactImpulse& y) {
-        return {x.normal - y.normal, x.tangent - y.tangent};
-    }
 };
 
 class ContactSolver {
@@ -36,10 +32,11 @@ class ContactSolver {
     using Index = std::uint32_t;
 
     struct Body {
-        Vec2 position, velocity;  ///< at the start of the tick
-        Vec2 external;            ///< velocity change by gravity and drag in the tick, m/s
-        double rim_speed = 0;     ///< spin times radius, m/s
-        double radius = 0;
+        Vec2 position;                ///< m, at the start of the tick
+        Vec2 velocity;                ///< m/s, at the start of the tick
+        Vec2 external;                ///< m/s: velocity change by gravity and drag in the tick
+        double rim_speed = 0;         ///< m/s: spin times radius
+        double radius = 0;            ///< m
         double inverse_mass = 0;      ///< 1/kg; 0 for static bodies
         double inverse_rim_mass = 0;  ///< 1/kg: radius²/inertia; 0 for static bodies
     };

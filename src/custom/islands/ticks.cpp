@@ -265,7 +265,7 @@ void Islands::add_part_contacts(BallIndex i, double time, double duration) {
         ++sim_.record->statistics.narrow_tests;
         const Touch found = touch(ball.position, ball.radius, primitive, pose);
         if (found.past_end || found.separation > slack) continue;
-        const Vec2 surface = cross(turning.rate_at(time), found.point - pose.pivot);
+        const Vec2 surface = turning.velocity_at(found.point, time);
         const double closing = -dot(ball.velocity - surface, found.normal);
         ContactSolver::Contact contact;
         contact.bounces = !sim_.particles[i].jammed && found.separation > -resting_distance * ball.radius &&
