@@ -11,8 +11,6 @@ namespace flipside::custom {
 
 namespace {
 
-/// Radii: a ball has left a sensor or gate when it is this far outside.
-constexpr double sense_gap = gate_clearance;
 /// Radii: a ball has entered a sensor when it is this near. Rounding lies below it, so a ball that rolls
 /// along the border of a sensor is inside; and balls that enter at one instant do so.
 constexpr double enter_gap = 1e-12;
@@ -25,6 +23,10 @@ constexpr double most_steps = 100'000;
 /// m: how near a sensor the ball has entered it.
 double entered_at(Vec2 center, double radius) {
     return std::max(enter_gap * radius, gap_rounding(center, radius));
+}
+/// m: how far outside a sensor or gate the ball has left it.
+double left_at(Vec2 center, double radius) {
+    return std::max(gate_clearance * radius, 4 * gap_rounding(center, radius));
 }
 
 }  // namespace
@@ -73,8 +75,7 @@ void Gates::settle() {
         const Pose pose = sim_.turnings[part].pose(0);
         const Box around = bounds_of(sim_.layout.primitive(first_[part]), pose);
         const auto is_near = [&](const Ball& ball) {
-            const double out =
-                std::max(gate_clearance * ball.radius, 4 * gap_rounding(ball.position, ball.radius));
+            const double out = left_at(ball.position, ball.radius);
             return overlap(around, bounds_of(ball.position, ball.radius + out)) &&
                    layers_meet(ball, sim_.scene.parts[part]) &&
                    distance_to(part, ball.position, ball.radius, pose) < out;
@@ -120,22 +121,20 @@ double Gates::sense_time(PartIndex part, const Ball& ball, const Path& path, dou
                          bool inside) const {
     const Turning& turning = sim_.turnings[part];
     const double own = path.max_speed(sim_.end), w = std::abs(turning.rate);
-    const double rounding = gap_rounding(ball.position, ball.radius);
-    const double out = std::max(sense_gap * ball.radius, 4 * rounding);
-    const double near = entered_at(ball.position, ball.radius);
-    const auto left_at = [&](double t) {
+    const double out = left_at(ball.position, ball.radius), near = entered_at(ball.position, ball.radius);
+    const auto distance_left = [&](double t) {
         const double distance = distance_to(part, path.position(t), ball.radius, turning.pose(t));
         return inside ? out - distance : distance - near;
     };
     const double far =
         w == 0 ? 0 : length(path.position(time) - turning.begin.pivot) + own * (sim_.end - time);
     const double speed = own + w * far;
-    const double error = std::max(rounding / speed, 4 * 0x1p-53 * sim_.end);
+    const double error = std::max(gap_rounding(ball.position, ball.radius) / speed, 4 * 0x1p-53 * sim_.end);
     double before = time, left_before = 0;
     const double least_step = std::max({sense_step * ball.radius / speed, (last - time) / most_steps, error});
     for (double t = time;; t = std::min(sim_.end, t + std::max(left_before / speed, least_step))) {
-        const double left = left_at(t);
-        if (left <= 0) return first_zero(left_at, before, left_before, t, left, error);
+        const double left = distance_left(t);
+        if (left <= 0) return first_zero(distance_left, before, left_before, t, left, error);
         before = t;
         left_before = left;
         if (t >= last) return never_touch;
