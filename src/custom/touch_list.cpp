@@ -1,7 +1,6 @@
 #include "custom/touch_list.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <tuple>
 #include <utility>
 
@@ -20,6 +19,9 @@ constexpr double least_lift = 1e-9;
 auto key(const Contact& contact) {
     return std::tie(contact.ball, contact.other);
 }
+const Sensed& key(const Sensed& sensed) {
+    return sensed;
+}
 
 bool sleeps(std::span<const Ball> balls, BallNumber number) {
     const Ball* ball = find_ball(balls, number);
@@ -27,12 +29,11 @@ bool sleeps(std::span<const Ball> balls, BallNumber number) {
 }
 
 /// Visits the elements of `these` that are not in `those`; both are sorted by key.
-template <class T>
-void each_missing(const std::vector<T>& these, const std::vector<T>& those, auto&& key_of, auto&& visit) {
+void each_missing(const auto& these, const auto& those, auto&& visit) {
     auto other = those.begin();
-    for (const T& item : these) {
-        while (other != those.end() && key_of(*other) < key_of(item)) ++other;
-        if (other == those.end() || key_of(item) < key_of(*other)) visit(item);
+    for (const auto& item : these) {
+        while (other != those.end() && key(*other) < key(item)) ++other;
+        if (other == those.end() || key(item) < key(*other)) visit(item);
     }
 }
 
@@ -112,13 +113,30 @@ void TouchList::test_pairs(std::span<const Ball> balls) {
 }
 
 void TouchList::report_touches(std::vector<Event>& events) const {
-    const auto touch_event = [&](EventKind kind) {
-        return [this, kind, &events](const Contact& c) {
+    const auto report = [&](EventKind kind, const auto& these, const auto& those) {
+        each_missing(these, those, [&](const Contact& c) {
             events.push_back({table_.time(), kind, c.ball, c.other, c.point, c.normal, 0, 0});
-        };
+        });
     };
-    each_missing(now_, before_, key, touch_event(EventKind::begin));
-    each_missing(before_, now_, key, touch_event(EventKind::end));
+    report(EventKind::begin, now_, before_);
+    report(EventKind::end, before_, now_);
+}
+
+void TouchList::report_sensors(std::vector<Sensed>& crossed, std::vector<Event>& events) const {
+    // A sensor crossed within the step has a begin event, and an end event unless the ball is still inside.
+    const auto report = [&](EventKind kind, const auto& these, const auto& those) {
+        each_missing(these, those, [&](const Sensed& s) {
+            events.push_back({table_.time(), kind, s.ball, Other::part(s.part), {}, {}, 0, 0});
+        });
+    };
+    const auto add = [&](const std::vector<Sensed>& list) {
+        crossed.insert(crossed.end(), list.begin(), list.end());
+        sort_unique(crossed);
+    };
+    add(sensed_);
+    report(EventKind::sensor_begin, crossed, sensed_before_);
+    add(sensed_before_);
+    report(EventKind::sensor_end, crossed, sensed_);
 }
 
 void TouchList::leave_sensors(BallNumber ball) {
@@ -130,19 +148,16 @@ bool TouchList::wake_unsupported(std::span<Ball> balls) {
     woken_.assign(balls.size(), 0);
     bool any = false;
     const auto wake = [&](BallNumber number) {
-        const Ball* found = find_ball(balls, number);
-        if (found == nullptr || !found->asleep) return;
-        const auto i = static_cast<std::size_t>(found - balls.data());
+        if (!sleeps(balls, number)) return;
+        const auto i = find_ball(balls, number) - balls.data();
         balls[i].asleep = false;
-        woken_[i] = 1;
-        any = true;
+        woken_[i] = any = true;
     };
     const auto is_woken = [&](BallNumber number) {
-        const Ball* found = find_ball(balls, number);
-        return found != nullptr && woken_[static_cast<std::size_t>(found - balls.data())] != 0;
+        return woken_[find_ball(balls, number) - balls.data()] != 0;
     };
     const double most = most_from_above * length(gravity);
-    each_missing(before_, now_, key, [&](const Contact& ended) {
+    each_missing(before_, now_, [&](const Contact& ended) {
         const double along = dot(ended.normal, gravity);
         if (along < most) wake(ended.ball);
         if (-along < most && ended.other.is_ball) wake(ended.other.index);
@@ -180,21 +195,6 @@ void TouchList::wake_unheld(std::span<Ball> balls) const {
         }
     for (std::size_t i = 0; i < balls.size(); ++i)
         if (!held[i]) balls[i].asleep = false;
-}
-
-void TouchList::report_sensors(std::vector<Sensed>& crossed, std::vector<Event>& events) const {
-    // A sensor crossed within the step has a begin event, and an end event unless the ball is still inside.
-    const auto sensor_event = [&](EventKind kind) {
-        return [this, kind, &events](const Sensed& s) {
-            events.push_back({table_.time(), kind, s.ball, Other::part(s.part), {}, {}, 0, 0});
-        };
-    };
-    crossed.insert(crossed.end(), sensed_.begin(), sensed_.end());
-    sort_unique(crossed);
-    each_missing(crossed, sensed_before_, std::identity{}, sensor_event(EventKind::sensor_begin));
-    crossed.insert(crossed.end(), sensed_before_.begin(), sensed_before_.end());
-    sort_unique(crossed);
-    each_missing(crossed, sensed_, std::identity{}, sensor_event(EventKind::sensor_end));
 }
 
 }  // namespace flipside::custom

@@ -16,7 +16,7 @@ CustomWorld::CustomWorld(std::shared_ptr<const Scene> scene, const Settings& set
     else
         continuous_ = std::make_unique<ContinuousSolver>(table_, layout_, *broad_, settings_);
     if (continuous_) continuous_->load(balls_);
-    reserve_for();
+    reserve();
     search_contacts();
     fill_statistics(0);
 }
@@ -27,14 +27,14 @@ void CustomWorld::make_step(double dt) {
     record_.crossed.clear();
     record_.statistics = {};
     launch();
-    const bool was_quiet = continuous_ && continuous_->quiet();
-    if (simple_)
-        simple_->step(dt);
-    else
+    if (continuous_) {
+        const bool was_quiet = continuous_->quiet();
         continuous_->step(dt, balls_, record_);
-    if (!was_quiet || steps_since_contacts_ > 0) ++steps_since_contacts_;
-    if (simple_) {
+        if (!was_quiet || steps_since_contacts_ > 0) ++steps_since_contacts_;
+    } else {
+        simple_->step(dt);
         Stopwatch watch;
+        ++steps_since_contacts_;
         find_contacts();
         watch.lap(record_.statistics.stages[3]);
     }

@@ -41,7 +41,7 @@ class CustomWorld final : public World {
     void search_contacts();
     void fill_statistics(std::uint64_t pair_tests);
     // world_changes.cpp
-    void reserve_for();
+    void reserve();
     BallNumber append(const Ball& ball);
     void launch();
     void wake_all();

@@ -10,23 +10,23 @@
 namespace flipside::custom {
 
 /// Lists grow here, when balls are added, and hardly ever in a step.
-void CustomWorld::reserve_for() {
-    custom::reserve_for(balls_, balls_.size() + 1);
+void CustomWorld::reserve() {
+    reserve_for(balls_, balls_.size() + 1);
     if (simple_) simple_->reserve(balls_.size());
     if (continuous_) continuous_->reserve(balls_.size());
     guard_.reserve(balls_.capacity(), std::max(least_capacity, balls_.capacity() * contacts_per_ball));
     contacts_.reserve(balls_.size());
-    custom::reserve_for(table_.memory().forces, balls_.size(), contacts_per_ball);
-    custom::reserve_for(table_.memory().inside, balls_.size(), touches_per_ball);
-    custom::reserve_for(table_.reported_lost(), balls_.size());
-    custom::reserve_for(table_.blocked(), balls_.size());
-    custom::reserve_for(record_.events, balls_.size(), events_per_ball);
-    custom::reserve_for(record_.crossed, balls_.size(), touches_per_ball);
+    reserve_for(table_.memory().forces, balls_.size(), contacts_per_ball);
+    reserve_for(table_.memory().inside, balls_.size(), touches_per_ball);
+    reserve_for(table_.reported_lost(), balls_.size());
+    reserve_for(table_.blocked(), balls_.size());
+    reserve_for(record_.events, balls_.size(), events_per_ball);
+    reserve_for(record_.crossed, balls_.size(), touches_per_ball);
 }
 
 BallNumber CustomWorld::append(const Ball& ball) {
     balls_.push_back(table_.numbered(ball));
-    reserve_for();
+    reserve();
     return balls_.back().number;
 }
 
@@ -127,7 +127,7 @@ void CustomWorld::load(const State& state) {
     balls_ = state.balls;
     interrupt();
     if (continuous_) continuous_->load(balls_);
-    reserve_for();
+    reserve();
 }
 
 /// Runs the window in which the state was saved from its start. Returns false if this does not lead to the
