@@ -19,16 +19,6 @@ std::string filled(double distance, double core, double radius) {
            brief(radius) + " m";
 }
 
-void add(TraceItem& item, const char* shape, std::string_view feature, const char* formula,
-         const std::string& numbers) {
-    item.with("shape", shape).with("feature", feature).with("formula", formula).with("filled", numbers);
-}
-
-/// Adds the position of the closest point on a curve, from 0 to 1, before and after clamping.
-void add_position(TraceItem& item, double along) {
-    item.with("along", along).with("clamped", std::clamp(along, 0.0, 1.0));
-}
-
 /// The disc is in the frame of the pose; the values that are added are in the frame of the world.
 struct Explainer {
     TraceItem& item;
@@ -37,6 +27,17 @@ struct Explainer {
     const Pose& pose;
     Touch found;
 
+    /// `core`: the radius of a round feature.
+    void add(const char* shape, std::string_view feature, const char* formula, double core = 0) const {
+        item.with("shape", shape)
+            .with("feature", feature)
+            .with("formula", formula)
+            .with("filled", filled(found.separation + radius + core, core, radius));
+    }
+    /// Adds the position of the closest point on a curve, from 0 to 1, before and after clamping.
+    void add_position(double along) const {
+        item.with("along", along).with("clamped", std::clamp(along, 0.0, 1.0));
+    }
     void add_ends(Vec2 a, Vec2 b) const { item.with("a", pose.apply(a)).with("b", pose.apply(b)); }
     /// Adds a straight edge and the foot of the perpendicular. Returns the position of the foot, 0 at a, 1 at
     /// b.
@@ -44,24 +45,18 @@ struct Explainer {
         const double at = dot(center - a, b - a) / length_squared(b - a);
         add_ends(a, b);
         item.with("foot", pose.apply(a + at * (b - a)));
-        add_position(item, at);
+        add_position(at);
         return at;
     }
 
-    /// Distance of the centre from the closest point, m; negative inside a solid.
-    [[nodiscard]] double height() const { return found.separation + radius; }
-
-    void operator()(const primitive::Point&) const {
-        add(item, "point", "the point", to_a_point, filled(height(), 0, radius));
-    }
+    void operator()(const primitive::Point&) const { add("point", "the point", to_a_point); }
     void operator()(const primitive::Circle& circle) const {
-        add(item, "circle", "the rim", to_a_circle,
-            filled(length(center - circle.center), circle.radius, radius));
+        add("circle", "the rim", to_a_circle, circle.radius);
     }
     void operator()(const primitive::Segment& segment) const {
         const double at = add_edge(segment.a, segment.b);
         const char* feature = at < 0 ? "past the end a" : at > 1 ? "past the end b" : "the face";
-        add(item, "segment", feature, found.past_end ? to_a_point : to_a_face, filled(height(), 0, radius));
+        add("segment", feature, found.past_end ? to_a_point : to_a_face);
     }
     void operator()(const primitive::Arc& arc) const {
         const auto end = [&](double angle) { return arc.center + arc.radius * from_angle(angle); };
@@ -70,12 +65,11 @@ struct Explainer {
             .with("core", arc.radius)
             .with("from", arc.from + pose.angle)
             .with("to", arc.to + pose.angle);
-        add_position(item, along(arc));
+        add_position(along(arc));
         const char* feature = found.past_end                             ? "past an end"
                               : length(center - arc.center) < arc.radius ? "the hollow side"
                                                                          : "the outer side";
-        add(item, "arc", feature, found.past_end ? to_a_point : "separation = ||c - m| - R| - r",
-            filled(height(), 0, radius));
+        add("arc", feature, found.past_end ? to_a_point : "separation = ||c - m| - R| - r");
     }
     /// Position from one end of the arc, 0, to the other, 1; outside by the angle past the closer end.
     [[nodiscard]] double along(const primitive::Arc& arc) const {
@@ -106,8 +100,8 @@ struct Explainer {
         const double at = add_edge(points[edge], points[(edge + 1) % points.size()]);
         const bool corner = heights[edge] > 0 && (at < 0 || at > 1);
         item.with("heights", TraceValue(std::move(heights))).with("outline", TraceValue(std::move(outline)));
-        add(item, "polygon", (corner ? "a corner of edge " : "edge ") + std::to_string(edge),
-            corner ? to_a_point : to_a_face, filled(height(), 0, radius));
+        add("polygon", (corner ? "a corner of edge " : "edge ") + std::to_string(edge),
+            corner ? to_a_point : to_a_face);
     }
     void operator()(const primitive::Taper& taper) const {
         const double span = length(taper.b - taper.a);
@@ -118,14 +112,15 @@ struct Explainer {
         add_ends(taper.a, taper.b);
         item.with("core", taper.radius_a).with("other_core", taper.radius_b);
         const double straight = std::sqrt((1 - slant) * (1 + slant));
-        add_position(item,
-                     (dot(from_a, forward) - slant * std::abs(dot(from_a, perp(forward))) / straight) / span);
-        const double core = !round ? 0 : at_a ? taper.radius_a : taper.radius_b;
-        add(item, taper.radius_a == taper.radius_b ? "capsule" : "flipper",
+        add_position((dot(from_a, forward) - slant * std::abs(dot(from_a, perp(forward))) / straight) / span);
+        add(taper.radius_a == taper.radius_b ? "capsule" : "flipper",
             !round ? "a straight side"
             : at_a ? "the round end a"
                    : "the round end b",
-            round ? to_a_circle : to_a_face, filled(height() + core, core, radius));
+            round ? to_a_circle : to_a_face,
+            !round ? 0
+            : at_a ? taper.radius_a
+                   : taper.radius_b);
     }
 };
 
@@ -182,7 +177,8 @@ void explain_axes(TraceStage& stage, TraceItem about, Vec2 center, double radius
 }
 
 void explain_touch(TraceItem& item, Vec2 center_a, double radius_a, Vec2 center_b, double radius_b) {
-    add(item, "ball", "the rim", to_a_circle, filled(length(center_a - center_b), radius_b, radius_a));
+    const Touch found = touch(center_a, radius_a, center_b, radius_b);
+    Explainer{item, center_a, radius_a, {}, found}.add("ball", "the rim", to_a_circle, radius_b);
 }
 
 }  // namespace flipside::custom
