@@ -72,8 +72,7 @@ void CustomWorld::inspect(Inspector& inspector) const {
         find_contacts();
         const auto place = [&](Handle handle) {
             if (handle >= layout_.size()) return balls_[handle - layout_.size()].position;
-            const Box box = bounds(layout_.primitive(handle));
-            return 0.5 * (box.min + box.max);
+            return middle_of(bounds(layout_.primitive(handle)));
         };
         for (const Pair pair : contacts_.pairs()) inspector.pair(place(pair.a), place(pair.b));
     }

@@ -21,38 +21,27 @@ namespace flipside::custom {
 
 namespace {
 
-Vec2 middle_of(const Box& box) {
-    return 0.5 * (box.min + box.max);
-}
-
 class Tree {
   public:
-    struct Node {
-        Box box;
-        /// Indices into items_: its own from begin to own_end, then those of the children.
-        std::uint32_t begin = 0, own_end = 0, end = 0;
-        std::uint32_t parent = no_cell;
-        int level = 0;
-        std::uint32_t children = 0;  ///< index of the first of four; 0 without children
+    struct Node : Cell {
+        std::uint32_t begin = 0;     ///< index into items_ of its own items; those of its children follow
+        std::uint32_t children = 0;  ///< index of the first of four, if it is no leaf
     };
 
-    /// Keeps a reference to the proxies and counts its tests in `tests`.
-    Tree(const std::vector<Proxy>& proxies, std::uint64_t& tests, const BroadPhaseOptions& options)
-        : proxies_(proxies),
-          tests_(tests),
-          world_(options.world),
-          capacity_(static_cast<std::uint32_t>(options.adaptive_capacity)),
-          depth_(options.adaptive_depth) {}
+    /// Keeps a reference to the proxies and counts its tests in `tests`. `still`: what the proxies are.
+    Tree(const std::vector<Proxy>& proxies, std::uint64_t& tests, const BroadPhaseOptions& options,
+         bool still)
+        : proxies_(proxies), tests_(tests), options_(options), still_(still) {}
 
     /// Builds the tree of the proxies from handle `first` on.
     void build(Handle first) {
-        const auto count = static_cast<std::uint32_t>(proxies_.size()) - first;
+        const auto count = static_cast<int>(proxies_.size() - first);
         // At each depth at most count / (capacity + 1) nodes are split.
-        nodes_.reserve(1 + 4 * static_cast<std::size_t>(depth_) * (count / (capacity_ + 1)));
+        nodes_.reserve(1 + 4 * options_.adaptive_depth * (count / (options_.adaptive_capacity + 1)));
         items_.resize(count);
         sorted_.resize(count);
         std::iota(items_.begin(), items_.end(), first);
-        nodes_.assign(1, {world_, 0, count, count});
+        nodes_.assign(1, {{options_.world, count, count, 0, no_cell, 0, true, still_}});
         split(0);
     }
 
@@ -60,14 +49,14 @@ class Tree {
     void reach(const Box& box, std::uint32_t node, auto&& visit) const {
         visit(node, items(node));
         const Node& n = nodes_[node];
-        if (n.children == 0) return;
+        if (n.leaf) return;
         ++tests_;
         const Vec2 middle = middle_of(n.box);
         const bool columns[] = {box.min.x < middle.x, box.max.x >= middle.x};
         const bool rows[] = {box.min.y < middle.y, box.max.y >= middle.y};
         for (std::uint32_t i = 0; i < 4; ++i) {
-            const Node& child = nodes_[n.children + i];
-            if (columns[i % 2] && rows[i / 2] && child.begin < child.end) reach(box, n.children + i, visit);
+            const bool empty = nodes_[n.children + i].within == 0;
+            if (columns[i % 2] && rows[i / 2] && !empty) reach(box, n.children + i, visit);
         }
     }
 
@@ -75,7 +64,7 @@ class Tree {
     [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
     /// The proxies in a node, without those below it.
     [[nodiscard]] std::span<const Handle> items(std::uint32_t node) const {
-        return std::span(items_).subspan(nodes_[node].begin, nodes_[node].own_end - nodes_[node].begin);
+        return std::span(items_).subspan(nodes_[node].begin, nodes_[node].listed);
     }
 
   private:
@@ -88,23 +77,28 @@ class Tree {
 
     void split(std::uint32_t node) {
         const Node n = nodes_[node];
-        if (n.end - n.begin <= capacity_ || n.level == depth_) return;
-        tests_ += n.end - n.begin;
+        const std::uint32_t end = n.begin + n.within;
+        if (n.within <= options_.adaptive_capacity || n.level == options_.adaptive_depth) return;
+        tests_ += n.within;
         const Vec2 middle = middle_of(n.box);
         std::uint32_t begins[6] = {n.begin};  // of the groups, and the end of the last
-        for (std::uint32_t i = n.begin; i < n.end; ++i) {
+        for (std::uint32_t i = n.begin; i < end; ++i) {
             sorted_[i] = {items_[i], group_of(proxies_[items_[i]].box, middle)};
             ++begins[sorted_[i].group + 1];
         }
         std::partial_sum(std::begin(begins), std::end(begins), std::begin(begins));
-        if (begins[1] == n.end) return;
+        if (begins[1] == end) return;
         const auto first = static_cast<std::uint32_t>(nodes_.size());
-        nodes_[node].own_end = begins[1];
+        nodes_[node].listed = static_cast<int>(begins[1] - n.begin);
+        nodes_[node].leaf = false;
         nodes_[node].children = first;
-        for (std::uint32_t i = 0; i < 4; ++i)
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            const auto count = static_cast<int>(begins[i + 2] - begins[i + 1]);
             nodes_.push_back(
-                {quarter_of(n.box, i), begins[i + 1], begins[i + 2], begins[i + 2], node, n.level + 1});
-        for (std::uint32_t i = n.begin; i < n.end; ++i) items_[begins[sorted_[i].group]++] = sorted_[i].item;
+                {{quarter_of(n.box, i), count, count, first + i, node, n.level + 1, true, still_},
+                 begins[i + 1]});
+        }
+        for (std::uint32_t i = n.begin; i < end; ++i) items_[begins[sorted_[i].group]++] = sorted_[i].item;
         for (std::uint32_t child = first; child < first + 4; ++child) split(child);
     }
 
@@ -114,9 +108,8 @@ class Tree {
     };
     const std::vector<Proxy>& proxies_;
     std::uint64_t& tests_;
-    Box world_;
-    std::uint32_t capacity_;
-    int depth_;
+    BroadPhaseOptions options_;
+    bool still_;
     std::vector<Node> nodes_;
     std::vector<Handle> items_;
     std::vector<Sorted> sorted_;  ///< buffer of split()
@@ -126,8 +119,8 @@ class AdaptiveQuadtree final : public BroadPhase {
   public:
     AdaptiveQuadtree(std::vector<Proxy> still, const BroadPhaseOptions& options)
         : BroadPhase(std::move(still)),
-          still_tree_(proxies_, tests_, options),
-          moving_tree_(proxies_, tests_, options) {
+          still_tree_(proxies_, tests_, options, true),
+          moving_tree_(proxies_, tests_, options, false) {
         still_tree_.build(0);
         moving_tree_.build(first_moving_);
         tests_ = 0;
@@ -138,21 +131,15 @@ class AdaptiveQuadtree final : public BroadPhase {
                               .nodes = static_cast<int>(moving_tree_.nodes().size())};
         for (const Tree::Node& node : moving_tree_.nodes()) {
             facts.levels = std::max(facts.levels, node.level);
-            facts.leaves += node.children == 0;
-            facts.most_in_leaf = std::max(facts.most_in_leaf, static_cast<int>(node.own_end - node.begin));
+            facts.leaves += node.leaf;
+            facts.most_in_leaf = std::max(facts.most_in_leaf, node.listed);
         }
         return facts;
     }
 
     [[nodiscard]] std::vector<Cell> cells() const override {
-        std::vector<Cell> cells;
-        for (const Tree* tree : {&still_tree_, &moving_tree_})
-            for (std::uint32_t i = 0; i < tree->nodes().size(); ++i) {
-                const Tree::Node& node = tree->nodes()[i];
-                cells.push_back({node.box, static_cast<int>(node.own_end - node.begin),
-                                 static_cast<int>(node.end - node.begin), i, node.parent, node.level,
-                                 node.children == 0, tree == &still_tree_});
-            }
+        std::vector<Cell> cells(still_tree_.nodes().begin(), still_tree_.nodes().end());
+        cells.insert(cells.end(), moving_tree_.nodes().begin(), moving_tree_.nodes().end());
         return cells;
     }
 

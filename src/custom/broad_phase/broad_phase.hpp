@@ -49,10 +49,13 @@ struct Cell {
     bool still = false;  ///< of a tree that holds only still proxies
 };
 
+[[nodiscard]] constexpr Vec2 middle_of(const Box& box) {
+    return 0.5 * (box.min + box.max);
+}
 /// The part of the box of a node that belongs to a child: 0 below left, 1 below right, 2 above left, 3 above
 /// right.
 [[nodiscard]] constexpr Box quarter_of(Box box, std::uint32_t child) {
-    const Vec2 middle = 0.5 * (box.min + box.max);
+    const Vec2 middle = middle_of(box);
     (child % 2 == 0 ? box.max.x : box.min.x) = middle.x;
     (child < 2 ? box.max.y : box.min.y) = middle.y;
     return box;
