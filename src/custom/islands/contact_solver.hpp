@@ -48,7 +48,7 @@ class ContactSolver {
         bool bounces = false;  ///< approaches too fast: the impact is an event, not part of the solve
         Vec2 normal;
         double friction = 0;  ///< µ
-        ContactImpulse impulse;
+        ContactImpulse impulse{};
 
         // Set by solve().
         double max_closing = 0;                    ///< m/s, allowed closing speed

@@ -67,7 +67,7 @@ class Islands {
     void add_ball_contact(BallIndex i, BallIndex j, double time, double duration);
     [[nodiscard]] double overlap_with_moving_parts(BallIndex i, double time);
     void add_part_contacts(BallIndex i, double time, double duration);
-    void add_contact(ContactSolver::Contact& contact, const ForceCache& known, double duration);
+    void add_contact(ContactSolver::Contact contact, const ForceCache& known, double duration);
     void remember_forces(double time, double duration);
     void store_forces();
 

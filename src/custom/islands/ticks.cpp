@@ -194,12 +194,11 @@ void Islands::add_ball_contact(BallIndex i, BallIndex j, double time, double dur
     ++sim_.record->statistics.pair_tests;
     const HotState& hot = sim_.hot[j];
     if (hot.in_solve && j > i) return;
-    const bool flies = !b.asleep && !hot.in_island, creeps = hot.creeps;
-    const Vec2 there = flies || creeps ? sim_.particles[j].motion.path.position(time) : b.position;
+    const bool flies = !b.asleep && !hot.in_island;
+    const Vec2 there = flies || hot.creeps ? sim_.particles[j].motion.path.position(time) : b.position;
     const Vec2 between = a.position - there;
-    const double reach = a.radius + b.radius,
-                 slack = sim_.slow * duration + resting_distance * std::min(a.radius, b.radius);
-    const double square = length_squared(between);
+    const double reach = a.radius + b.radius, near = resting_distance * std::min(a.radius, b.radius),
+                 slack = sim_.slow * duration + near, square = length_squared(between);
     if (square >= (reach + slack) * (reach + slack) || !layers_meet(a, b)) return;
     if (flies) {
         beside_.emplace_back(i, j);
@@ -207,28 +206,27 @@ void Islands::add_ball_contact(BallIndex i, BallIndex j, double time, double dur
     }
     const double distance = std::sqrt(square), gap = distance - reach;
     const Vec2 normal = distance > 0 ? between / distance : Vec2{0, 1};  // of balls at one point: any
-    const bool deep = gap < -resting_distance * std::min(a.radius, b.radius);
     const double closing = -dot(a.velocity - (b.asleep ? Vec2{} : b.velocity), normal);
     deepest_ = std::max(deepest_, -gap);
     const bool jammed = sim_.particles[i].jammed || sim_.particles[j].jammed;
     ++sim_.record->statistics.narrow_tests;
     const bool i_above = dot(normal, sim_.scene.gravity) <= 0;
-    ContactSolver::Contact contact;
-    const auto other =
-        sim_.hot[j].in_solve ? rank_[j] : contact_solver_.add({there, {}, {}, 0, b.radius, 0, 0});
-    contact.bounces = !deep && !jammed && closing > sim_.slow;
-    contact.upper = i_above ? rank_[i] : other;
-    contact.lower = i_above ? other : rank_[i];
-    contact.normal = i_above ? normal : -normal;
-    contact.detected_gap = gap;
-    contact.friction = sim_.layout.mixed(a, b).friction;
-    contact.height = -dot(a.position + there, sim_.scene.gravity);
-    contact.a = std::min(i, j), contact.b = std::max(i, j);
-    add_contact(contact, ball_forces_, duration);
+    const BallIndex own = rank_[i],
+                    other = hot.in_solve ? rank_[j] : contact_solver_.add({there, {}, {}, 0, b.radius, 0, 0});
+    add_contact({.upper = i_above ? own : other,
+                 .lower = i_above ? other : own,
+                 .bounces = gap >= -near && !jammed && closing > sim_.slow,
+                 .normal = i_above ? normal : -normal,
+                 .friction = sim_.layout.mixed(a, b).friction,
+                 .detected_gap = gap,
+                 .height = -dot(a.position + there, sim_.scene.gravity),
+                 .a = std::min(i, j),
+                 .b = std::max(i, j)},
+                ball_forces_, duration);
 }
 
 /// Adds a contact with its warm-start impulse: the force of the previous tick times the duration.
-void Islands::add_contact(ContactSolver::Contact& contact, const ForceCache& known, double duration) {
+void Islands::add_contact(ContactSolver::Contact contact, const ForceCache& known, double duration) {
     if (const ContactForce* force = known.find(contact.a, contact.b)) {
         contact.impulse.normal = force->normal * duration;
         contact.impulse.tangent = force->tangent * duration;
@@ -267,19 +265,19 @@ void Islands::add_part_contacts(BallIndex i, double time, double duration) {
         if (found.past_end || found.separation > slack) continue;
         const Vec2 surface = turning.velocity_at(found.point, time);
         const double closing = -dot(ball.velocity - surface, found.normal);
-        ContactSolver::Contact contact;
-        contact.bounces = !sim_.particles[i].jammed && found.separation > -resting_distance * ball.radius &&
-                          closing > sim_.slow;
-        contact.upper = rank_[i];
-        contact.lower = contact_solver_.add({found.point, surface, {}, 0, 0, 0, 0});
-        contact.normal = found.normal;
-        contact.detected_gap = found.separation;
-        contact.friction = sim_.layout.mixed(ball, sim_.scene.parts[primitive.part]).friction;
-        contact.height = -2 * dot(found.point, sim_.scene.gravity);
-        contact.with =
-            turning.rate_at(time) == 0 ? ContactSolver::With::still_part : ContactSolver::With::moving_part;
-        contact.a = near, contact.b = i;
-        add_contact(contact, part_forces_, duration);
+        const bool moves = turning.rate_at(time) != 0;
+        add_contact({.upper = rank_[i],
+                     .lower = contact_solver_.add({found.point, surface, {}, 0, 0, 0, 0}),
+                     .with = moves ? ContactSolver::With::moving_part : ContactSolver::With::still_part,
+                     .bounces = !sim_.particles[i].jammed &&
+                                found.separation > -resting_distance * ball.radius && closing > sim_.slow,
+                     .normal = found.normal,
+                     .friction = sim_.layout.mixed(ball, sim_.scene.parts[primitive.part]).friction,
+                     .detected_gap = found.separation,
+                     .height = -2 * dot(found.point, sim_.scene.gravity),
+                     .a = near,
+                     .b = i},
+                    part_forces_, duration);
     }
 }
 
