@@ -9,6 +9,14 @@ namespace flipside::custom {
 
 namespace {
 
+/// Of each EventType.
+constexpr std::string_view event_names[] = {"nothing in this window",
+                                            "meets a part",
+                                            "meets a ball",
+                                            "its path ends",
+                                            "enters or leaves a sensor or gate",
+                                            "leaves the bounds"};
+
 struct NextEvent {
     std::string_view name;
     double time = 0;           ///< s, in the window
@@ -17,24 +25,12 @@ struct NextEvent {
 
 NextEvent next_of(const Simulation& sim, BallIndex i) {
     const Particle& particle = sim.particles[i];
-    const double time = particle.next_time;
-    if (particle.cell_exit <= time && particle.cell_exit < never_touch)
+    if (particle.cell_exit <= particle.next_time && particle.cell_exit < never_touch)
         return {"leaves its cell", particle.cell_exit, {}};
-    switch (particle.next) {
-        case EventType::feature:
-            return {"meets a part", time, Other::part(sim.features[particle.partner].part)};
-        case EventType::ball:
-            return {"meets a ball", time, Other::ball(sim.balls[particle.partner].number)};
-        case EventType::path_end:
-            return {"its path ends", time, {}};
-        case EventType::sensor:
-            return {"enters or leaves a sensor or gate", time, {}};
-        case EventType::leave_bounds:
-            return {"leaves the bounds", time, {}};
-        case EventType::none:
-            break;
-    }
-    return {"nothing in this window", time, {}};
+    NextEvent next{event_names[static_cast<std::size_t>(particle.next)], particle.next_time, {}};
+    if (particle.next == EventType::feature) next.met = Other::part(sim.features[particle.partner].part);
+    if (particle.next == EventType::ball) next.met = Other::ball(sim.balls[particle.partner].number);
+    return next;
 }
 
 /// Adds the kind and time of a ball's next event.
@@ -81,24 +77,23 @@ void trace_paths(const Simulation& sim, bool all_start) {
     std::size_t meets = 0, rest = 0, asleep = 0, islands = 0;
     for (BallIndex i = 0; i < sim.particles.size(); ++i) {
         const Particle& particle = sim.particles[i];
+        const Path& path = particle.motion.path;
         if (sim.hot[i].lost) continue;
         const Ball& ball = sim.balls[i];
         TraceItem& item = stage.add("path").with("ball", ball.number);
         item.with("way", ball.asleep            ? "asleep"
                          : sim.hot[i].creeps    ? "uniform through a long tick of an island"
                          : sim.hot[i].in_island ? "a parabola of an island, to its next tick"
-                         : particle.resting_on  ? particle.motion.path.is_taylor()
-                                                      ? "in resting contact, curved or turning"
-                                                      : "in resting contact"
+                         : path.is_taylor()     ? "in resting contact, curved or turning"
+                         : particle.resting_on  ? "in resting contact"
                                                 : "free flight");
         if (particle.resting_on != nullptr)
             item.with("part", sim.scene.parts[particle.resting_on->part].name);
-        const Flight& flight = particle.motion.path.flight;
-        item.with("since", sim.start + particle.motion.path.start)
-            .with("position", flight.position)
-            .with("velocity", flight.velocity)
-            .with("acceleration", flight.acceleration)
-            .with("drag", flight.drag)
+        item.with("since", sim.start + path.start)
+            .with("position", path.flight.position)
+            .with("velocity", path.flight.velocity)
+            .with("acceleration", path.flight.acceleration)
+            .with("drag", path.flight.drag)
             .with("spin", ball.spin);
         asleep += ball.asleep;
         if (ball.asleep) continue;
@@ -108,7 +103,7 @@ void trace_paths(const Simulation& sim, bool all_start) {
                  (particle.next == EventType::feature || particle.next == EventType::ball);
         trace_next(sim, item, i);
         trace_gap(sim, item, i);
-        const double now = std::max(0.0, particle.motion.path.start);
+        const double now = std::max(0.0, path.start);
         const double end = std::min(next_of(sim, i).time, sim.end);
         if (end > now)
             item.with("swept", swept(now, end, [&](double t) { return sim.ball_at(i, t).position; }));

@@ -55,7 +55,7 @@ TraceItem& SimpleTrace::name_proxy(TraceItem& item, const std::string& prefix, H
 void SimpleTrace::found_pairs(std::span<const Proxy> moving) {
     begin("broad phase", "find_pairs");
     std::size_t overlapping = 0;
-    const Handle first = layout_.size() - static_cast<Handle>(moving.size() - balls_.size());
+    const auto first = static_cast<Handle>(layout_.still_proxies().size());
     const std::vector<Cell> cells = broad_.cells();
     const bool two_trees = std::ranges::any_of(cells, &Cell::still);
     for (const auto& [pair, overlap, query, cell] : log_.tests) {
