@@ -15,8 +15,7 @@ class Grid final : public CellBroadPhase {
   public:
     Grid(std::vector<Proxy> still, const BroadPhaseOptions& options)
         : CellBroadPhase(std::move(still), options.world), fits_cells_(options.grid_cell == 0) {
-        const Vec2 size = world_.max - world_.min;
-        divide(fits_cells_ ? std::max(size.x, size.y) : widened(options.grid_cell, most_cells));
+        divide(fits_cells_ ? std::max(extent_.x, extent_.y) : widened(options.grid_cell, most_cells));
     }
 
     [[nodiscard]] BroadPhaseFacts facts() const override {
@@ -57,18 +56,17 @@ class Grid final : public CellBroadPhase {
 
     /// A width of cells, m, at least `cell`, of which the world has at most so many.
     [[nodiscard]] double widened(double cell, double most) const {
-        const Vec2 size = world_.max - world_.min;
-        return std::max({cell, std::sqrt(size.x * size.y / most), std::max(size.x, size.y) * 0x1p-16});
+        return std::max(
+            {cell, std::sqrt(extent_.x * extent_.y / most), std::max(extent_.x, extent_.y) * 0x1p-16});
     }
 
     /// Divides the world into cells of this width.
     void divide(double cell) {
-        const Vec2 size = world_.max - world_.min;
         const auto cells_along = [&](double length) {
             return static_cast<std::uint32_t>(std::max(1.0, std::ceil(length / cell)));
         };
         wide_.clear();
-        set_cells({cell, cell}, cells_along(size.x), cells_along(size.y));
+        set_cells({cell, cell}, cells_along(extent_.x), cells_along(extent_.y));
     }
 
     /// Fits the cells to the median size of the boxes, if their number has changed and the size differs. Few
@@ -93,6 +91,7 @@ class Grid final : public CellBroadPhase {
         if (cell > alike * size_.x || size_.x > alike * cell) divide(cell);
     }
 
+    const Vec2 extent_ = world_.max - world_.min;  ///< m
     bool fits_cells_;
     std::size_t fitted_for_ = 0;  ///< number of moving proxies
     std::vector<double> sizes_;   ///< m, buffer of fit_cells()

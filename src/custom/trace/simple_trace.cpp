@@ -209,14 +209,12 @@ void SimpleTrace::responded(const Ball& lower, const Ball& upper, const Impact& 
 }
 
 void SimpleTrace::end_round() {
-    narrow().says = of_round_ + counted(static_cast<std::uint64_t>(turn_), "pair") + ", " +
-                    std::to_string(overlapping_) + " with an overlap.";
+    narrow().says =
+        of_round_ + counted(turn_, "pair") + ", " + std::to_string(overlapping_) + " with an overlap.";
     stage().says = overlapping_ == 0
                        ? "Nothing overlaps: there is nothing to answer, and no further iteration."
-                       : counted(static_cast<std::uint64_t>(overlapping_), "overlap") +
-                             " answered: " + counted(static_cast<std::uint64_t>(impacts_), "impact") + ", " +
-                             counted(static_cast<std::uint64_t>(resting_), "resting contact") +
-                             "; all are pushed out.";
+                       : counted(overlapping_, "overlap") + " answered: " + counted(impacts_, "impact") +
+                             ", " + counted(resting_, "resting contact") + "; all are pushed out.";
 }
 
 void SimpleTrace::begin_sensors() {

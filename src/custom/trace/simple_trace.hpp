@@ -61,9 +61,9 @@ class SimpleTrace {
     std::vector<Ball> before_;          ///< before they moved
     std::uint64_t tests_before_ = 0;    ///< of the broad phase
     SearchLog log_;
-    Ball lower_, upper_;  ///< of the last test, before the response
-    std::int64_t turn_ = 0;
-    int overlapping_ = 0, impacts_ = 0, resting_ = 0;
+    Ball lower_, upper_;      ///< of the last test, before the response
+    std::uint64_t turn_ = 0;  ///< tests of this round
+    std::uint64_t overlapping_ = 0, impacts_ = 0, resting_ = 0;
 };
 
 }  // namespace flipside::custom
