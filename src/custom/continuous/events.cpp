@@ -5,7 +5,6 @@
 
 #include "custom/broad_phase/capacity.hpp"
 #include "custom/engine.hpp"
-#include "custom/geometry/narrow_phase.hpp"
 #include "world/limits.hpp"
 
 namespace flipside::custom {

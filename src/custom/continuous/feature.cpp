@@ -281,22 +281,6 @@ double distance_to_end(const Feature& feature, Vec2 point, Vec2 direction, doubl
     return arc->radius * (angle < -joint_angle ? angle + 2 * std::numbers::pi : angle);
 }
 
-Feature posed(const Feature& feature, const Pose& pose) {
-    Feature turned = feature;
-    if (auto* line = std::get_if<Line>(&turned.is)) {
-        line->start = pose.apply(line->start);
-        line->along = rotated(line->along, pose.angle);
-    } else if (auto* arc = std::get_if<Arc>(&turned.is)) {
-        arc->center = pose.apply(arc->center);
-        arc->from = rotated(arc->from, pose.angle);
-        arc->to = rotated(arc->to, pose.angle);
-        arc->middle = rotated(arc->middle, pose.angle);
-    } else if (auto* circle = std::get_if<Circle>(&turned.is)) {
-        circle->center = pose.apply(circle->center);
-    }
-    return turned;
-}
-
 std::vector<Box> ranges_of(std::span<const Feature> features, std::span<const Primitive> primitives,
                            const Table& table) {
     std::vector<Box> ranges;

@@ -130,9 +130,6 @@ struct Closest {
 /// circle it is almost 0, so that the faces that it joins take precedence.
 [[nodiscard]] double distance_to_end(const Feature& feature, Vec2 point, Vec2 direction, double radius);
 
-/// The feature in the given pose.
-[[nodiscard]] Feature posed(const Feature& feature, const Pose& pose);
-
 /// Bounds of all positions that each feature can have; for the first feature of a primitive, of all positions
 /// of the whole primitive.
 [[nodiscard]] std::vector<Box> ranges_of(std::span<const Feature> features,

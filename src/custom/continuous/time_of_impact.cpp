@@ -166,6 +166,21 @@ auto motion_relative_to(const Turning& turning, const Path& path, double t0, dou
     };
 }
 
+/// The feature in the given pose.
+Feature posed(Feature feature, const Pose& pose) {
+    if (auto* line = std::get_if<Line>(&feature.is)) {
+        line->start = pose.apply(line->start);
+        line->along = rotated(line->along, pose.angle);
+    } else if (auto* arc = std::get_if<Arc>(&feature.is)) {
+        arc->center = pose.apply(arc->center);
+        for (Vec2* direction : {&arc->from, &arc->to, &arc->middle})
+            *direction = rotated(*direction, pose.angle);
+    } else if (auto* circle = std::get_if<Circle>(&feature.is)) {
+        circle->center = pose.apply(circle->center);
+    }
+    return feature;
+}
+
 /// Whether gap + rate·E(t) + bend·F(t), negative at 0, rises above 0 and decreases again.
 bool rises_above_zero(double gap, double rate, double bend, double drag) {
     if (rate <= 0 || bend >= 0 || rate * rate - 2 * gap * bend <= 0) return false;
