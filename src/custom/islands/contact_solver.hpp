@@ -100,7 +100,7 @@ class ContactSolver {
 class ForceCache {
   public:
     void reserve(std::size_t forces) { forces_.reserve(forces), merged_.reserve(forces); }
-    void clear() { forces_.clear(), sorted_ = first_ = 0; }
+    void clear() { forces_.clear(), sorted_ = 0; }
 
     /// Removes the forces for which `holds` is true.
     void forget_if(auto&& holds) {
@@ -120,21 +120,10 @@ class ForceCache {
         sorted_ = forces_.size();
     }
 
-    /// Starts a new pass of lookups.
-    void rewind() { first_ = 0; }
-    /// Advances to the forces of ball `b`, which rises from call to call. Cost: one pass for all calls
-    /// together.
-    void advance_to(std::uint32_t b) {
-        while (first_ < forces_.size() && forces_[first_].b < b) ++first_;
-    }
-    /// The force between a and b, or null if there was none. Cost: constant for the `b` of the last
-    /// advance_to(), else a binary search.
+    /// The force between a and b, or null if there was none. Cost: a binary search.
     [[nodiscard]] const ContactForce* find(std::uint32_t a, std::uint32_t b) const {
-        const auto ahead = all().subspan(first_);
-        const bool here = ahead.empty() || ahead.front().b >= b;
-        auto force = here ? ahead.begin() : std::ranges::lower_bound(ahead, rank({a, b}), {}, rank);
-        while (force != ahead.end() && force->b == b && force->a < a) ++force;
-        return force != ahead.end() && force->b == b && force->a == a ? &*force : nullptr;
+        const auto force = std::ranges::lower_bound(forces_, rank({a, b}), {}, rank);
+        return force != forces_.end() && force->b == b && force->a == a ? &*force : nullptr;
     }
     /// Sorted by `b`, then `a`.
     [[nodiscard]] std::span<const ContactForce> all() const { return forces_; }
@@ -148,7 +137,6 @@ class ForceCache {
     std::vector<ContactForce> forces_;  ///< the sorted forces, then the new ones
     std::vector<ContactForce> merged_;  ///< buffer of merge()
     std::size_t sorted_ = 0;
-    std::size_t first_ = 0;
 };
 
 }  // namespace flipside::custom

@@ -162,17 +162,11 @@ void Islands::collect_contacts(double time, double duration) {
     }
     deepest_ = 0;
     beside_.clear();
-    ball_forces_.rewind(), part_forces_.rewind();
-    for (const BallIndex i : members_) {
-        ball_forces_.advance_to(i);
+    for (const BallIndex i : members_)
         sim_.cells.query_neighbours(i, [&](BallIndex j) { add_ball_contact(i, j, time, duration); });
-    }
     if (!sim_.table.moving_parts().empty())
         for (const BallIndex i : members_) deepest_ = std::max(deepest_, overlap_with_moving_parts(i, time));
-    for (const BallIndex i : members_) {
-        part_forces_.advance_to(i);
-        add_part_contacts(i, time, duration);
-    }
+    for (const BallIndex i : members_) add_part_contacts(i, time, duration);
 }
 
 /// Adds the flying balls into which the position correction has moved members. Returns whether there are any.
