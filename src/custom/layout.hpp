@@ -18,13 +18,6 @@ class Layout {
     [[nodiscard]] const Primitive& primitive(PrimitiveIndex i) const { return primitives_[i]; }
     [[nodiscard]] std::span<const Primitive> primitives() const { return primitives_; }
     [[nodiscard]] PrimitiveIndex size() const { return static_cast<PrimitiveIndex>(primitives_.size()); }
-    /// Pose and rate (rad/s) of a primitive `ahead` seconds from now; cheap for still primitives.
-    [[nodiscard]] Pose pose(const Table& table, PrimitiveIndex i, double ahead) const {
-        return moves(i) ? table.pose(primitives_[i].part, ahead) : Pose{};
-    }
-    [[nodiscard]] double rate(const Table& table, PrimitiveIndex i, double ahead) const {
-        return moves(i) ? table.rate(primitives_[i].part, ahead) : 0;
-    }
     /// Whether a primitive collides with a ball now. Sensors, targets that are down, and gates that let the
     /// ball through (gate.hpp) do not. Cheap for most primitives.
     [[nodiscard]] bool should_collide(const Table& table, PrimitiveIndex i, const Pose& pose,
@@ -45,7 +38,6 @@ class Layout {
     }
 
   private:
-    [[nodiscard]] bool moves(PrimitiveIndex i) const { return i >= still_; }
     [[nodiscard]] Proxy proxy_of(const Primitive& primitive, const Pose& pose = {}) const;
 
     const Scene& scene_;

@@ -57,7 +57,7 @@ void TouchList::keep_sleeping(std::span<const Ball> balls) {
 
 void TouchList::test(const Ball& ball, PrimitiveIndex index) {
     const Primitive& primitive = layout_.primitive(index);
-    const Pose pose = layout_.pose(table_, index, 0);
+    const Pose pose = table_.pose(primitive.part);
     const bool sensor = table_.scene().parts[primitive.part].sensor;
     if (!sensor && !layout_.should_collide(table_, index, pose, ball)) return;
     const Touch found = touch(ball.position, ball.radius, primitive, pose);

@@ -115,7 +115,7 @@ bool SimpleSolver::respond_to_pairs(double duration, int round) {
 
 bool SimpleSolver::respond_to_primitive(Ball& ball, PrimitiveIndex index, const Surroundings& around) {
     const Primitive& primitive = layout_.primitive(index);
-    const Pose pose = layout_.pose(table_, index, ahead_);
+    const auto [pose, rate, until_stop] = table_.turning(primitive.part, ahead_);
     const bool collides = layout_.should_collide(table_, index, pose, ball);
     if (trace_ && !collides) trace_->passed_over(ball, index);
     if (!collides) return false;
@@ -124,7 +124,7 @@ bool SimpleSolver::respond_to_primitive(Ball& ball, PrimitiveIndex index, const 
     if (trace_) trace_->tested(ball, index, pose, found);
     if (found.separation >= -overlap_slop * ball.radius || found.past_end) return false;
     ++record_.statistics.contacts;
-    const Vec2 surface_velocity = cross(layout_.rate(table_, index, ahead_), found.point - pose.pivot);
+    const Vec2 surface_velocity = cross(rate, found.point - pose.pivot);
     const Part& part = scene_.parts[primitive.part];
     const Impact impact = respond(ball, found, surface_velocity, layout_.mixed(ball, part), around);
     push_out(ball, found);
@@ -166,7 +166,7 @@ void SimpleSolver::watch_sensors() {
         if (!scene_.parts[primitive.part].sensor) continue;
         const Ball& ball = balls_[index_of(pair.b)];
         ++record_.statistics.narrow_tests;
-        const Pose pose = layout_.pose(table_, pair.a, ahead_);
+        const Pose pose = table_.pose(primitive.part, ahead_);
         const double separation = touch(ball.position, ball.radius, primitive, pose).separation;
         if (trace_) trace_->sensed(ball, pair.a, separation);
         if (separation <= 0) record_.crossed.push_back({ball.number, primitive.part});

@@ -58,9 +58,9 @@ void trace_gap(const Simulation& sim, TraceItem& item, BallIndex i) {
         const Ball other = sim.ball_at(particle.partner, now);
         found = touch(ball.position, ball.radius, other.position, other.radius);
     } else {
-        const PrimitiveIndex primitive = sim.features[particle.partner].primitive;
-        const Pose pose = sim.layout.pose(sim.table, primitive, now + sim.start - sim.table.time());
-        found = touch(ball.position, ball.radius, sim.layout.primitive(primitive), pose);
+        const Primitive& primitive = sim.layout.primitive(sim.features[particle.partner].primitive);
+        const Pose pose = sim.table.pose(primitive.part, now + sim.start - sim.table.time());
+        found = touch(ball.position, ball.radius, primitive, pose);
     }
     const Vec2 rim = found.point + found.separation * found.normal;
     item.with("gap", found.separation)
