@@ -88,13 +88,10 @@ struct Explainer {
     void operator()(const primitive::Polygon& polygon) const {
         const auto& points = polygon.points;
         std::vector<double> heights, outline;
-        for (const Vec2 point : points) {
-            outline.push_back(pose.apply(point).x);
-            outline.push_back(pose.apply(point).y);
-        }
         for (std::size_t i = 0; i < points.size(); ++i) {
-            const Vec2 next = points[(i + 1) % points.size()];
+            const Vec2 next = points[(i + 1) % points.size()], in_world = pose.apply(points[i]);
             heights.push_back(dot(center - points[i], unit(-perp(next - points[i]))));
+            outline.insert(outline.end(), {in_world.x, in_world.y});
         }
         const auto edge = static_cast<std::size_t>(std::ranges::max_element(heights) - heights.begin());
         const double at = add_edge(points[edge], points[(edge + 1) % points.size()]);
