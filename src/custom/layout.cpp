@@ -4,8 +4,7 @@
 
 namespace flipside::custom {
 
-Layout::Layout(const Scene& scene)
-    : scene_(scene), primitives_(surface_of(scene)), materials_(scene.materials.size()) {
+Layout::Layout(const Scene& scene) : scene_(scene), primitives_(surface_of(scene)) {
     const auto moving =
         std::stable_partition(primitives_.begin(), primitives_.end(),
                               [&](const Primitive& p) { return !Table::moves(scene.parts[p.part]); });
@@ -17,8 +16,6 @@ Layout::Layout(const Scene& scene)
     }
     for (PartIndex part = 0; part < scene.parts.size(); ++part)
         if (gate_of(scene.parts[part]) != nullptr) gates_.push_back(part);
-    for (const Material& a : scene.materials)
-        for (const Material& b : scene.materials) mixed_.push_back(mix(a, b));
 }
 
 Proxy Layout::proxy_of(const Primitive& primitive, const Pose& pose) const {

@@ -33,8 +33,8 @@ class Layout {
                       std::vector<Proxy>& moving) const;
 
     /// Restitution, friction and kick between a ball and a ball or part.
-    [[nodiscard]] const Mixed& mixed(const Ball& ball, const auto& other) const {
-        return mixed_[ball.material * materials_ + other.material];
+    [[nodiscard]] Mixed mixed(const Ball& ball, const auto& other) const {
+        return mix(scene_.materials[ball.material], scene_.materials[other.material]);
     }
 
   private:
@@ -46,8 +46,6 @@ class Layout {
     std::vector<Proxy> still_proxies_;
     std::vector<PartIndex> gates_;
     std::vector<char> always_collides_;  ///< per primitive: no part of a sensor, target or gate
-    std::size_t materials_;
-    std::vector<Mixed> mixed_;
 };
 
 }  // namespace flipside::custom
