@@ -90,6 +90,15 @@ TEST(Layout, LargeLettersInALowWindowLeaveRoomForTheTables) {
     EXPECT_GT(lay_out(1024, 640, 2, {2, 2, 0.5, Column::open, true, true}).panes[0].height, 80);
 }
 
+TEST(Layout, TheLargestLettersLeaveRoomBesideTheOpenColumn) {
+    for (const auto& [width, height] : {std::pair(800, 600), {1280, 720}, {1280, 800}, {1920, 1080}}) {
+        const double scale = largest_scale(width, height);
+        EXPECT_GT(lay_out(width, height, scale, {2, 2, 0.5, Column::open, true, true}).panel.x, 0.45 * width);
+    }
+    EXPECT_EQ(largest_scale(1280, 720), 2);
+    EXPECT_EQ(largest_scale(3840, 2160), most_scale);
+}
+
 TEST(Layout, FoldingThePanelGivesItsRoomToThePanes) {
     const Layout open = lay_out(1280, 800, 1, {2, 2, 0.5, Column::open, false});
     const Layout folded = lay_out(1280, 800, 1, {2, 2, 0.5, Column::folded, false});

@@ -149,6 +149,19 @@ TEST_P(WindowSizes, LettersSuitTheWindowUntilTheUserSaysOtherwise) {
     EXPECT_EQ(height_of_a_control(), before);
 }
 
+TEST_P(WindowSizes, LettersThatAreTooLargeForTheWindowGetAsLargeAsItHasRoomFor) {
+    open({"pinball", "--scale", "3"});
+    for (const char* tab : {"Lesson", "Table", "See"}) {
+        SCOPED_TRACE(tab);
+        window->click(settled()["controls"][tab]);
+        const Json state = settled();
+        expect_in_order(state);
+        EXPECT_GT(state["layout"]["panel"][0], 0.45 * GetParam().width);
+    }
+    window->key("ctrl+minus");
+    window->wait("smaller letters", [&](const Json& s) { return s["letters"] < 3; });
+}
+
 INSTANTIATE_TEST_SUITE_P(FromSmallToLarge, WindowSizes,
                          testing::Values(Size{800, 600, 0.75}, Size{1024, 640, 1}, Size{1280, 800, 1.25},
                                          Size{2560, 1440, 2}, Size{3840, 2160, 2}),

@@ -73,7 +73,7 @@ App::App(const PlayOptions& options)
       window_(sf::VideoMode(options.width.value_or(kept_.width), options.height.value_or(kept_.height)),
               "Flipside"),
       scale_(options.scale.value_or(kept_.scale)),
-      imgui_(window_, scale_ > 0 ? scale_ : scale_for(window_.getSize())),
+      imgui_(window_, scale_for(window_.getSize(), scale_)),
       accumulator_(stage_.dt(), most_catch_up),
       high_scores_(options.keep ? high_scores_file() : std::nullopt) {
     if (!window_.isOpen()) throw std::runtime_error("cannot open a window: is there a display?");
@@ -134,7 +134,7 @@ void App::run() {
 }
 
 void App::set_scale() {
-    const double wanted = controls_.scale > 0 ? controls_.scale : scale_for(window_.getSize());
+    const double wanted = scale_for(window_.getSize(), controls_.scale);
     if (screen_ && wanted == scale_) return;
     if (screen_) imgui_.set_scale(wanted);
     screen_.emplace(wanted);
@@ -142,7 +142,7 @@ void App::set_scale() {
 }
 
 void App::change_scale(double by) {
-    controls_.scale = std::clamp(scale_ + by, least_scale, most_scale);
+    controls_.scale = std::clamp(scale_ + by, least_scale, largest_scale(state_.width, state_.height));
 }
 
 /// Once in a while: the scene is taken anew when its file has changed, and what is kept is written.

@@ -1,12 +1,15 @@
 #include "app/window/display.hpp"
 
+#include <algorithm>
+
 #include <SFML/Window/VideoMode.hpp>
 
 #include "app/window/layout.hpp"
 
 namespace flipside::app {
 
-double scale_for(sf::Vector2u size) {
+double scale_for(sf::Vector2u size, double wanted) {
+    if (wanted > 0) return std::min(wanted, largest_scale(size.x, size.y));
     return usual_scale(sf::VideoMode::getDesktopMode().height, size.x, size.y);
 }
 

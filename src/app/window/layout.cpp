@@ -18,6 +18,10 @@ int lines_in_header(double width, double height) {
     return std::clamp(lines_of_facts(0.2 * height), 1, wanted);
 }
 
+double in_steps(double scale) {
+    return scale_step * std::floor(scale / scale_step);
+}
+
 double column_of(Column column, double scale) {
     if (column == Column::none) return 0;
     return std::round(scale * (column == Column::open ? column_width : folded_width));
@@ -106,9 +110,12 @@ double strip_height(double wanted, double height, double scale, bool step_bar) {
 }
 
 double usual_scale(double display_lines, double width, double height) {
-    const auto in_steps = [](double scale) { return scale_step * std::floor(scale / scale_step); };
     const double display = std::max(1.0, in_steps(display_lines / 1080));
     return std::clamp(in_steps(std::min({display, width / 1024, height / 640})), least_scale, most_scale);
+}
+
+double largest_scale(double width, double height) {
+    return std::clamp(in_steps(std::min(width / 640, height / 360)), least_scale, most_scale);
 }
 
 }  // namespace flipside::app

@@ -55,6 +55,8 @@ struct LayoutNeeds {
 /// Of letters, lines and controls where the user says nothing: what the display asks for, as far as the
 /// window has room for it. 1 on a display of 1080 lines and in a window of 1024 × 640 px.
 [[nodiscard]] double usual_scale(double display_lines, double width, double height);
+/// The largest that leaves room for the tables beside the open column, whatever the user asks for.
+[[nodiscard]] double largest_scale(double width, double height);
 inline constexpr double least_scale = 0.75, most_scale = 3, scale_step = 0.25;
 
 }  // namespace flipside::app

@@ -102,7 +102,9 @@ std::string scale_in_words(double scale) {
 void letters(const Panel& panel) {
     label("Size of letters", "Of letters, lines and controls (Ctrl + and Ctrl −, Ctrl 0)");
     if (ImGui::BeginCombo("##scale", scale_in_words(panel.controls.scale).c_str())) {
-        for (double scale = 0; scale <= most_scale; scale = scale > 0 ? scale + scale_step : least_scale) {
+        const ImVec2 window = ImGui::GetIO().DisplaySize;
+        const double most = largest_scale(window.x, window.y);
+        for (double scale = 0; scale <= most; scale = scale > 0 ? scale + scale_step : least_scale) {
             if (ImGui::Selectable(scale_in_words(scale).c_str(), scale == panel.controls.scale))
                 panel.controls.scale = scale;
             note(panel.places, "Size " + scale_in_words(scale));
