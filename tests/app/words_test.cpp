@@ -33,6 +33,13 @@ TEST(Words, RadiiSpanAllPowersOfTen) {
     EXPECT_EQ(power_of_ten(3), "10³");
 }
 
+TEST(Words, FormulasAndNumbersHaveRealMinusSigns) {
+    EXPECT_EQ(with_minus_signs("separation = (c - p) · n - r"), "separation = (c − p) · n − r");
+    EXPECT_EQ(with_minus_signs("-0.02 = 0.03 - 0.05 m"), "−0.02 = 0.03 − 0.05 m");
+    EXPECT_EQ(with_minus_signs("(-1, -2e-05) m"), "(−1, −2e-05) m");
+    EXPECT_EQ(with_minus_signs("v' = e^(-ct) v"), "v' = e^(−ct) v");
+}
+
 TEST(Words, BallsAreCountedAsPeopleCount) {
     EXPECT_EQ(balls_in_words(0, 0), "no balls");
     EXPECT_EQ(balls_in_words(1, 0), "1 ball");

@@ -17,7 +17,8 @@ namespace {
 
 /// What stands before a value; some say themselves what they are: "free flight", "impact".
 std::string titled(std::string_view name) {
-    return name == "way" || name == "answer" ? "" : with_spaces(name) + " ";
+    if (name == "way" || name == "answer") return "";
+    return name == "turn" ? "pair " : with_spaces(name) + " ";  // pairs are looked at in turn
 }
 
 /// Lengths and impulses with the prefix that suits, as everywhere else in the window.
@@ -25,7 +26,8 @@ std::string measured(std::string_view name, const TraceValue& value) {
     const std::string unit(unit_of(name, value));
     const auto* number = std::get_if<double>(&value);
     if (number != nullptr && (unit == "m" || unit == "N·s")) return engineering(*number, unit);
-    return with_its_unit(name, value);
+    const bool of_words = std::holds_alternative<std::string>(value);
+    return of_words ? in_brief(value) : with_minus_signs(with_its_unit(name, value));
 }
 
 struct StepBar {
@@ -144,7 +146,8 @@ struct StepBar {
         if (microscope.item() < now.items.size()) {
             const TraceItem& item = now.items[microscope.item()];
             for (const char* name : {"formula", "filled"})
-                if (const TraceValue* value = item.find(name)) wrapped(in_brief(*value), colour::lit);
+                if (const TraceValue* value = item.find(name))
+                    wrapped(with_minus_signs(in_brief(*value)), colour::lit);
             for (const auto& [name, value] : item.fields)
                 if (name != "formula" && name != "filled")
                     wrapped(titled(name) + measured(name, value), colour::text);

@@ -28,6 +28,18 @@ std::string with_unit(double value, int digits, const std::string& unit, bool si
     return minus + number + (unit.empty() ? "" : " " + unit);
 }
 
+std::string with_minus_signs(std::string_view text) {
+    std::string words;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool first = i == 0 || text[i - 1] == ' ' || text[i - 1] == '(';
+        if (text[i] == '-' && first)
+            words += "−";
+        else
+            words += text[i];
+    }
+    return words;
+}
+
 std::string engineering(double value, const std::string& unit, bool sign) {
     static constexpr const char* prefixes[] = {"p", "n", "µ", "m", "", "k"};
     if (std::abs(value) < 1e-13) return "0 " + unit;

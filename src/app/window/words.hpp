@@ -15,6 +15,9 @@ namespace flipside::app {
 [[nodiscard]] std::string points_in_words(long points);
 /// `value` with `digits` after the point and a unit: "−0.25 m/s"; `sign` writes a plus too.
 [[nodiscard]] std::string with_unit(double value, int digits, const std::string& unit, bool sign = false);
+/// In a formula or numbers, with real minus signs: "c − p", "(−1, 2)". Hyphens in words and in exponents
+/// stay.
+[[nodiscard]] std::string with_minus_signs(std::string_view text);
 /// Three figures and the unit with the prefix that suits (p … k): "12.3 µs", "1.07 kJ", "0 J".
 [[nodiscard]] std::string engineering(double value, const std::string& unit, bool sign = false);
 /// With a capital letter in front.
