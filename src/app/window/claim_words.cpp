@@ -100,8 +100,18 @@ std::string take_sign(std::string_view& text) {
 
 std::string claim_in_words(std::string_view statement, bool one_run) {
     std::string words;
+    std::vector<std::string> ends;  // of the brackets that are open
     while (!statement.empty()) {
-        if (figures_letters.find(statement.front()) != std::string_view::npos) {
+        const bool absolute = statement.starts_with("abs(");
+        if (absolute || statement.front() == '(') {
+            ends.emplace_back(absolute ? "|" : ")");
+            words += absolute ? "|" : "(";
+            statement.remove_prefix(absolute ? 4 : 1);
+        } else if (statement.front() == ')' && !ends.empty()) {
+            words += ends.back();
+            ends.pop_back();
+            statement.remove_prefix(1);
+        } else if (figures_letters.find(statement.front()) != std::string_view::npos) {
             words += take_number(statement);
         } else if (name_letters.find(statement.front()) != std::string_view::npos) {
             const std::size_t size = std::min(statement.find_first_not_of(name_letters), statement.size());

@@ -1,6 +1,7 @@
 #include "app/window/imgui_look.hpp"
 
 #include <algorithm>
+#include <cstddef>
 
 #include <imgui.h>
 
@@ -14,6 +15,12 @@ ImVec4 color(sf::Color c, float alpha = 1) {
     return {static_cast<float>(c.r) / 255, static_cast<float>(c.g) / 255, static_cast<float>(c.b) / 255,
             alpha};
 }
+
+/// The letters that there are: Latin, Greek and Cyrillic ones, dashes, powers, arrows, signs of formulas. In
+/// pairs, first and last.
+constexpr ImWchar lettered[] = {0x20,   0x17f,  0x391,  0x3c9,  0x401,  0x451,  0x2013,
+                                0x2026, 0x2070, 0x207f, 0x2190, 0x2193, 0x2212, 0x2212,
+                                0x221a, 0x221a, 0x2260, 0x2265, 0};
 
 void set_style(double scale) {
     ImGuiStyle& style = ImGui::GetStyle();
@@ -74,13 +81,12 @@ void make_figures_tabular(ImFont& font) {
 }
 
 void load_fonts(double scale) {
-    static constexpr ImWchar ranges[] = {0x20,   0xff,   0x2013, 0x2026, 0x2190, 0x2193, 0x2212,
-                                         0x2212, 0x207f, 0x207f, 0x221a, 0x221a, 0};
     ImGuiIO& io = ImGui::GetIO();
     io.Fonts->Clear();
     const FontFiles files = find_fonts();
     const auto add = [&](const std::filesystem::path& file, double size) {
-        return io.Fonts->AddFontFromFileTTF(file.c_str(), static_cast<float>(scale * size), nullptr, ranges);
+        return io.Fonts->AddFontFromFileTTF(file.c_str(), static_cast<float>(scale * size), nullptr,
+                                            lettered);
     };
     // ImGui's size is the height of a line, SFML's the size of the letters.
     ImFont* small = add(files.regular, 1.17 * small_type);
@@ -90,6 +96,12 @@ void load_fonts(double scale) {
 }
 
 }  // namespace
+
+bool is_lettered(std::uint32_t code_point) {
+    for (std::size_t i = 0; lettered[i] != 0; i += 2)
+        if (code_point >= lettered[i] && code_point <= lettered[i + 1]) return true;
+    return false;
+}
 
 void set_imgui_look(double scale) {
     set_style(scale);
