@@ -139,6 +139,17 @@ TEST_F(HandWindow, AFoldedColumnStillTellsWhatWentWrong) {
     window->wait("it to be read", [](const Json& s) { return s["notice"] == ""; });
 }
 
+TEST_F(HandWindow, NoCardLiesOverTheHelp) {
+    paused_drop();
+    window->key("o");
+    card("ball 0");
+    window->key("F1");
+    window->wait("the help", [](const Json& s) { return s["help"] == true; });
+    EXPECT_FALSE(settled()["controls"].contains("Card"));
+    window->key("F1");
+    card("ball 0");
+}
+
 TEST_F(HandWindow, KeysPickAndEscapePutsAwayBeforeItCloses) {
     const Json before = paused_drop();
     window->key("l");

@@ -38,6 +38,7 @@ std::vector<Rect> App::places_of(Other subject) const {
 /// The card of what is picked, or of the last impact.
 void App::inspect() {
     state_.card.reset();
+    if (controls_.help_open) return;  // it would lie over the help
     if (hand_.picked() || controls_.impact_open) state_.card = card_of(stage_, hand_.picked());
     if (!state_.card) {
         card_place_ = {};
