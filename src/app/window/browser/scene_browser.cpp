@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t most_cards = 300, most_pictured = 50'000;
 constexpr std::uintmax_t largest_file = 4U << 20U;  ///< bytes, of what may be a scene
-constexpr double card_width = 290, card_height = 336, picture_height = 196;  ///< px on an ordinary display
+constexpr double card_width = 290, card_height = 310, picture_height = 196;  ///< px on an ordinary display
 
 /// Scenes in a folder by their ending and what they begin with: other JSON files are none.
 std::vector<fs::path> scenes_in(const fs::path& folder) {
