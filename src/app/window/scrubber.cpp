@@ -10,8 +10,9 @@ void draw_scrubber(const Rect& place, Stage& stage, WindowControls& controls, Co
     ImGui::SetNextWindowSize(imgui_vector(place.width, place.height));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {6, 0});
     ImGui::Begin("scrubber", nullptr, docked);
+    ImGui::PopStyleVar(2);  // the tooltip has room around its words
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {6, 0});
     const double begin = stage.record_begin(), end = stage.record_end();
     double time = stage.time();
     const double before = end - time;
@@ -25,11 +26,10 @@ void draw_scrubber(const Rect& place, Stage& stage, WindowControls& controls, Co
     }
     tooltip(
         "The last half minute: drag to go back, step by step with , and . (Home and End for its ends). P "
-        "goes "
-        "on from there and forgets what came after");
+        "goes on from there and forgets what came after");
     note(places, "Scrubber");
     ImGui::End();
-    ImGui::PopStyleVar(3);
+    ImGui::PopStyleVar();
 }
 
 }  // namespace flipside::app

@@ -125,13 +125,14 @@ void draw_edit_header(Canvas& canvas, const Editor& editor, const Rect& place) {
     const double right = letters.width(where, Type::small);
     const double y = place.y + 0.5 * (place.height - letters.line_height(Type::small));
     canvas.text({place.x + place.width - pad, y}, where, Type::small, colour::quiet, Align::right);
-    const std::string name = printable(editor.draft().sketch().name);
+    const std::string name =
+        printable(editor.draft().sketch().name) + (editor.unsaved() ? "  ·  not saved" : "");
     const double room = place.width - right - 4 * pad;
     const double title_y = place.y + 0.5 * (place.height - letters.line_height(Type::large));
-    canvas.text(
-        {place.x + pad, title_y},
-        letters.cut("Drawing " + name + (editor.unsaved() ? "  ·  not saved" : ""), Type::large, room),
-        Type::large, colour::text);
+    const std::string whole = "Drawing " + name;
+    const bool fits = letters.width(whole, Type::large) <= room;
+    canvas.text({place.x + pad, title_y}, letters.cut(fits ? whole : name, Type::large, room), Type::large,
+                colour::text);
 }
 
 /// What to do next, below the table.
