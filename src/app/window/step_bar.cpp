@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/window/contender_colour.hpp"
@@ -62,13 +63,17 @@ struct StepBar {
         if (ImGui::GetContentRegionAvail().x < width_of(where)) ImGui::NewLine();
         wrapped(where, colour::quiet);
         // As many of the keys as have room, the first ones first.
-        for (const char* keys : {".  next", ",  back", "[ ]  items", "Shift .  whole step", "I  close"}) {
-            ImGui::SameLine();
-            if (ImGui::GetContentRegionAvail().x < width_of(keys)) {
+        constexpr std::pair<const char*, const char*> keys[] = {
+            {".", "next"}, {",", "back"}, {"[ ]", "items"}, {"Shift .", "whole step"}, {"I", "close"}};
+        for (const auto& [key, words] : keys) {
+            ImGui::SameLine(0, 2 * ImGui::GetStyle().ItemSpacing.x);
+            if (ImGui::GetContentRegionAvail().x < width_of(key) + width_of(words)) {
                 ImGui::NewLine();
                 break;
             }
-            wrapped(keys, colour::quiet);
+            wrapped(key, colour::text);
+            ImGui::SameLine();
+            wrapped(words, colour::quiet);
         }
     }
     /// All of them in a line: as many as have room with their names, those around the current one first, and
@@ -181,8 +186,10 @@ void draw_step_bar(const Rect& place, Stage& stage, Microscope& microscope, Cont
     ImGui::Begin("step bar", nullptr, docked);
     const StepBar bar{stage, microscope, places};
     if (!microscope.shows(stage)) {
-        wrapped("Inside a step:  .  takes the next one and stops at its first stage;  I  closes this.",
-                colour::text);
+        wrapped(
+            "Inside a step: the full stop (.) takes the next one and stops at its first stage; I closes "
+            "this.",
+            colour::text);
         ImGui::End();
         return;
     }
