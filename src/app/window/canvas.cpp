@@ -34,6 +34,12 @@ void mitres(std::span<const Vec2> points, bool closed, std::vector<Vec2>& out) {
     }
 }
 
+/// Whether a line turns by more than 120° at b. A mitre joint would lie along the line there, and the line
+/// would be hardly as wide as a hair on both sides: it ends, and another one begins.
+bool is_sharp(Vec2 a, Vec2 b, Vec2 c) {
+    return dot(unit(b - a, {0, 0}), unit(c - b, {0, 0})) < -0.5;
+}
+
 }  // namespace
 
 Canvas::Canvas(const Lettering& lettering) : lettering_(lettering) {}
@@ -50,6 +56,16 @@ void Canvas::quad(Vec2 a, Vec2 b, sf::Color ab, Vec2 c, Vec2 d, sf::Color cd) {
 }
 
 void Canvas::stroke(std::span<const Vec2> points, bool closed, double width, sf::Color color) {
+    std::size_t first = 0;
+    for (std::size_t i = 1; !closed && i + 1 < points.size(); ++i)
+        if (is_sharp(points[i - 1], points[i], points[i + 1])) {
+            stroke_smooth(points.subspan(first, i + 1 - first), false, width, color);
+            first = i;
+        }
+    stroke_smooth(points.subspan(first), closed, width, color);
+}
+
+void Canvas::stroke_smooth(std::span<const Vec2> points, bool closed, double width, sf::Color color) {
     if (points.size() < 2) return;
     if (width < 1) color = with_alpha(color, width);
     const double core = 0.5 * (std::max(width, 1.0) - 1), edge = core + 1;
@@ -113,13 +129,13 @@ void Canvas::round(Vec2 center, double radius, double from, double to) {
 
 void Canvas::arc(Vec2 center, double radius, double from, double to, double width, sf::Color color) {
     round(center, radius, from, to);
-    stroke(points_, false, width, color);
+    stroke_smooth(points_, false, width, color);
 }
 
 void Canvas::ring(Vec2 center, double radius, double width, sf::Color color) {
     round(center, radius, 0, 2 * pi);
     points_.pop_back();
-    stroke(points_, true, width, color);
+    stroke_smooth(points_, true, width, color);
 }
 
 void Canvas::disc(Vec2 center, double radius, sf::Color color) {

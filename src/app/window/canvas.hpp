@@ -48,6 +48,8 @@ class Canvas {
   private:
     void triangle(Vec2 a, sf::Color ca, Vec2 b, sf::Color cb, Vec2 c, sf::Color cc);
     void quad(Vec2 a, Vec2 b, sf::Color ab, Vec2 c, Vec2 d, sf::Color cd);
+    /// Of a line without sharp corners.
+    void stroke_smooth(std::span<const Vec2> points, bool closed, double width, sf::Color color);
     void round(Vec2 center, double radius, double from, double to);
 
     const Lettering& lettering_;
