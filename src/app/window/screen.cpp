@@ -160,6 +160,8 @@ void Screen::draw_pace(const Rect& place, double right, const Readings& readings
 void Screen::draw_links_of(std::span<const Run> runs, const Camera& camera) {
     const auto exact = std::ranges::find_if(runs, [](const Run& run) { return is_reference(run.engine()); });
     const Run& base = exact == runs.end() ? runs.front() : *exact;
+    // Past its horizon the reference does not know where its balls are.
+    if (!base.is_measure_at(base.session().world().time())) return;
     for (const Run& run : runs)
         if (&run != &base && !run.halt() && !base.halt())
             draw_links(canvas_, camera, run, base, exact == runs.end() ? colour::text : colour_of(run));
