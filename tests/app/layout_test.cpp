@@ -88,6 +88,14 @@ TEST(Layout, LargeLettersInALowWindowLeaveRoomForTheTables) {
     EXPECT_EQ(lines(640, 2), 1);
     EXPECT_EQ(lines(1280, 2), 4);
     EXPECT_GT(lay_out(1024, 640, 2, {2, 2, 0.5, Column::open, true, true}).panes[0].height, 80);
+
+    // The step bar is readable there: plots make way for it.
+    const Layout inside = lay_out(1280, 720, 2, {2, 2, 0.5, Column::open, true, true});
+    EXPECT_EQ(inside.strip.height, 0);
+    EXPECT_GT(inside.bar.height, 290);
+    EXPECT_GT(inside.panes[0].height, 150);
+    EXPECT_GT(lay_out(1280, 720, 2, {2, 2, 0.5, Column::open, false, true}).strip.height, 100);
+    EXPECT_GT(lay_out(1024, 640, 1, {2, 2, 0.5, Column::open, true, true}).strip.height, 100);
 }
 
 TEST(Layout, TheLargestLettersLeaveRoomBesideTheOpenColumn) {

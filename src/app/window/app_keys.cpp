@@ -179,7 +179,8 @@ void App::act_on_window(Action action) {
             controls_.save_wanted = true;
             break;
         case Action::export_plots:
-            export_wanted_ = true;
+            export_wanted_ = layout_.strip.height > 0;
+            if (!export_wanted_) controls_.notice = "No plots are on show: I closes the step bar";
             break;
         case Action::edit:
             return editor_.on() ? end_edit() : begin_edit();

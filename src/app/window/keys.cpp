@@ -42,7 +42,7 @@ constexpr KeyUse uses[] = {
      ",",
      "Pause, and go back one step; inside a step, to the stage before"},
     {Action::to_record_begin, {K::Home, no, no}, none, "Home", "Back by all of the last half minute"},
-    {Action::to_record_end, {K::End, no, no}, none, "End", "And forth again to its end"},
+    {Action::to_record_end, {K::End, no, no}, none, "End", "Forward again to its end"},
     {Action::step_whole, {K::Period, no, no}, Held::shift, "Shift .", "Inside a step: the whole next step"},
     {Action::item_back, {K::LBracket, no, no}, none, "[", "Inside a step: the item before"},
     {Action::item_next, {K::RBracket, no, no}, none, "]", "Inside a step: the next item"},

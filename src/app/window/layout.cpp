@@ -9,7 +9,7 @@ namespace flipside::app {
 namespace {
 
 constexpr double usual_strip = 120, least_strip = 80, bar_height = 216, scrubber_height = 20,
-                 column_width = 332, folded_width = 30, gap = 6;
+                 least_with_plots = 450, column_width = 332, folded_width = 30, gap = 6;
 
 /// More where the header is narrow, as far as a window of that height has room for them, px on an ordinary
 /// display.
@@ -63,14 +63,18 @@ Layout lay_out(double width, double height, double scale, const LayoutNeeds& nee
     const double panel = std::min(column_of(needs.column, scale), width);
     layout.panel = {width - panel, 0, panel, height};
 
-    // On a small display the table keeps most of the height.
-    const double strip = needs.strip > 0 ? strip_height(scale * needs.strip, height, scale, needs.step_bar)
-                                         : std::round(std::min(scale * usual_strip, 0.18 * height));
+    // On a small display the table keeps most of the height. Where the step bar has no room for its items,
+    // the plots make way for it.
+    const bool low = needs.step_bar && height < scale * least_with_plots;
+    const double strip = low               ? 0
+                         : needs.strip > 0 ? strip_height(scale * needs.strip, height, scale, needs.step_bar)
+                                           : std::round(std::min(scale * usual_strip, 0.18 * height));
     const double room = std::max(1.0, width - panel - (panel > 0 ? space : 0));
-    const double bar = needs.step_bar ? std::round(std::min(scale * bar_height, 0.3 * height)) : 0;
+    const double bar =
+        needs.step_bar ? std::round(std::min(scale * bar_height, (low ? 0.42 : 0.3) * height)) : 0;
     const double scrubber = needs.scrubber ? std::round(scale * scrubber_height) : 0;
-    const double below =
-        (needs.scrubber ? scrubber + space : 0) + (needs.step_bar ? bar + space : 0) + strip + space;
+    const double below = (needs.scrubber ? scrubber + space : 0) + (needs.step_bar ? bar + space : 0) +
+                         (low ? 0 : strip + space);
     const double tables = std::max(1.0, height - below - space);
     const double each = std::max(1.0, std::floor((room - space * (needs.headers - 1)) / needs.headers));
     const auto head_of = [&](double of_width) {

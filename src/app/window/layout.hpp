@@ -20,7 +20,7 @@ struct Layout {
     std::vector<Rect> panes;    ///< of equal size
     Rect scrubber;              ///< the line of time, below the panes; no height where there is none
     Rect bar;                   ///< the step bar, below that; no height where there is none
-    Rect strip;                 ///< plots, below that
+    Rect strip;                 ///< plots, below that; no height where they have no room
     Rect panel;                 ///< the control column; no width where there is none
 };
 

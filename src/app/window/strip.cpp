@@ -10,6 +10,7 @@ namespace flipside::app {
 void drag_strip(const Layout& layout, double scale, WindowControls& controls, ControlPlaces& places) {
     constexpr double reach = 4;  // px on an ordinary display, to either side of the edge
     const Rect& strip = layout.strip;
+    if (strip.height == 0) return;
     const double height = std::round(2 * reach * scale);
     const ImVec2 corner = imgui_vector(strip.x, strip.y - height), size = imgui_vector(strip.width, height);
     ImGui::SetNextWindowPos(corner);
@@ -37,6 +38,7 @@ void drag_strip(const Layout& layout, double scale, WindowControls& controls, Co
 }
 
 void draw_strip(Canvas& canvas, const Rect& place, const Stage& stage, PlotChoice choice, Vec2 mouse) {
+    if (place.height == 0) return;
     std::vector<Plot> plots = plots_of(choice, stage);
     // In a narrow window the first ones, so that each can be read.
     const double least = canvas.scaled(140);
