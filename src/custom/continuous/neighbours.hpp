@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "custom/broad_phase/quadtree.hpp"
+#include "custom/geometry/cell_range.hpp"
 #include "world/ball.hpp"
 #include "world/bounds.hpp"
 #include "world/inspector.hpp"

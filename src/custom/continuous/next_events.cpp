@@ -122,7 +122,7 @@ void Predictions::predict_features(BallIndex i, double time, Vec2 from) {
         ++sim_.record->statistics.narrow_tests;
         offer(i,
               time_of_impact(feature, turning, path, ball.radius, time, search_end(particle),
-                             &sim_.search_steps),
+                             sim_.search_steps),
               EventType::feature, f);
     }
     if (may_sense) predict_sensors(i, time, near);
@@ -167,7 +167,7 @@ void Predictions::predict_ball(BallIndex i, BallIndex j, double time) {
     if (until < from) return;
     ++sim_.record->statistics.narrow_tests;
     const double met = time_of_impact(particle.motion.path, other.motion.path, a.radius + b.radius, from,
-                                      until, &sim_.search_steps);
+                                      until, sim_.search_steps);
     offer(i, std::max(met, time), EventType::ball, j, b.version);
 }
 
@@ -234,8 +234,7 @@ bool Predictions::rests_on(BallIndex i, const Feature& feature, const Pose& pose
     const auto here = sim_.particles[i].motion.path.at(time);
     const auto [distance, normal, facing] = closest_point(feature, here.position, sim_.balls[i].radius, pose);
     const Vec2 point = here.position - distance * normal;
-    const Vec2 surface = cross(sim_.turnings[feature.part].rate_at(time), point - pose.pivot);
-    const Vec2 relative = here.velocity - surface;
+    const Vec2 relative = here.velocity - sim_.turnings[feature.part].velocity_at(point, time);
     const double closing = -dot(relative, normal);
     if (sim_.hot[i].creeps) return sim_.creeps_at(closing, sim_.balls[i]);
     if (length(relative) * sim_.tick_length > farthest_chord * sim_.balls[i].radius) return false;

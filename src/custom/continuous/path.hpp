@@ -17,7 +17,7 @@ struct Flight {
     double drag = 0;    ///< c ≥ 0, 1/s
 
     struct Motion {
-        Vec2 position, velocity;
+        Vec2 position, velocity;  ///< m, m/s
     };
     [[nodiscard]] Motion at(double t) const {
         const TimeInterval s(drag, t);
@@ -72,7 +72,7 @@ struct Series {
 struct TaylorPath {
     Series<Vec2> displacement;                   ///< m
     Series<double> spin;                         ///< change of the spin, rad/s
-    double top_speed = 0, top_acceleration = 0;  ///< bounds over the whole polynomial
+    double top_speed = 0, top_acceleration = 0;  ///< m/s and m/s², bounds over the whole polynomial
 };
 
 struct Path {

@@ -29,9 +29,9 @@ inline constexpr double creep_distance = 0.02;
 
 /// The data of a ball that predictions of other balls read, in one cache line.
 struct alignas(64) HotState {
-    Vec2 position, velocity;  ///< at the start of its path
-    double start = 0;         ///< of its path, s
-    double radius = 0;
+    Vec2 position, velocity;    ///< m and m/s, at the start of its path
+    double start = 0;           ///< of its path, s
+    double radius = 0;          ///< m
     std::uint32_t version = 0;  ///< incremented whenever its path changes
     std::uint32_t batch = 0;    ///< of Predictions: in which it was predicted last
     bool ballistic = false;     ///< its path is a flight under gravity and drag alone

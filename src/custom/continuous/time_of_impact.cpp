@@ -95,11 +95,11 @@ struct GapTo {
 /// of the step makes the search end. It can then miss an overlap that lasts less than one step; its depth is
 /// less than K·((t1 − t0)/5000)²/8.
 double search(auto&& moving, auto&& gap_of, double radius, double rounding, double t0, double t1,
-              std::uint64_t* steps) {
+              std::uint64_t& steps) {
     constexpr int sure_steps = 5000, all_steps = 2 * sure_steps;  // grazes take about 50
     double t = t0, zero = 0, slide_step = 0, open = never_touch;
     for (int step = 0; step <= all_steps; ++step) {
-        ++*steps;
+        ++steps;
         const RelativeMotion q = moving(t);
         Gap gap = gap_of(q);
         if (step == 0 && std::abs(gap.value) <= rounding) zero = gap.value;
@@ -266,7 +266,7 @@ double straight_touch(Vec2 d, Vec2 v, double reach, double rounding) {
 }
 
 double search_impact(const Feature& feature, const Turning& turning, const Path& path, double radius,
-                     double t0, double t1, std::uint64_t* steps) {
+                     double t0, double t1, std::uint64_t& steps) {
     const double stop = turning.rate_at(t0) == 0 ? t1 : std::min(t1, turning.stop);
     const auto gap = [&](const RelativeMotion& q) { return std::visit(GapTo{q, radius}, feature.is); };
     const double t = search(motion_relative_to(turning, path, t0, stop), gap, radius,
@@ -275,7 +275,7 @@ double search_impact(const Feature& feature, const Turning& turning, const Path&
     return search_impact(feature, turning, path, radius, stop, t1, steps);
 }
 
-double search_impact(const Path& a, const Path& b, double radii, double t0, double t1, std::uint64_t* steps) {
+double search_impact(const Path& a, const Path& b, double radii, double t0, double t1, std::uint64_t& steps) {
     const double top_speed = a.max_speed(t1) + b.max_speed(t1);
     const double top_acceleration = a.max_acceleration(t1) + b.max_acceleration(t1);
     const auto moving = [&](double t) {
@@ -315,7 +315,7 @@ double end_of_face(const Feature& feature, const Turning& turning, const Path& p
 }
 
 double time_of_impact(const Feature& feature, const Turning& turning, const Path& path, double radius,
-                      double t0, double t1, std::uint64_t* steps) {
+                      double t0, double t1, std::uint64_t& steps) {
     if (turning.rate_at(t0) == 0 && !turning.unmoved())
         return time_of_impact(posed(feature, turning.pose(t0)), {}, path, radius, t0, t1, steps);
     if (turning.unmoved() && !path.is_taylor()) {
@@ -333,7 +333,7 @@ double time_of_impact(const Feature& feature, const Turning& turning, const Path
 }
 
 double time_of_impact(const Path& a, const Path& b, double radii, double t0, double t1,
-                      std::uint64_t* steps) {
+                      std::uint64_t& steps) {
     const Flight &f = a.flight, &g = b.flight;
     const bool alike = f.acceleration == g.acceleration && f.drag == g.drag;
     if (a.is_taylor() || b.is_taylor() || (!alike && (f.drag > 0 || g.drag > 0)))

@@ -45,15 +45,15 @@ inline double gap_rounding(Vec2 p, Vec2 q, double radii) {
 /// First impact in [t0, t1], or never_touch; by the closed form if there is one. A search takes up to 10,000
 /// steps and adds their number to `steps`.
 [[nodiscard]] double time_of_impact(const Feature& feature, const Turning& turning, const Path& path,
-                                    double radius, double t0, double t1, std::uint64_t* steps);
+                                    double radius, double t0, double t1, std::uint64_t& steps);
 [[nodiscard]] double time_of_impact(const Path& a, const Path& b, double radii, double t0, double t1,
-                                    std::uint64_t* steps);
+                                    std::uint64_t& steps);
 
 /// The same, always by search.
 [[nodiscard]] double search_impact(const Feature& feature, const Turning& turning, const Path& path,
-                                   double radius, double t0, double t1, std::uint64_t* steps);
+                                   double radius, double t0, double t1, std::uint64_t& steps);
 [[nodiscard]] double search_impact(const Path& a, const Path& b, double radii, double t0, double t1,
-                                   std::uint64_t* steps);
+                                   std::uint64_t& steps);
 
 /// Conservative advancement: the first t in [t0, t1] at which `free_time(t)`, a time for which nothing
 /// happens after t, is 0 or rounding; never_touch if there is none. Each step counts down `steps_left`; below

@@ -37,8 +37,8 @@ RC_GTEST_PROP(TimeOfImpact, ClosedFormForALineAgreesWithTheSearch, ()) {
     path.flight.drag = *rc::gen::element(0.0, 1e-9, 0.05, 1.0, 20.0);
     const double r = between(0.01, 0.3), end = 1;
     RC_PRE(closest_point(line, path.flight.position, r).distance > r + 1e-6);
-    const double closed = time_of_impact(line, {}, path, r, 0, end, &steps);
-    const double searched = search_impact(line, {}, path, r, 0, end, &steps);
+    const double closed = time_of_impact(line, {}, path, r, 0, end, steps);
+    const double searched = search_impact(line, {}, path, r, 0, end, steps);
     RC_ASSERT(closed == never_touch ||
               std::abs(std::abs(cross(unit(b - a), path.position(closed) - a)) - r) < 1e-6);
     const double first = std::min(closed, searched);
@@ -57,7 +57,7 @@ TEST(TimeOfImpact, ABallThatTurnsBelowALineDoesNotTouchIt) {
     for (const double rise : {0.3, 0.399, 0.401, 0.45}) {  // to the line: 0.4 m
         Path path;
         path.flight = {{0, 0.5}, {0.1, std::sqrt(2 * 9.81 * rise)}, {0, -9.81}, 0};
-        EXPECT_EQ(time_of_impact(line, {}, path, 0.1, 0, 1, &steps) == never_touch, rise < 0.4) << rise;
+        EXPECT_EQ(time_of_impact(line, {}, path, 0.1, 0, 1, steps) == never_touch, rise < 0.4) << rise;
     }
 }
 
@@ -74,7 +74,7 @@ TEST(TimeOfImpact, ABallThatPassesAnotherOnItsSurfaceLeavesItOrTouchesAtOnce) {
             still.flight = {{-0.9418, 0.3}, {}, {}, 0};
             passing.flight = {still.flight.position + reach * normal, speed * tangent - approach * normal,
                               -share * bend * normal, 0};
-            const double met = time_of_impact(passing, still, reach, 0, 0.05, &steps);
+            const double met = time_of_impact(passing, still, reach, 0, 0.05, steps);
             EXPECT_EQ(met, share < 1 ? never_touch : 0) << k << ", " << share;
         }
     }
@@ -89,7 +89,7 @@ TEST(TimeOfImpact, IsBetweenTheEndsOfALineAlsoWhereTheClockIsCoarse) {
     path.start = now;
     path.flight = {{-3e-17, r}, {1, -0.1}, {}, 0};
     EXPECT_FALSE(closest_point(line, path.position(now), r).facing);
-    const double met = search_impact(line, {}, path, r, now, 1, &steps);
+    const double met = search_impact(line, {}, path, r, now, 1, steps);
     EXPECT_GT(met, now);
     EXPECT_LT(met, now + 1e-12);
     EXPECT_TRUE(closest_point(line, path.position(met), r).facing);
@@ -119,8 +119,8 @@ RC_GTEST_PROP(TimeOfImpact, ClosedFormForACircleAgreesWithTheSearch, ()) {
     const Path path = random_path({});
     const double r = between(0.01, 0.3);
     RC_PRE(closest_point(circle, path.flight.position, r).distance > r + 1e-6);
-    const double closed = time_of_impact(circle, {}, path, r, 0, 1, &steps);
-    const double searched = search_impact(circle, {}, path, r, 0, 1, &steps);
+    const double closed = time_of_impact(circle, {}, path, r, 0, 1, steps);
+    const double searched = search_impact(circle, {}, path, r, 0, 1, steps);
     const double first = std::min(closed, searched);
     if (first == never_touch) return;
     same(closed, searched, dot(path.velocity(first), closest_point(circle, path.position(first), r).normal));
@@ -132,8 +132,8 @@ RC_GTEST_PROP(TimeOfImpact, ClosedFormForBallsWithDragAgreesWithTheSearch, ()) {
     a.flight.drag = b.flight.drag = between(0, 3);
     const double radii = between(0.02, 0.6);
     RC_PRE(length(a.flight.position - b.flight.position) > radii + 1e-6);
-    const double closed = time_of_impact(a, b, radii, 0, 1, &steps),
-                 searched = search_impact(a, b, radii, 0, 1, &steps);
+    const double closed = time_of_impact(a, b, radii, 0, 1, steps),
+                 searched = search_impact(a, b, radii, 0, 1, steps);
     const double first = std::min(closed, searched);
     if (first == never_touch) return;
     same(closed, searched,
@@ -150,7 +150,7 @@ RC_GTEST_PROP(TimeOfImpact, SearchSkipsNoRoot, ()) {
     const Turning turning{{{0, 0}, between(0, 6)}, rate, INFINITY, 0};
     Path path = random_path(anywhere(10));
     path.flight.drag = *rc::gen::arbitrary<bool>() ? between(0, 5) : 0;
-    const double r = between(0.02, 0.2), found = time_of_impact(feature, turning, path, r, 0, 0.5, &steps);
+    const double r = between(0.02, 0.2), found = time_of_impact(feature, turning, path, r, 0, 0.5, steps);
     const auto gap_at = [&](double t) {
         const Closest closest = closest_point(feature, turning.pose(t).undo(path.position(t)), r);
         return closest.facing ? closest.distance - r : 1.0;
@@ -176,7 +176,7 @@ TEST(TimeOfImpact, ABallThatSeparatesFromALoopHitsItAgain) {
         path.flight = {
             Vec2{0.2, -0.1} + reach * from_angle(angle), speed * perp(from_angle(angle)), {0, -g}, 0};
         const double back = 4 * speed * std::cos(angle) / g;
-        EXPECT_NEAR(time_of_impact(feature, {}, path, radius, 0, 1, &steps), back, 1e-9) << angle;
+        EXPECT_NEAR(time_of_impact(feature, {}, path, radius, 0, 1, steps), back, 1e-9) << angle;
     }
 }
 
@@ -195,7 +195,7 @@ TEST(TimeOfImpact, ASmallGapEndsInAnImpact) {
             taylor.top_speed = 1;
             taylor.top_acceleration = 1000;
             // Positions of half a decimetre are rounded to 1e-17.
-            EXPECT_NEAR(time_of_impact(floor, {}, path, radius, 0, end, &steps), down,
+            EXPECT_NEAR(time_of_impact(floor, {}, path, radius, 0, end, steps), down,
                         1e-9 + 2e-17 / hair * down)
                 << hair << " " << down;
         }
