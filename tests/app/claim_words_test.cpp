@@ -22,11 +22,11 @@ TEST(ClaimWords, SayWhatIsMeasuredInWords) {
 
 TEST(ClaimWords, TellOnlyTheFiguresThatAStatementDoesNotGive) {
     using Lines = std::vector<std::string>;
-    EXPECT_EQ(measured_in_words({"a.lost == 0 && a.steps == 3", true, "a.lost = 0, a.steps = 3"}, true),
+    EXPECT_EQ(measured_in_words({"a.lost == 0 && a.steps == 3", true, {"a.lost = 0", "a.steps = 3"}}, true),
               Lines());
-    EXPECT_EQ(measured_in_words({"a.deepest < 1e-9", true, "a.deepest = 2.5e-10 m"}, true),
+    EXPECT_EQ(measured_in_words({"a.deepest < 1e-9", true, {"a.deepest = 2.5e-10 m"}}, true),
               Lines{"deepest overlap = 2.5·10⁻¹⁰ m"});
-    EXPECT_EQ(measured_in_words({"abs(0.1 * 9.81 - 0.981) < 0.01", true, ""}, true), Lines());
+    EXPECT_EQ(measured_in_words({"abs(0.1 * 9.81 - 0.981) < 0.01", true, {}}, true), Lines());
 }
 
 TEST(ClaimWords, OfNoLessonHaveNamesForComputing) {

@@ -28,9 +28,12 @@ bool check_lesson(const std::filesystem::path& file) {
     const bool all = std::ranges::all_of(verified, &lab::Verified::holds);
     print("%-28s %s\n", printable(lesson.name).c_str(), all ? "holds" : "DOES NOT HOLD");
     print("    %s\n", printable(lesson.claim.says).c_str());
-    for (const lab::Verified& one : verified)
+    for (const lab::Verified& one : verified) {
+        std::string measured;
+        for (const std::string& figure : one.measured) measured += (measured.empty() ? "" : ", ") + figure;
         print("    %s  %s   (%s)\n", one.holds ? "yes" : "NO ", printable(one.statement).c_str(),
-              printable(one.measured).c_str());
+              printable(measured).c_str());
+    }
     finish_output();
     return all;
 }

@@ -127,8 +127,7 @@ std::string claim_in_words(std::string_view statement, bool one_run) {
 std::vector<std::string> measured_in_words(const lab::Verified& one, bool one_run) {
     const std::vector<std::string> said = parts_of(claim_in_words(one.statement, one_run), " and ");
     std::vector<std::string> measured;
-    if (one.measured.empty()) return measured;
-    for (const std::string& figure : parts_of(one.measured, ", ")) {
+    for (const std::string& figure : one.measured) {
         std::string words = claim_in_words(figure, one_run);
         if (std::ranges::find(said, words) == said.end()) measured.push_back(std::move(words));
     }

@@ -186,8 +186,8 @@ std::vector<Verified> verify(const Claim& claim, const Figures& figures, const s
             const Judgement judgement = judge(statement, figures);
             Verified& one = all.emplace_back(Verified{statement, judgement.holds, {}});
             for (const std::string& name : judgement.figures)
-                one.measured += (one.measured.empty() ? "" : ", ") + name + " = " + brief(figures.at(name)) +
-                                std::string(unit_of_figure(name));
+                one.measured.push_back(name + " = " + brief(figures.at(name)) +
+                                       std::string(unit_of_figure(name)));
         } catch (const BadStatement& error) {
             throw InputError(file, "/claim/holds/" + std::to_string(i),
                              in_quotes(statement) + ": " + error.what() +

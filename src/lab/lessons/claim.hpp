@@ -2,6 +2,7 @@
 /// Runs the claims of a lesson and reports whether they are true.
 
 #include <string>
+#include <vector>
 
 #include "lab/lessons/lesson.hpp"
 #include "lab/lessons/statement.hpp"
@@ -11,7 +12,7 @@ namespace flipside::lab {
 struct Verified {
     std::string statement;  ///< one of Claim::holds
     bool holds = false;
-    std::string measured;  ///< the figures in it, with what they were
+    std::vector<std::string> measured;  ///< each figure in it: "one.y0 = -1 m"
 };
 
 /// Makes the runs; exact engines that refuse throw Refusal.

@@ -23,7 +23,8 @@ TEST(Lessons, AllHoldWhatTheyClaim) {
         SCOPED_TRACE(file.string());
         const Lesson lesson = load_lesson(file);
         for (const Verified& one : verify(lesson.claim, measure(lesson.claim), file.string()))
-            EXPECT_TRUE(one.holds) << one.statement << "   (" << one.measured << ")";
+            EXPECT_TRUE(one.holds) << one.statement << "   (" << ::testing::PrintToString(one.measured)
+                                   << ")";
     }
 }
 
@@ -122,7 +123,7 @@ class LessonFile : public testing::Test {
 TEST_F(LessonFile, SaysWhetherItsClaimHoldsAndWhatWasMeasured) {
     ASSERT_EQ(check().size(), 1U);
     EXPECT_TRUE(check()[0].holds);
-    EXPECT_EQ(check()[0].measured, "one.y0 = -1 m");
+    EXPECT_EQ(check()[0].measured, std::vector<std::string>{"one.y0 = -1 m"});
     replace("abs(one.y0 + 1) < 1e-12", "one.y0 > 0");
     EXPECT_FALSE(check()[0].holds);
 }
