@@ -16,6 +16,18 @@ void Simulation<R>::offer(Particle& particle, const R& time, Next next, std::uin
     particle.other_version = changes;
 }
 
+/// When the ball leaves the box, if before its next event so far. Throws Refusal, with the name of the
+/// border, if the search does not end.
+template <class R>
+R Simulation<R>::search_border(const Particle& particle, const char* border, const Box& box,
+                               int& side) const {
+    try {
+        return leaves(particle.path, box, now_, particle.next_time, side);
+    } catch (const EndlessSearch&) {
+        refuse_search("reference", particle.ball.number, border, clock(now_));
+    }
+}
+
 /// Predicts the next event of a ball on its path, up to the border of its cell and for at most a second, for
 /// which the bounds on speeds hold.
 template <class R>
@@ -27,12 +39,12 @@ void Simulation<R>::predict(BallIndex i) {
     offer(particle, R(now_ + 1), Next::predict_again, 1);
     offer(particle, particle.until, Next::predict_again, 0);
     int side = 0;
-    const R crosses = leaves(particle.path, cells_.box(particle.cell), now_, particle.next_time, side);
+    const R crosses = search_border(particle, "the border of its cell", cells_.box(particle.cell), side);
     offer(particle, crosses, Next::cell, static_cast<std::uint32_t>(side));
     if (!particle.reported_lost) {
         if (!scene_->bounds.contains(narrow(particle.body.position)) && particle.path.start == now_)
             offer(particle, now_, Next::lost, outside_already);
-        const R goes = leaves(particle.path, scene_->bounds, now_, particle.next_time, side);
+        const R goes = search_border(particle, "the bounds", scene_->bounds, side);
         offer(particle, goes, Next::lost, static_cast<std::uint32_t>(side));
     }
     predict_features(particle);

@@ -201,6 +201,7 @@ class Simulation final : public Exact {
             refuse_search("reference", particle.ball.number, other, clock(now_), *scene_);
         }
     }
+    R search_border(const Particle& particle, const char* border, const Box& box, int& side) const;
     void offer(Particle& particle, const R& time, Next next, std::uint32_t index = 0,
                std::uint32_t changes = 0);
 

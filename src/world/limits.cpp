@@ -33,8 +33,12 @@ void refuse_speed(std::string_view engine, const Ball& ball, Other met, double t
 }
 
 void refuse_search(std::string_view engine, BallNumber ball, Other met, double time, const Scene& scene) {
-    throw Refusal(std::string(engine) + ": ball " + std::to_string(ball) + " and " + name_of(met, scene) +
-                  ", from " + shown("%.9g", time) +
+    refuse_search(engine, ball, name_of(met, scene), time);
+}
+
+void refuse_search(std::string_view engine, BallNumber ball, const std::string& met, double time) {
+    throw Refusal(std::string(engine) + ": ball " + std::to_string(ball) + " and " + met + ", from " +
+                  shown("%.9g", time) +
                   " s on: the search for their next touch has passed its bound of steps");
 }
 

@@ -3,6 +3,7 @@
 /// itself refuses its step (refusal.hpp, step_guard.hpp).
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "world/ball.hpp"
@@ -35,6 +36,9 @@ inline constexpr double last_time = 1e12;
 /// Throws Refusal: the time at which `ball` touches or leaves `met`, from `time` on, was not found.
 [[noreturn]] void refuse_search(std::string_view engine, BallNumber ball, Other met, double time,
                                 const Scene& scene);
+/// The same where `met` is neither a ball nor a part, as the bounds.
+[[noreturn]] void refuse_search(std::string_view engine, BallNumber ball, const std::string& met,
+                                double time);
 /// Throws Refusal where a number of the event is infinite or none: an engine in single precision gets there
 /// with balls of extreme radius or mass.
 void require_finite(std::string_view engine, const Event& event, const Scene& scene);

@@ -174,6 +174,23 @@ TEST(ReferenceWorld, AStepWithTooManySearchesIsRefused) {
     EXPECT_EQ(rattled_in(3e-5, "113", 1), why);
 }
 
+/// Where drag is strong, a search for the border goes by steps that are far too small.
+TEST(ReferenceWorld, ASearchForABorderThatDoesNotEndNamesTheBallAndTheBorder) {
+    Scene scene = empty_scene();
+    scene.damping = 1e6;
+    add_ball(scene, {scene.bounds.max.x - 1e-4, 0}, {10, 0});
+    const auto world = make_world(scene);
+    std::string why;
+    try {
+        world->step(1.0 / 60);
+    } catch (const Refusal& refusal) {
+        why = refusal.what();
+    }
+    EXPECT_EQ(why,
+              "reference: ball 0 and the bounds, from 0 s on: the search for their next touch has passed its "
+              "bound of steps");
+}
+
 TEST(ReferenceWorld, PilesAreRefusedAndTheWorldStaysReadable) {
     Scene scene = empty_scene({0, -9.81});
     scene.materials[0].restitution = 0.5;
