@@ -32,6 +32,15 @@ TEST_F(UnfitScene, IsRefusedWithFileAndPointerByTheEngineAlone) {
                    "s.json: /balls/0/mass: is 1e+29 kg; box2d computes in single precision");
 }
 
+TEST_F(UnfitScene, IsAGoodSceneWithANote) {
+    const Result result = flipside("check " + heavy);
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_NE(result.out.find("heavy.json: good: scene 'bounce', parts 1, balls 1\n"), std::string::npos);
+    EXPECT_NE(result.out.find("\nnote: box2d cannot run it: " + heavy + ": /balls/0/mass: is 1e+29 kg"),
+              std::string::npos)
+        << result.out;
+}
+
 TEST_F(UnfitScene, IsComparedOnTheOthers) {
     const Result result = flipside("compare " + heavy +
                                    " --engines custom,box2d,reference --seconds 1 --json " + file("c.json"));

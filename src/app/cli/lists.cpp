@@ -5,6 +5,7 @@
 #include "lab/files/assets.hpp"
 #include "lab/files/text_stream.hpp"
 #include "lab/scenes/scene_notes.hpp"
+#include "world/input_error.hpp"
 #include "world/printable.hpp"
 #include "world/scene_file.hpp"
 
@@ -62,16 +63,32 @@ int list_engines(const std::vector<std::string>& libraries) {
     return 0;
 }
 
-/// The file, what the scene recommends, and every engine's word that it can run it; then what looks unmeant.
+/// "box2d cannot run it: WHY" for each engine that cannot. Throws InputError where none can.
+std::vector<std::string> notes_on_engines(const std::shared_ptr<const Scene>& scene) {
+    std::vector<std::string> notes;
+    for (const Engine* engine : lab::engines()) {
+        const Settings settings = lab::settings_for(*engine, *scene);
+        try {
+            engine->make(scene, settings);
+        } catch (const InputError& error) {
+            notes.push_back(std::string(engine->name) + " cannot run it: " + error.what());
+            if (notes.size() == lab::engines().size()) throw;
+        }
+    }
+    return notes;
+}
+
+/// The file and what the scene recommends; then what not every engine can do, and what looks unmeant.
 int check(const std::string& name_or_path) {
     const auto file = lab::scene_file(name_or_path);
     const auto scene = std::make_shared<const Scene>(load_scene(file));
     lab::require_known_engines(*scene);
     static_cast<void>(lab::step_for(*scene));
-    for (const Engine* engine : lab::engines()) engine->make(scene, lab::settings_for(*engine, *scene));
+    std::vector<std::string> notes = notes_on_engines(scene);
+    for (std::string& note : lab::notes_on(*scene)) notes.push_back(std::move(note));
     print("%s: good: scene '%s', parts %zu, balls %zu\n", printable(file.string()).c_str(),
           printable(scene->name).c_str(), scene->parts.size(), scene->balls.size());
-    for (const std::string& note : lab::notes_on(*scene)) print("note: %s\n", printable(note).c_str());
+    for (const std::string& note : notes) print("note: %s\n", printable(note).c_str());
     return 0;
 }
 
