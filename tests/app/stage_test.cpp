@@ -94,6 +94,13 @@ TEST(Stage, EnginesChangePlacesAndAllGoOnFromTheFirst) {
     EXPECT_EQ(engines_of(stage), (Names{"custom", "box2d"}));
 }
 
+TEST(Stage, TheReferenceHasATwinUnlessTheUserSaysOtherwise) {
+    const Stage with{"drop", "reference", View::single, {}, {}};
+    EXPECT_EQ(with.runs()[0].session().settings().text("twin"), "on");
+    const Stage without{"drop", "reference", View::single, {"reference.twin=off"}, {}};
+    EXPECT_EQ(without.runs()[0].session().settings().text("twin"), "off");
+}
+
 Stage stage_with(const std::vector<std::string>& contenders) {
     return {"drop", "custom", View::split, {}, {}, contenders};
 }

@@ -59,10 +59,13 @@ Stage::Stage(const std::string& scene, const std::string& engine, View view,
     : line_up_(lab::parse_contenders(contenders)), asked_dt_(dt), view_(view) {
     // A library is an engine once it is loaded, and then it may have settings.
     const Engine& first = lab::engine_named(engine);
+    changes_ = lab::parse_changes(settings, lab::engines());
     // The reference is to say how far it may be trusted, unless the user will not pay for that.
-    std::vector<std::string> all{"reference.twin=on"};
-    all.insert(all.end(), settings.begin(), settings.end());
-    changes_ = lab::parse_changes(all, lab::engines());
+    const auto is_twin = [](const lab::SettingChange& change) {
+        return is_reference(*change.engine) && change.name == "twin";
+    };
+    if (std::ranges::none_of(changes_, is_twin))
+        changes_.push_back({&lab::engine_named(reference_name), "twin", "on"});
     if (line_up_.size() > most_contenders)
         throw InputError(std::to_string(line_up_.size()) + " contenders; the window has room for " +
                          std::to_string(most_contenders));
