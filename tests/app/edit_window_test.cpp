@@ -1,132 +1,9 @@
-/// Drawing scenes in the real window by real clicks, drags and keys.
+/// Drawing scenes in the real window.
 
-#include <fstream>
-
-#include "app/window_fixture.hpp"
-#include "lab/files/assets.hpp"
-#include "places.hpp"
-#include "world/json_file.hpp"
+#include "app/edit_window.hpp"
 
 namespace flipside::app {
 namespace {
-
-namespace fs = std::filesystem;
-
-class EditWindow : public WindowTest {
-  protected:
-    void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "flipside-drawn-XXXXXX").string();
-        ASSERT_NE(mkdtemp(name.data()), nullptr);
-        folder = name;
-    }
-    void TearDown() override {
-        WindowTest::TearDown();
-        fs::remove_all(folder);
-    }
-    /// A copy of a shipped scene, which may be written.
-    std::string copy_of(const std::string& scene) const {
-        const fs::path copy = folder / (scene + ".json");
-        fs::copy_file(lab::scene_file(scene), copy);
-        return copy.string();
-    }
-    Json edit(const std::string& what, const RealWindow::Condition& condition) {
-        return window->wait(what,
-                            [&](const Json& s) { return !s["edit"].is_null() && condition(s["edit"]); });
-    }
-    Json begin_edit() {
-        window->key("F4");
-        return edit("the edit mode", [](const Json&) { return true; });
-    }
-    /// A place of the table on the screen, as it is drawn now.
-    static std::string pixel(const Json& state, double x, double y) {
-        const Json &pane = state["layout"]["panes"][0], &center = state["center"];
-        const double scale = state["scale"];
-        const double px =
-            pane[0].get<double>() + 0.5 * pane[2].get<double>() + scale * (x - center[0].get<double>());
-        const double py =
-            pane[1].get<double>() + 0.5 * pane[3].get<double>() - scale * (y - center[1].get<double>());
-        return std::to_string(std::lround(px)) + ' ' + std::to_string(std::lround(py));
-    }
-    static std::string pixel(const Json& at) {
-        return std::to_string(std::lround(at[0].get<double>())) + ' ' +
-               std::to_string(std::lround(at[1].get<double>()));
-    }
-    void drag(const std::string& from, const std::string& to) const {
-        window->xdotool("mousemove " + from + " mousedown 1 mousemove " + to + " mouseup 1");
-    }
-    /// Presses the key of a tool, and drags from one place to the other.
-    Json draw(const std::string& letter, double ax, double ay, double bx, double by) {
-        window->key(letter);
-        const Json state = settled();
-        const std::size_t before = state["edit"]["parts"];
-        drag(pixel(state, ax, ay), pixel(state, bx, by));
-        return edit("one part more", [&](const Json& e) { return e["parts"] == before + 1; });
-    }
-    void type_into(const std::string& field, const std::string& text) {
-        window->click(scroll_to_field(field));
-        // A click picks all that is there; what is typed takes its place.
-        window->wait("the field", [&](const Json& s) { return s["focus"] == field; });
-        window->now();
-        window->xdotool("type --delay 20 '" + text + "'");
-        window->key("Return");
-    }
-    Json scroll_to_field(const std::string& field) {
-        for (int i = 0; i < 8; ++i) {
-            const Json state = settled();
-            if (state["controls"].contains(field)) return state["controls"][field];
-            const Json panel = state["layout"]["panel"];
-            window->xdotool("mousemove " + std::to_string(panel[0].get<int>() + 4) + ' ' +
-                            std::to_string(panel[3].get<int>() / 2) + " click 5 click 5");
-        }
-        throw std::runtime_error(field + " is not to be seen");
-    }
-    /// The exit code of another run of the program.
-    static int run_program(std::vector<std::string> arguments) {
-        arguments.insert(arguments.begin(), test::flipside_program);
-        return Process(arguments).wait(60);
-    }
-    void save_as(const fs::path& file) {
-        window->key("ctrl+shift+s");
-        window->wait("the question for a name",
-                     [](const Json& s) { return s["controls"].contains("Save here"); });
-        type_name(file);
-    }
-    /// Into the field that has the keyboard, in place of what is proposed there.
-    void type_name(const fs::path& file) {
-        window->wait("the field", [](const Json& s) { return s["focus"] == "File"; });
-        window->now();
-        window->xdotool("type --delay 20 '" + file.string() + "'");
-        window->key("Return");
-    }
-
-    fs::path folder;
-};
-
-TEST_F(EditWindow, AnEndThatIsDraggedIsSavedAndNoOtherLetterChanges) {
-    const std::string file = copy_of("toy");
-    const std::string before = read_file(file);
-    open(file);
-    const Json state = begin_edit();
-    window->xdotool("mousemove " + pixel(state, 0.5, 0.032) + " click 1");
-    const Json picked =
-        edit("the floor", [](const Json& e) { return e["thing"].value("name", "") == "floor"; });
-    drag(pixel(picked["edit"]["handles"]["corner 1"]), pixel(picked, 0.9, 0.1));
-    const Json moved = edit("its other end", [](const Json& e) {
-        return e["thing"]["shape"]["b"] == Json{0.9, 0.1};
-    });
-    EXPECT_EQ(moved["edit"]["unsaved"], true);
-    window->key("ctrl+s");
-    edit("the file", [](const Json& e) { return e["unsaved"] == false; });
-    std::string wanted = before;
-    const std::string end = R"("b": [0.992, 0.032])";
-    wanted.replace(wanted.find(end), end.size(), R"("b": [0.9, 0.1])");
-    EXPECT_EQ(read_file(file), wanted);
-
-    window->key("F4");
-    const Json played = window->wait("the table", [](const Json& s) { return s["edit"].is_null(); });
-    EXPECT_EQ(played["panes"].size(), 2U);
-    EXPECT_LT(played["time"], 1);
-}
 
 TEST_F(EditWindow, ASceneIsDrawnFromNothingAndRunsOnAllEngines) {
     open();
@@ -279,35 +156,6 @@ TEST_F(EditWindow, WhatIsWrongIsSaidAndUndone) {
     });
 }
 
-TEST_F(EditWindow, NoFileIsWrittenOverThatIsNotItsOwn) {
-    const std::string shipped = read_file(lab::scene_file("drop"));
-    std::ofstream(folder / "other.json") << "somebody's";
-    open("drop");
-    begin_edit();
-    window->key("ctrl+d");
-    window->key("Tab");
-    window->key("ctrl+d");
-    edit("a change", [](const Json& e) { return e["unsaved"] == true; });
-    window->key("ctrl+s");
-    window->wait("the question for a name",
-                 [](const Json& s) { return s["controls"].contains("Save here"); });
-    EXPECT_EQ(read_file(lab::scene_file("drop")), shipped);
-    type_name(folder / "other.json");
-    const Json asked =
-        window->wait("a question", [](const Json& s) { return s["controls"].contains("Replace it"); });
-    EXPECT_EQ(asked["edit"]["unsaved"], true);
-    EXPECT_EQ(read_file(folder / "other.json"), "somebody's");
-    click("Replace it");
-    edit("the file", [](const Json& e) { return e["unsaved"] == false; });
-    EXPECT_EQ(run_program({"check", (folder / "other.json").string()}), 0);
-    // What somebody else writes there then is not lost either.
-    std::ofstream(folder / "other.json") << shipped;
-    window->key("ctrl+d");
-    window->key("ctrl+s");
-    window->wait("a question", [](const Json& s) { return s["controls"].contains("Replace it"); });
-    EXPECT_EQ(read_file(folder / "other.json"), shipped);
-}
-
 TEST_F(EditWindow, NumbersAreTypedExactly) {
     open(copy_of("toy"));
     const Json state = begin_edit();
@@ -320,30 +168,6 @@ TEST_F(EditWindow, NumbersAreTypedExactly) {
     window->key("ctrl+z");
     window->key("ctrl+z");
     edit("all as before", [](const Json& e) { return e["unsaved"] == false; });
-}
-
-TEST_F(EditWindow, UnsavedDrawingsAreNotLostAtOnce) {
-    open(copy_of("drop"));
-    begin_edit();
-    window->key("Tab");
-    window->key("Up");
-    edit("a change", [](const Json& e) { return e["unsaved"] == true; });
-    window->key("F4");
-    window->wait("the table", [](const Json& s) { return s["edit"].is_null(); });
-    window->key("Escape");
-    window->wait("a warning", [](const Json& s) {
-        return s["notice"].get<std::string>().find("not saved") != std::string::npos;
-    });
-    EXPECT_TRUE(window->program().running());
-    window->key("F4");
-    window->wait("the table", [](const Json& s) { return s["edit"].is_null(); });
-    window->key("F4");
-    edit("what was drawn", [](const Json& e) { return e["unsaved"] == true; });
-    window->key("ctrl+z");
-    edit("the file as it is", [](const Json& e) { return e["unsaved"] == false; });
-    window->wait("no warning any more", [](const Json& s) {
-        return s["notice"].get<std::string>().find("not saved") == std::string::npos;
-    });
 }
 
 /// Of what is picked; "" of what is no part.
