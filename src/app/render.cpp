@@ -25,24 +25,11 @@ Shows parse_shows(const std::vector<std::string>& names) {
     return shows;
 }
 
-namespace {
-
-/// "NAME=VALUE" means the chosen engine.
-std::vector<std::string> named_settings(const RenderOptions& options) {
-    std::vector<std::string> settings = options.settings;
-    const std::string engine(lab::engine_named(options.engine).name);
-    for (std::string& text : settings)
-        if (text.substr(0, text.find('=')).find('.') == std::string::npos) text = engine + "." + text;
-    return settings;
-}
-
-}  // namespace
-
 std::string render(const RenderOptions& options) {
     Look look;
     look.shows = parse_shows(options.show);
     look.artwork = options.artwork;
-    Stage stage(options.scene, options.engine, options.view, named_settings(options), options.script, {},
+    Stage stage(options.scene, options.engine, options.view, options.settings, options.script, {},
                 options.dt);
     stage.run_until(options.at);
     for (const Run& run : stage.runs())

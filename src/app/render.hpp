@@ -18,7 +18,7 @@ struct RenderOptions {
     double dt = 1.0 / 60;
     View view = View::single;
     std::vector<std::string> show;      ///< overlays: boxes, cells, …
-    std::vector<std::string> settings;  ///< "ENGINE.NAME=VALUE", or "NAME=VALUE" for `engine`
+    std::vector<std::string> settings;  ///< "ENGINE.NAME=VALUE"
     std::optional<std::filesystem::path> script;
     bool artwork = true;
     unsigned width = 1280, height = 800;  ///< px

@@ -156,13 +156,10 @@ int compare(const CompareOptions& options) {
     require_distinct({options.inputs(), {{"--json", options.json}}, true});
     lab::CompareInput input;
     input.scene = options.load();
-    for (const lab::ContenderRequest& request : requests) {
+    for (const lab::ContenderRequest& request : requests)
         input.contenders.push_back(
             lab::contender_for(request, *input.scene, options.step(*input.scene), changes));
-        auto own = changes;
-        for (const auto& [name, value] : request.set) own.push_back({request.engine, name, value});
-        note_idle(input.contenders.back(), own);
-    }
+    note_idle(requests, *input.scene, changes);
     input.seconds = options.seconds;
     input.script = options.load_script(*input.scene);
 

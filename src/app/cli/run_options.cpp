@@ -55,6 +55,15 @@ void note_idle(const lab::Contender& contender, std::span<const lab::SettingChan
     }
 }
 
+void note_idle(std::span<const lab::ContenderRequest> requests, const Scene& scene,
+               std::span<const lab::SettingChange> changes) {
+    for (const lab::ContenderRequest& request : requests) {
+        std::vector<lab::SettingChange> all(changes.begin(), changes.end());
+        for (const auto& [name, value] : request.set) all.push_back({request.engine, name, value});
+        note_idle(lab::contender_for(request, scene, lab::default_step, changes), all);
+    }
+}
+
 Settings settings_with(const std::vector<std::string>& texts, const Engine& engine, const Scene& scene) {
     const Engine* const used[] = {&engine};
     const auto changes = lab::parse_changes(texts, used);

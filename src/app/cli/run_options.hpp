@@ -42,6 +42,9 @@ struct RunOptions {
                                      const Scene& scene);
 /// Says on stderr which of them have no effect with the other settings of the contender.
 void note_idle(const lab::Contender& contender, std::span<const lab::SettingChange> changes);
+/// The same of each of them on the scene, for the changes and its own settings.
+void note_idle(std::span<const lab::ContenderRequest> requests, const Scene& scene,
+               std::span<const lab::SettingChange> changes);
 
 /// Puts the session into the state of that file; "" is none.
 void restore_from(const std::string& file, lab::Session& session);

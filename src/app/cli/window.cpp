@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "app/cli/commands.hpp"
 #include "app/cli/display.hpp"
 #include "app/cli/run_options.hpp"
@@ -14,11 +16,42 @@ namespace flipside::app {
 
 namespace {
 
+constexpr const char* default_scene = "pinball";
+
 struct RenderArguments {
     RenderOptions options;
     std::string dt, script;  ///< as on the command line
     std::filesystem::path out;
 };
+
+/// "NAME=VALUE" means the chosen engine.
+void name_engine(std::vector<std::string>& settings, const Engine& engine) {
+    for (std::string& text : settings)
+        if (text.substr(0, text.find('=')).find('.') == std::string::npos)
+            text = std::string(engine.name) + "." + text;
+}
+
+/// Says on stderr which settings have no effect. Without contenders the engines take part as they are.
+void note_idle_settings(const std::vector<std::string>& settings, const std::vector<std::string>& contenders,
+                        const Scene& scene) {
+    auto requests = lab::parse_contenders(contenders);  // loads the libraries among them
+    const auto changes = lab::parse_changes(settings, lab::engines());
+    if (requests.empty())
+        for (const Engine* engine : lab::engines())
+            if (std::ranges::find(changes, engine, &lab::SettingChange::engine) != changes.end())
+                requests.push_back(lab::plain_contender(*engine));
+    note_idle(requests, scene, changes);
+}
+
+/// What is wrong with settings and contenders is said without a display too.
+void note_idle_settings(const PlayOptions& options) {
+    if (!options.engine.empty()) static_cast<void>(lab::engine_named(options.engine));
+    if (options.settings.empty() && options.contenders.empty()) return;
+    RunOptions run;
+    run.scene = options.scene.value_or(default_scene);
+    note_idle_settings(options.settings, options.contenders,
+                       options.lesson ? *lab::load_lesson(*options.lesson).scene : *run.load());
+}
 
 int render(RenderArguments arguments) {
     RenderOptions& options = arguments.options;
@@ -26,7 +59,7 @@ int render(RenderArguments arguments) {
     run.scene = options.scene;
     run.dt = arguments.dt;
     run.script = arguments.script;
-    static_cast<void>(lab::engine_named(options.engine));
+    name_engine(options.settings, lab::engine_named(options.engine));
     require_distinct({run.inputs(), {{"--out", arguments.out}}});
     if (arguments.out.extension() != ".png")
         throw InputError("--out '" + arguments.out.string() +
@@ -34,6 +67,7 @@ int render(RenderArguments arguments) {
     const auto scene = run.load();
     options.dt = run.step(*scene);
     options.script = run.script_path();
+    note_idle_settings(options.settings, {}, *scene);
     lab::WholeFile picture(arguments.out);
     require_display();
     picture.out() << render(options);
@@ -81,9 +115,10 @@ void add_play(CLI::App& program, Action& chosen) {
     add_size(command, options->width, options->height);
     command.callback([options, &chosen] {
         chosen = [options] {
-            require_distinct({{{"the scene", lab::scene_file(options->scene.value_or("pinball"))},
+            require_distinct({{{"the scene", lab::scene_file(options->scene.value_or(default_scene))},
                                {"the script", options->script.value_or("")}},
                               {{"--report", options->report.value_or("")}}});
+            note_idle_settings(*options);
             require_display();
             return play(*options);
         };
