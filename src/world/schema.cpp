@@ -124,10 +124,20 @@ class Form {
 
     /// Asks valijson, and finds the smallest wrong part.
     void check(const Node& node) {
-        if (!passes(root_, node.json())) refuse_smallest(root_, node.json(), node.file(), node.pointer());
+        if (passes(root_, node.json())) return;
+        require_format(node);
+        refuse_smallest(root_, node.json(), node.file(), node.pointer());
     }
 
   private:
+    /// A file of another kind is refused as such, whatever else in it is unlike what is expected.
+    void require_format(const Node& node) {
+        const Json& document = node.json();
+        const Json* format = member_schema(root_, document, "format");
+        if (format == nullptr || !document.contains("format") || passes(*format, document["format"])) return;
+        refuse(root_, *format, document["format"], node.file(), node.pointer() + "/format");
+    }
+
     /// `schema` must be resolved or the root.
     bool passes(const Json& schema, const Json& value) {
         auto& parsed = parsed_[&schema];

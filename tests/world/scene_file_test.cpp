@@ -59,6 +59,12 @@ TEST(SceneFile, EverySceneThatComesWithTheProgramLoadsAndSoDoesTheScriptBesideIt
     EXPECT_GE(count, 1);
 }
 
+TEST(SceneFile, AFileOfAnotherKindIsRefusedAsSuch) {
+    const char* const state = R"({"format": "flipside-state/1", "balls": [{"mass": -1}], "time": 0})";
+    expect_error(error_of([&] { (void)parse_scene(state, "s.json"); }),
+                 "s.json: /format: ", "is \"flipside-state/1\"; allowed: \"flipside-scene/1\"");
+}
+
 TEST(SceneFile, LeastSceneHasTheDefaults) {
     const Scene scene =
         parse_scene(R"({"format": "flipside-scene/1", "bounds": {"min": [0, 0], "max": [1, 1]}})", "s.json");
