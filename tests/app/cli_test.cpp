@@ -26,6 +26,7 @@ TEST_F(CommandLine, BadUsageIsExitTwoAndOneLine) {
     expect_refused("run drop --engine custom --set motion_iterations=65", 2, "from 1 to 64");
     expect_refused("run drop --engine custom --set motion_iterations", 2, "no value");
     expect_refused("run drop --engine custom --balls 5", 2, "drop.json");
+    expect_refused("run rain --engine custom --balls 1000001", 2, "from 1 to 1000000");
     expect_refused("run drop --engine custom --from " + file("none"), 2, "none");
     expect_refused("run drop --engine custom --script " + file("none"), 2, "none");
     expect_refused("compare drop --engines custom,custom", 2, "twice");
@@ -190,20 +191,6 @@ TEST_F(CommandLine, SettingsWithoutEffectAreToldAndTheRunIsMade) {
               "flipside: a" + note);
     EXPECT_EQ(told("compare drop --seconds 0.1 --contender a=custom,motion_iterations=8 --contender b=box2d"),
               "flipside: a" + note);
-    const auto told_first = [&](const std::string& arguments) {  // there is no display
-        const std::string words = flipside(arguments).err;
-        return words.substr(0, words.find('\n') + 1);
-    };
-    const std::string render = "render drop --engine custom --out " + file("x.png");
-    EXPECT_EQ(told_first(render + set), "flipside: custom" + note);
-    EXPECT_NE(told_first(render + set + " --set solver=simple"), "flipside: custom" + note);
-    EXPECT_EQ(told_first("play drop --set custom.motion_iterations=8"), "flipside: custom" + note);
-    EXPECT_EQ(told_first("play drop --contender a=custom,motion_iterations=8"), "flipside: a" + note);
-}
-
-TEST_F(CommandLine, SettingsOfTheWindowAreCheckedWithoutADisplay) {
-    expect_refused("play toy --set custom.foo=1", 2, "foo");
-    expect_refused("play toy --contender a=custom,foo=1", 2, "foo");
 }
 
 TEST_F(CommandLine, AStateOfATableOfAnotherSizeIsRefused) {

@@ -113,7 +113,7 @@ void RunOptions::add_to(CLI::App& command, const std::string& setting_form) {
                     "\"none\" for none)")
         ->type_name("FILE");
     command.add_option("--balls", balls, "Number of balls in a scene that generates a field of them")
-        ->check(whole_number_from(1, 10'000'000))
+        ->check(whole_number_from(1, most_things))
         ->type_name("N");
 }
 

@@ -11,6 +11,7 @@
 #include "lab/files/whole_file.hpp"
 #include "lab/lessons/lesson.hpp"
 #include "world/input_error.hpp"
+#include "world/script_file.hpp"
 
 namespace flipside::app {
 
@@ -43,14 +44,15 @@ void note_idle_settings(const std::vector<std::string>& settings, const std::vec
     note_idle(requests, scene, changes);
 }
 
-/// What is wrong with settings and contenders is said without a display too.
-void note_idle_settings(const PlayOptions& options) {
+/// What is wrong with the input is said without a display too.
+void check_play(const PlayOptions& options) {
     if (!options.engine.empty()) static_cast<void>(lab::engine_named(options.engine));
-    if (options.settings.empty() && options.contenders.empty()) return;
     RunOptions run;
     run.scene = options.scene.value_or(default_scene);
+    const auto scene = run.load();
+    if (options.script) static_cast<void>(load_script(*options.script, *scene));
     note_idle_settings(options.settings, options.contenders,
-                       options.lesson ? *lab::load_lesson(*options.lesson).scene : *run.load());
+                       options.lesson ? *lab::load_lesson(*options.lesson).scene : *scene);
 }
 
 int render(RenderArguments arguments) {
@@ -67,6 +69,8 @@ int render(RenderArguments arguments) {
     const auto scene = run.load();
     options.dt = run.step(*scene);
     options.script = run.script_path();
+    static_cast<void>(parse_shows(options.show));
+    static_cast<void>(run.load_script(*scene));
     note_idle_settings(options.settings, {}, *scene);
     lab::WholeFile picture(arguments.out);
     require_display();
@@ -118,7 +122,7 @@ void add_play(CLI::App& program, Action& chosen) {
             require_distinct({{{"the scene", lab::scene_file(options->scene.value_or(default_scene))},
                                {"the script", options->script.value_or("")}},
                               {{"--report", options->report.value_or("")}}});
-            note_idle_settings(*options);
+            check_play(*options);
             require_display();
             return play(*options);
         };
