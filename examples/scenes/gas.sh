@@ -4,12 +4,14 @@
 #
 #     examples/scenes/gas.sh 1000 > gas.json
 set -eu
+usage() {
+    echo "usage: $0 N    (a number of balls, from 1 to 1000000)" >&2
+    exit 2
+}
 case ${1:-} in
-    '' | *[!0-9]* | 0* | ????????*)
-        echo "usage: $0 N    (a number of balls, from 1 to 9999999)" >&2
-        exit 2
-        ;;
+    '' | *[!0-9]* | 0* | ????????*) usage ;;
 esac
+[ "$1" -le 1000000 ] || usage  # more is no scene
 awk -v n="$1" 'BEGIN {
     radius = 0.1; pi = atan2(0, -1)
     side = sqrt(n * pi * radius * radius / 0.2)

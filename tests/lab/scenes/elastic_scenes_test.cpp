@@ -48,7 +48,7 @@ TEST(ElasticScenes, GasScriptWritesTheGasOfTheBench) {
 }
 
 TEST(ElasticScenes, GasScriptRefusesWhatIsNoNumberOfBalls) {
-    for (const char* wrong : {"", "0", "-3", "1.5", "ten", "'2; echo'", "12345678"}) {
+    for (const char* wrong : {"", "0", "-3", "1.5", "ten", "'2; echo'", "12345678", "1000001"}) {
         const Output output = output_of_gas_script(wrong);
         EXPECT_NE(output.status, 0) << wrong;
         EXPECT_NE(output.text.find("usage"), std::string::npos) << wrong;
