@@ -153,6 +153,23 @@ TEST(World, DropTargetGoesDownUntilRaised) {
     EXPECT_FALSE(world->parts()[0].down);
 }
 
+// The shortest way out of the block leads through the floor.
+TEST(World, ATargetThatIsRaisedPushesNoBallThroughTheFloor) {
+    Scene scene = empty_scene({0, -1});
+    add_ball(scene, {0, 0.1});
+    add_ball(scene, {0, 2}, {0, -1});
+    add_part(scene, segment({-2, 0}, {2, 0}));
+    add_part(scene, {shape::Polygon{{{-0.5, 0.01}, {0.5, 0.01}, {0.5, 0.6}, {-0.5, 0.6}}}}).target = true;
+    const auto world = make_world(scene);
+    run(*world, 2);
+    ASSERT_TRUE(world->parts()[1].down);
+    for (int i = 0; i < 5; ++i) {
+        world->apply(control::RaiseTargets{});
+        run(*world, 0.5);
+        for (const Ball& ball : world->balls()) EXPECT_GT(ball.position.y, 0) << i;
+    }
+}
+
 TEST(World, LostOnceAndRemovedOrKept) {
     for (const bool keep : {false, true}) {
         Scene scene = empty_scene();

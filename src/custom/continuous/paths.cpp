@@ -96,10 +96,10 @@ void Paths::push_out_of_parts(BallIndex i) {
     }
 }
 
-/// Whether a moving part that overlaps a ball would push it through another part, against which it presses
-/// the ball. Such a ball is left where it is.
+/// Whether a moving part, or a target that was raised, that overlaps a ball would push it through another
+/// part, against which it presses the ball. Such a ball is left where it is.
 bool Paths::pushes_through(PartIndex by, const Ball& ball, const Touch& touch) {
-    if (!Table::moves(sim_.scene.parts[by])) return false;
+    if (const Part& part = sim_.scene.parts[by]; !Table::moves(part) && !part.target) return false;
     const Vec2 from = ball.position, to = from - touch.separation * touch.normal;
     const Box pushed = united(bounds_of(from, 0), bounds_of(to, 0));
     const std::span<const FeatureIndex> near = sim_.ranges.near(pushed);
