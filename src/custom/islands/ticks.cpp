@@ -285,6 +285,14 @@ void Islands::remember_forces(double time, double duration) {
     });
     part_forces_.forget_if([&](const ContactForce& force) { return !sim_.hot[force.b].creeps; });
     for (const BallIndex i : members_) sim_.particles[i].loads = 0;
+    // The impulse that stops a jammed ball acts at one instant. As a force over the rest of a tick, in which
+    // the ball jams, it would add energy as the start of the next solve.
+    const auto may_be_impact = [&](const ContactSolver::Contact& contact) {
+        const auto jammed = [&](ContactSolver::Index body) {
+            return body < members_.size() && sim_.particles[members_[body]].jammed;
+        };
+        return jammed(contact.upper) || jammed(contact.lower);
+    };
     for (const ContactSolver::Contact& contact : contact_solver_.contacts()) {
         if (contact.impulse.normal <= 0) continue;
         const bool of_balls = contact.with == ContactSolver::With::ball;
@@ -293,9 +301,9 @@ void Islands::remember_forces(double time, double duration) {
             Particle& particle = sim_.particles[members_[body]];
             if ((particle.loads += of_balls ? 2 : 1) >= 2) particle.last_loaded = time;
         }
+        const double lasts = may_be_impact(contact) ? std::max(duration, sim_.tick_length) : duration;
         (of_balls ? ball_forces_ : part_forces_)
-            .add({contact.a, contact.b, contact.impulse.normal / duration,
-                  contact.impulse.tangent / duration});
+            .add({contact.a, contact.b, contact.impulse.normal / lasts, contact.impulse.tangent / lasts});
     }
     ball_forces_.merge(), part_forces_.merge();
 }

@@ -111,7 +111,7 @@ void expect_all_is_well(unsigned seed, int most_balls) {
     constexpr int steps = 120, saved_after = 40;
     /// Far less than a step took where events of a ball had no end: 450,000 impacts, or 30 million tests of
     /// pairs.
-    constexpr std::uint64_t most_impacts = 30'000, most_tests = 6'000'000;
+    constexpr std::uint64_t most_impacts = 50'000, most_tests = 6'000'000;
     const Scene scene = crowded_room(seed, most_balls);
     const auto world = world_of(scene), in_long_steps = world_of(scene), in_short_steps = world_of(scene);
     std::unique_ptr<World> restored;
