@@ -76,8 +76,7 @@ TEST_F(PlotsWindow, TheirUpperEdgeIsDraggedWithinBoundsAndComesBack) {
     EXPECT_EQ(state["layout"]["strip"][3], 360);
     drag_to(795);
     EXPECT_EQ(state["layout"]["strip"][3], 80);
-    window->click(state["controls"]["Edge of the plots"]);
-    window->click(state["controls"]["Edge of the plots"]);
+    window->click(state["controls"]["Edge of the plots"], 2);
     window->wait("the usual height", [](const Json& s) { return s["layout"]["strip"][3] == 120; });
 }
 

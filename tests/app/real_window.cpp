@@ -136,11 +136,12 @@ void RealWindow::xdotool(const std::string& arguments) const {
         throw std::runtime_error("xdotool " + arguments + " failed");
 }
 
-void RealWindow::click(const Json& rect) const {
+void RealWindow::click(const Json& rect, int times) const {
     const auto middle = [&](std::size_t i) {
         return std::to_string(static_cast<int>(rect[i].get<double>() + 0.5 * rect[i + 2].get<double>()));
     };
-    xdotool("mousemove --window " + window_ + " " + middle(0) + " " + middle(1) + " click 1");
+    xdotool("mousemove --window " + window_ + " " + middle(0) + " " + middle(1) + " click --repeat " +
+            std::to_string(times) + " --delay 60 1");
 }
 
 void RealWindow::resize(int width, int height) const {

@@ -63,7 +63,7 @@ class RealWindow {
     /// Runs xdotool, which sends what a keyboard or mouse would.
     void xdotool(const std::string& arguments) const;
     void key(const std::string& name) const { xdotool("key " + name); }
-    void click(const Json& rect) const;
+    void click(const Json& rect, int times = 1) const;
     void resize(int width, int height) const;
 
     /// The first report from now on of which `condition` holds. Throws std::runtime_error, with the last
