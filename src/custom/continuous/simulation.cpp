@@ -109,18 +109,18 @@ Ball Simulation::ball_at(BallIndex i, double time) const {
 }
 
 void Simulation::read(BallIndex i, double time, Ball& ball) const {
-    const Ball& start = balls[i];
-    if (hot[i].ballistic && !hot[i].in_island && !start.asleep && ball.number == start.number) {
+    const Ball& begin = balls[i];
+    if (hot[i].ballistic && !hot[i].in_island && !begin.asleep && ball.number == begin.number) {
         // The same as below from fewer cache lines.
         const auto [position, velocity] = flying_at(hot[i], time);
         ball.position = position;
         ball.velocity = velocity;
-        ball.angle = start.angle + start.spin * (time - hot[i].start);
-        ball.spin = start.spin;
+        ball.angle = begin.angle + begin.spin * (time - hot[i].start);
+        ball.spin = begin.spin;
         ball.asleep = false;
         return;
     }
-    ball = start;
+    ball = begin;
     if (ball.asleep) return;
     advance(ball, particles[i].motion, time);
     if (particles[i].on_tick_path) ball.velocity = true_velocity(i, time);
