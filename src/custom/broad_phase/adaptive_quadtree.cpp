@@ -35,13 +35,16 @@ class Tree {
 
     /// Builds the tree of the proxies from handle `first` on.
     void build(Handle first) {
-        const auto count = static_cast<int>(proxies_.size() - first);
+        const std::size_t count = proxies_.size() - first;
+        const auto depth = static_cast<std::size_t>(options_.adaptive_depth),
+                   capacity = static_cast<std::size_t>(options_.adaptive_capacity);
         // At each depth at most count / (capacity + 1) nodes are split.
-        nodes_.reserve(1 + 4 * options_.adaptive_depth * (count / (options_.adaptive_capacity + 1)));
+        nodes_.reserve(1 + 4 * depth * (count / (capacity + 1)));
         items_.resize(count);
         sorted_.resize(count);
         std::iota(items_.begin(), items_.end(), first);
-        nodes_.assign(1, {{options_.world, count, count, 0, no_cell, 0, true, still_}});
+        const auto all = static_cast<int>(count);
+        nodes_.assign(1, {{options_.world, all, all, 0, no_cell, 0, true, still_}});
         split(0);
     }
 
@@ -64,7 +67,7 @@ class Tree {
     [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
     /// The proxies in a node, without those below it.
     [[nodiscard]] std::span<const Handle> items(std::uint32_t node) const {
-        return std::span(items_).subspan(nodes_[node].begin, nodes_[node].listed);
+        return std::span(items_).subspan(nodes_[node].begin, static_cast<std::size_t>(nodes_[node].listed));
     }
 
   private:
@@ -77,9 +80,9 @@ class Tree {
 
     void split(std::uint32_t node) {
         const Node n = nodes_[node];
-        const std::uint32_t end = n.begin + n.within;
+        const std::uint32_t within = static_cast<std::uint32_t>(n.within), end = n.begin + within;
         if (n.within <= options_.adaptive_capacity || n.level == options_.adaptive_depth) return;
-        tests_ += n.within;
+        tests_ += within;
         const Vec2 middle = middle_of(n.box);
         std::uint32_t begins[6] = {n.begin};  // of the groups, and the end of the last
         for (std::uint32_t i = n.begin; i < end; ++i) {
