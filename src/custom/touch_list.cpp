@@ -147,16 +147,13 @@ bool TouchList::wake_unsupported(std::span<Ball> balls) {
     const Vec2 gravity = table_.scene().gravity;
     woken_.assign(balls.size(), 0);
     bool any = false;
-    const auto index_of = [&](BallNumber number) {
-        return static_cast<std::size_t>(find_ball(balls, number) - balls.data());
-    };
     const auto wake = [&](BallNumber number) {
         if (!sleeps(balls, number)) return;
-        const std::size_t i = index_of(number);
+        const std::size_t i = index_of(balls, number);
         balls[i].asleep = false;
         woken_[i] = any = true;
     };
-    const auto is_woken = [&](BallNumber number) { return woken_[index_of(number)] != 0; };
+    const auto is_woken = [&](BallNumber number) { return woken_[index_of(balls, number)] != 0; };
     const double most = most_from_above * length(gravity);
     each_missing(before_, now_, [&](const Contact& ended) {
         const double along = dot(ended.normal, gravity);

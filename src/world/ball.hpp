@@ -38,6 +38,11 @@ struct Ball {
     return at != balls.end() && at->number == number ? &*at : nullptr;
 }
 
+/// The place in that list of a ball that is there.
+[[nodiscard]] inline std::size_t index_of(std::span<const Ball> balls, BallNumber number) {
+    return static_cast<std::size_t>(find_ball(balls, number) - balls.data());
+}
+
 inline double inertia(const Ball& ball) {
     return 0.5 * ball.mass * ball.radius * ball.radius;
 }

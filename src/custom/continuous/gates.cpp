@@ -73,7 +73,7 @@ double Gates::distance_to(PartIndex part, Vec2 center, double radius, const Pose
 void Gates::settle() {
     for (const PartIndex part : sim_.layout.gates()) {
         const Pose pose = sim_.turnings[part].pose(0);
-        const Box around = bounds_of(sim_.layout.primitive(first_[part]), pose);
+        const Box around = bounds_of(sim_.layout.primitive(first_[part]), pose);  // a gate is one segment
         const auto is_near = [&](const Ball& ball) {
             const double out = left_at(ball.position, ball.radius);
             return overlap(around, bounds_of(ball.position, ball.radius + out)) &&

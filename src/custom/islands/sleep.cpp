@@ -22,10 +22,6 @@ constexpr double falling = 0.5;
 /// Less keeps heaps awake: what has just woken is pushed by forces that are found anew.
 constexpr double faster_to_wake = 4;
 
-std::size_t index_of(std::span<const Ball> balls, BallNumber number) {
-    return static_cast<std::size_t>(find_ball(balls, number) - balls.data());
-}
-
 }  // namespace
 
 void Sleep::reserve(std::size_t balls) {
